@@ -69,7 +69,7 @@ def sheared(mesh: Mesh2D) -> ContactProblem:
 
 
 def on_middle(x: Array, share: float = 1.0) -> Array:
-    """Pressure on the mid-plane y = R of the upper disc at `x` (2, ...), for a share of the load."""
+    """Pressure on the mid-plane y = R of the upper disc at `x` (2, ...) for a share of the load."""
     return np.asarray(share * LOAD / (np.pi * R) * (4 / (1 + (x[0] / R) ** 2) ** 2 - 1))
 
 

@@ -1,4 +1,4 @@
-"""Run cases through the shared cache; every process computes what it misses once."""
+"""Run cases through the shared cache; each process computes missing results once."""
 
 import ctypes
 import gc

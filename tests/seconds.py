@@ -1,4 +1,4 @@
-"""Processor seconds of each test file beside those of a ledger, and the reasons of slow tests.
+"""Processor seconds of each test file against those of a ledger, and reasons of slow tests.
 
 A whole run names the files that take far more than the ledger says, on the scale of this machine,
 and the tests of over SLOW seconds that have no mark `slow` with their reason. The ledger is of a

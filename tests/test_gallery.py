@@ -1,4 +1,4 @@
-"""The gallery: every script runs, prints its key number beside the expected one, and draws."""
+"""The gallery: every script runs, prints its key number next to the expected one, and draws."""
 
 import re
 import runpy

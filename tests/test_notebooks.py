@@ -1,4 +1,4 @@
-"""The notebooks of examples: stripped of outputs, and their cells run in order without Jupyter."""
+"""The notebooks of examples have no outputs; their cells run in order without Jupyter."""
 
 import ast
 import json

@@ -1,4 +1,4 @@
-"""Problems that one call solves, beside formulas that share no code with them."""
+"""Problems that are solved by one call, against formulas that share no code with them."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What `make docs` makes its pages of: docstrings that Sphinx reads, equations of the ledgers."""
+"""Sources of the pages of `make docs`: docstrings that Sphinx reads, equations of the ledgers."""
 
 import importlib.util
 import os

@@ -1,4 +1,4 @@
-"""Rings and springs that make no sense are refused in one line that names what is wrong."""
+"""Invalid rings and springs are refused in one line that names the error."""
 
 import math
 

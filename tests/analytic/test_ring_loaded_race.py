@@ -1,4 +1,4 @@
-"""Rings under waves and Hertz patches: equilibrium, energies, cuts, the uniformly loaded ring."""
+"""Rings under waves and Hertz patches: equilibrium, energies, sections, uniformly loaded ring."""
 
 from dataclasses import replace
 

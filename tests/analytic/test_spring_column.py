@@ -1,4 +1,4 @@
-"""The force method, the elastica and the equivalent column: closed forms and one another."""
+"""The force method, the elastica and the equivalent column: closed forms, mutual comparison."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Stages of the accordion spring, and a leaf's width factor."""
+"""Stages of the accordion spring, and the width factor of a leaf."""
 
 import math
 from dataclasses import fields

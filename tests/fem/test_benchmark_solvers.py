@@ -1,4 +1,4 @@
-"""What the table of solvers is made of."""
+"""Parts of the table of solvers."""
 
 import sys
 

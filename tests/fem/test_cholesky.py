@@ -1,4 +1,4 @@
-"""Factors of symmetric matrices: solutions, the last block, renewal and refusals."""
+"""Factors of symmetric matrices: solutions, the last block, new values, and refusals."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Files of solids, shells, bodies of revolution and modes hold the components they name.
+"""Files of solids, shells, bodies of revolution and modes contain the components in their names.
 
 All components of a state differ, so that no two of them can be exchanged unseen.
 """

@@ -1,4 +1,4 @@
-"""Pictures and files of solutions hold their values."""
+"""Pictures and files of solutions contain the values of the solution."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""A freewheel's sector: places, names and fine zones of its bodies, and cuts that match."""
+"""The sector of a freewheel: positions, names, fine zones of its bodies, and matching cuts."""
 
 from math import acos, atan, atan2, cos, pi, radians, sin, sqrt, tan
 

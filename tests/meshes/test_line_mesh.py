@@ -1,4 +1,4 @@
-"""Any line model of gmsh comes over with its names, its numbering and its middle nodes."""
+"""Any line model of gmsh is read with its names, its numbering and its middle nodes."""
 
 from math import pi
 

@@ -1,4 +1,4 @@
-"""Every plane mesh has the names, lengths, areas and normals of what it draws, at order four."""
+"""Every plane mesh has the names, lengths, areas and normals of its outline, to order four."""
 
 from math import cos, pi, sin, sqrt, tan
 

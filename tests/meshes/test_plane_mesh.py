@@ -1,4 +1,4 @@
-"""Any plane gmsh model comes over with its names, areas, outlines and normals."""
+"""Any plane gmsh model is read with its names, areas, outlines and normals."""
 
 from math import pi
 

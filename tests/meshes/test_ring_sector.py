@@ -1,4 +1,4 @@
-"""Half a pitch and a quarter of a ring: cells, names, sizes, from thin to thick."""
+"""Half a pitch and a quarter of a ring: cells, names, sizes, for thin to thick rings."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""No cell of a clutch's sector folds, however odd the clutch, and none is needlessly many."""
+"""The sector of an extreme clutch has no folded cell, and no needlessly large number of cells."""
 
 from math import asin, cos, pi, radians, sin, sqrt, tan
 

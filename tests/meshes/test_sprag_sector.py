@@ -1,4 +1,4 @@
-"""A sprag clutch's sector: places, names and fine zones of its bodies, and cuts that match."""
+"""The sector of a sprag clutch: positions, names, fine zones of its bodies, and matching cuts."""
 
 from dataclasses import replace
 from math import asin, atan2, cos, hypot, nan, radians, sin, sqrt

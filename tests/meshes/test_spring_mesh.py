@@ -1,4 +1,4 @@
-"""The accordion spring's line and strip against lengths, areas and places found by hand.
+"""Line and strip of the accordion spring against lengths, areas, positions found by hand.
 
 From the head's middle a half leaf a = L1/2 and a quarter arc lead to the level a + R; each of the
 n - 2 units then crosses to the level -(a + R) or back by an arc, a leaf and an arc.

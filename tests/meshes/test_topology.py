@@ -1,4 +1,4 @@
-"""Meshes of mapped blocks keep their topology while nodes move, and are as if made alone."""
+"""Meshes of mapped blocks have constant topology while nodes move, and equal new meshes."""
 
 import numpy as np
 import pytest

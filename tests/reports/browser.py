@@ -1,4 +1,4 @@
-"""Pages in headless Chromium without network, looked at from a host page that frames them."""
+"""Pages in headless Chromium without network, evaluated from a host page with frames."""
 
 import html
 import json

@@ -1,4 +1,4 @@
-"""A judged run of a case of each subject for the report tests, with hostile texts, and of all."""
+"""A judged run of one case of each subject for the report tests, with special texts; and of all."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""Bars from zero and zones of a plane: where they lie, and names that do not leave the picture."""
+"""Bars from zero and zones of a plane: their positions; names remain inside the picture."""
 
 import re
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""Error budgets on the page, in the PDF's data, in results.json and as a table."""
+"""Error budgets on the page, in the data of the PDF, in results.json and as a table."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""Plots of curves, profiles, refinements and states: where they lie and how they are named."""
+"""Plots of curves, profiles, refinements and states: positions and names."""
 
 import re
 from dataclasses import replace

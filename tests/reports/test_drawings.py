@@ -1,4 +1,4 @@
-"""Drawings of the page in fewer bytes and as images: every line and colour as it was."""
+"""Compact drawings of the page and images: every line and colour is unchanged."""
 
 import itertools
 import re

@@ -1,4 +1,4 @@
-"""The validity explorer: its data, and answers of its script beside an interpolation in Python."""
+"""The validity explorer: its data, and answers of its script against an interpolation in Python."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""Maps of a quantity and of an error: the right colour at the right place, named and bounded."""
+"""Maps of a quantity and of an error: colours at their positions, names and bounds."""
 
 import base64
 import io

@@ -1,4 +1,4 @@
-"""The page, and the pages, as text: self-contained, escaped, whole, with links that lead."""
+"""The page and its subpages as text: self-contained, escaped, complete, with valid links."""
 
 import base64
 import hashlib

@@ -1,4 +1,4 @@
-"""Pages in a real browser without network: silent, narrow enough, readable, searchable.
+"""Pages in a browser without network: no errors, no overflow, legible, searchable.
 
 A case of each subject; test_whole looks at the page of every case. The one page of a run is seen
 with hostile texts, which have every status, and with shafts in motion.

@@ -1,4 +1,4 @@
-"""The papers' tables as they are rendered: each value in the row and column of its number."""
+"""The rendered tables of the papers: each value in the row and column of its number."""
 
 import re
 from html import unescape

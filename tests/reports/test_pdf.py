@@ -1,4 +1,4 @@
-"""report.pdf: everything is on it, literally, within its margins; without typst the rest exists."""
+"""report.pdf: complete, literal text within the margins; without typst, all other files exist."""
 
 import json
 import re

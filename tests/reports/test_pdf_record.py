@@ -1,4 +1,4 @@
-"""The record: few pages, one for each case, with the rows of most weight that fit on it."""
+"""The record: few pages, one for each case, with the most important rows that fit on it."""
 
 import re
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Pictures show the right place in the right colour, whichever program draws them, and only once.
+"""Pictures have the right colour at each place with each drawing program, and are drawn once.
 
 Where pyvista fails, hangs or draws nothing, matplotlib draws them.
 """

@@ -1,4 +1,4 @@
-"""The ribbon that can be turned: its data come back whole, its words are escaped."""
+"""The rotatable ribbon: its data are read back completely, its words are escaped."""
 
 import base64
 import json

@@ -1,4 +1,4 @@
-"""What a run leaves behind is read back by the programs that will read it."""
+"""Files written by a run are read back by the programs that use them."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""Charts of turning shafts: Campbell diagrams, modes in motion, and sets of their parameters."""
+"""Charts of rotating shafts: Campbell diagrams, animated modes, and sets of parameters."""
 
 import re
 from dataclasses import replace

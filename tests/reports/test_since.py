@@ -1,4 +1,4 @@
-"""What moved since a release, and what numbers may mean, on the page and on paper."""
+"""Changes since a release, and the meaning of numbers, on the page and on paper."""
 
 from dataclasses import replace
 

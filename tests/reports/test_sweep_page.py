@@ -1,4 +1,4 @@
-"""The page of a sweep: text and figures for made-up errors."""
+"""The page of a sweep: text and figures for invented errors."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Marked-up text, numbers and equations as they are printed."""
+"""Marked-up text, numbers and equations in the form in which they are printed."""
 
 import re
 import sys

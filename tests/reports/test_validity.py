@@ -1,4 +1,4 @@
-"""The cards on the page and in the PDF: their text, how limits join, which have a figure."""
+"""The cards on the page and in the PDF: text, combined limits, and figures."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Verdicts on the page, in Markdown, in the PDF and the workbook; what to use instead."""
+"""Verdicts on the page, in Markdown, in the PDF and the workbook; formulas to use instead."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""Every VTU of a run is read back by meshio and by VTK itself, which ParaView reads with."""
+"""Every VTU file of a run is read back by meshio and by VTK, the reader of ParaView."""
 
 import meshio
 import numpy as np

@@ -1,4 +1,4 @@
-"""The report of every case: what only the whole of them shows."""
+"""The report of all cases: contents that a report of a part does not have."""
 
 import re
 from collections import Counter

@@ -1,4 +1,4 @@
-"""A report that is written again: files of which nothing has changed stay, all others are made.
+"""A repeated report: files without changes are not written again, all others are.
 
 With it the drawing while cases are solved, and an interrupted run.
 """

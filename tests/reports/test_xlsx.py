@@ -1,4 +1,4 @@
-"""tables.xlsx read back: numbers are numbers, texts are texts, every table is there."""
+"""tables.xlsx read back: numbers are numbers, texts are texts, and every table exists."""
 
 import io
 import math

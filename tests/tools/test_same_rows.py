@@ -1,4 +1,4 @@
-"""The comparison of two outputs: what it must report, and what it may pass over."""
+"""The comparison of two outputs: differences that it reports, and differences that it permits."""
 
 import copy
 import json

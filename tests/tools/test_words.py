@@ -1,4 +1,4 @@
-"""The search for words of the list: which texts it reads, and what it reports."""
+"""The search for words of the list: texts that it reads, and its report."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""A made-up case whose difference is known part by part: functions stand for finite elements."""
+"""An invented case whose difference has known parts: functions stand for finite elements."""
 
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity

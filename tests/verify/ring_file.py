@@ -1,4 +1,4 @@
-"""A parameter file of a ring whose stresses are known by hand: 2.6 p and 1.6 p."""
+"""A parameter file of a ring with stresses calculated by hand: 2.6 p and 1.6 p."""
 
 RING = """\
 case = "ring-lame"

@@ -1,4 +1,4 @@
-"""Rows judged again from what they keep."""
+"""Rows judged again from their stored data."""
 
 import math
 

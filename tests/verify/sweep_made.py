@@ -1,4 +1,4 @@
-"""Sweeps of a made-up case with courses that a test writes down itself, and a file of a ring."""
+"""Sweeps of an invented case with errors defined by a test, and a file of a ring."""
 
 from concurrent.futures import Future
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""Templates with their optional lines put in."""
+"""Templates with their optional lines included."""
 
 import re
 import tomllib

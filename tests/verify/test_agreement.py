@@ -1,4 +1,4 @@
-"""Rows of two values within a figure stated beforehand, made by hand."""
+"""Rows of two values within a tolerance stated beforehand, made by hand."""
 
 import math
 

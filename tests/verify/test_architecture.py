@@ -1,4 +1,4 @@
-"""Where modules may import others; import contracts state which."""
+"""Imports between modules: the import contracts of the project."""
 
 import ast
 from graphlib import TopologicalSorter

@@ -1,4 +1,4 @@
-"""Inputs that a file leaves out: every one has a source, is listed, and never changes a given one.
+"""Inputs missing in a file: each has a source, is listed, and never changes a given input.
 
 The files of `parts` have at most ten lines, as a designer has them from a drawing or a catalogue.
 """

@@ -1,4 +1,4 @@
-"""Error budgets: known parts are found again, add up and are stale for other code."""
+"""Error budgets: known parts are found again, add up, and are stale after a change of code."""
 
 import functools
 import math

@@ -1,4 +1,4 @@
-"""Budgets of rows whose formula is itself a cause, and what the statements of cases are about."""
+"""Budgets of rows whose formula is itself a cause, and the subjects of statements of cases."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Contributions of real rows beside what theory predicts."""
+"""Contributions of real rows against predictions of theory."""
 
 import pytest
 

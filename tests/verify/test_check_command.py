@@ -1,4 +1,4 @@
-"""`check` on files: the first lines, the exit status, JSON by its schema, a report."""
+"""`check` on files: first lines, exit status, JSON by its schema, a report."""
 
 import json
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""`check` on files that users write: status 2 with one line, or finite numbers."""
+"""`check` on wrong files of users: status 2 with one line, or finite numbers."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""Rows of every kind of claim, from finite-element levels that are made up by hand.
+"""Rows of every kind of claim, from finite-element levels made by hand.
 
 The made-up series is v = v0 (1 + a h^p) on h = 1/2, 1/4, 1/8: its finest value is off by v0 a/8^p,
 its index (formal order p) 1.25 times that, so U = 2 GCI/2 = 1.25 v0 a/8^p.

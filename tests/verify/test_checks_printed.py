@@ -1,4 +1,4 @@
-"""Formulas beside printed numbers: Wang et al. 2023, Table 1, k_1: theory 0.601, FEA 0.613 N/mm.
+"""Formulas against printed numbers: Wang et al. 2023, Table 1, k_1: theory 0.601, FEA 0.613 N/mm.
 
 The theory's last digit leaves 2 u = 2 (0.0005/sqrt 3) = 0.000577 N/mm around 0.601.
 """

@@ -1,4 +1,4 @@
-"""The command line: what it loads, its exit statuses, and one line for what is wrong."""
+"""The command line: loaded modules, exit statuses, and one line for an error."""
 
 import json
 import subprocess

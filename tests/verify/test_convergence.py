@@ -1,4 +1,4 @@
-"""Grid convergence on series v = v0 + c h^p, whose limit, order and error are known by hand.
+"""Grid convergence of series v = v0 + c h^p, with limit, order and error known by hand.
 
 With v_k = v0 + c h_k^p the finest value is off by e = c h1^p and the last difference is
 |v1 - v2| = |e| (r^p - 1). So the index F |v1 - v2|/(r^p - 1) is F |e|, whatever the ratios.

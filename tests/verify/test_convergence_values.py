@@ -1,4 +1,4 @@
-"""Orders and slopes of convergence at values that a hand can compute, and at ties."""
+"""Orders and slopes of convergence at values calculated by hand, and at ties."""
 
 import math
 

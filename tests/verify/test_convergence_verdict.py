@@ -1,4 +1,4 @@
-"""What convergence is judged by: an order above what iteration explains, or a spread."""
+"""Criteria of convergence: an order above the effect of the iteration error, or a spread."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""`freewheel crosscheck`: what agrees, what is outside, what is not installed, what is stale."""
+"""`freewheel crosscheck`: agreement, differences, programs not installed, stale results."""
 
 from dataclasses import replace
 from functools import partial

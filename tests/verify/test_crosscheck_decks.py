@@ -1,4 +1,4 @@
-"""Decks for calculix: what stands in them, and a patch under even stress."""
+"""Decks for calculix: their contents, and a patch under uniform stress."""
 
 from dataclasses import replace
 

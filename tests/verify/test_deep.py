@@ -1,4 +1,4 @@
-"""Measurements beyond a run: valid while their code stands, resumed where they were interrupted."""
+"""Long measurements: valid while their code is unchanged, resumed after an interruption."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""A planted reading is found and named, and accidental hits are counted as they happen."""
+"""A planted reading is found and named; accidental agreement is counted."""
 
 import json
 import math

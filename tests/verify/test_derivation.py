@@ -1,4 +1,4 @@
-"""Rows judged again from what they hold: the same numbers, the same verdict, the same words."""
+"""Rows judged again from their data: equal numbers, verdicts and words."""
 
 import math
 from dataclasses import replace

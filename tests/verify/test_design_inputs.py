@@ -1,4 +1,4 @@
-"""Design tasks: what is read, and the one line that states what is wrong with the others."""
+"""Design tasks: accepted files, and one line with the error for all other files."""
 
 import math
 

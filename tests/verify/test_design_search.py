@@ -1,4 +1,4 @@
-"""The search of a design: formulas, each limit alone, what to relax, and its time."""
+"""The search of a design: formulas, each limit alone, limits to relax, and run time."""
 
 import math
 from dataclasses import replace

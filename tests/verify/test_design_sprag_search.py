@@ -1,4 +1,4 @@
-"""The search for a crown on an invented clutch whose optimal crown is known without a search."""
+"""The search for a crown of an invented clutch with an optimal crown known beforehand."""
 
 import math
 from copy import deepcopy

@@ -1,4 +1,4 @@
-"""Rows as a user reads them: differences, columns on the terminal and closing sentences."""
+"""Rows in the form for users: differences, columns on the terminal and closing sentences."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What the machine lacks is named with the packages that bring it, by `doctor` and where needed."""
+"""Missing components are named with the packages that contain them, by `doctor` and on use."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""`check --dynamic` on a small made-up case: a ring that swings, with what may go wrong in it."""
+"""`check --dynamic` on a small invented case: a vibrating ring, and its possible errors."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""Every case on the printed inputs: rows follow from what they hold, formulas have no tie.
+"""Every case at the printed inputs: rows follow from their data, formulas have no tie.
 
 No formula decides anything by the last bits of its inputs: every input is moved by some 1e-13 of
 itself. Values follow by as much as they are ill-conditioned. What moves further stands at a tie:

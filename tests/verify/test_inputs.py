@@ -1,4 +1,4 @@
-"""Parameter files: what is read, and the one line that states what is wrong with the others."""
+"""Parameter files: accepted files, and one line with the error for all other files."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Verdicts at, just inside and just outside of every limit.
+"""Verdicts at, just inside and just outside every limit.
 
 Limits are set with powers of two, for which sums and quotients carry no round-off: a row at its
 limit is exactly at it.

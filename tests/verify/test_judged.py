@@ -1,4 +1,4 @@
-"""Judged cases and parts of a report that are stored come back as they were, or not at all."""
+"""Stored judged cases and parts of a report are read back unchanged, or not at all."""
 
 import pickle
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Studies that are killed, stopped or torn: nothing stored is lost, and the result is the same.
+"""Studies that are killed or stopped, torn files: no stored result is lost, results are equal.
 
 The studies run in a copy of the project, since some of them write its measured files.
 """

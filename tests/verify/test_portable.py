@@ -1,4 +1,4 @@
-"""Emulated machines and perturbed inputs, what differs between them, and a sample of rows there."""
+"""Emulated machines and perturbed inputs: their differences, and a sample of rows."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Profiles of finite elements: band, distance in L2, open errors; and portions of cases."""
+"""Profiles of finite elements: band, L2 distance, errors without bound; portions of cases."""
 
 from dataclasses import dataclass
 

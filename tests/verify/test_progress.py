@@ -1,4 +1,4 @@
-"""Messages of a run about its progress."""
+"""Progress messages of a run."""
 
 import io
 import os

@@ -1,4 +1,4 @@
-"""The ledgers: complete, consistent, and pointing at code and tests that exist."""
+"""The ledgers: complete, consistent, with references to existing code and tests."""
 
 import ast
 import json

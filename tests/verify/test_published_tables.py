@@ -1,4 +1,4 @@
-"""The papers' tables: as printed, every number a value of the ledger, and the comments on it."""
+"""The tables of the papers: as printed, every number in the ledger, and comments on numbers."""
 
 import re
 

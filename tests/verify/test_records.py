@@ -1,4 +1,4 @@
-"""Records of measurements: current for what made them, whole or absent, readable in a diff."""
+"""Records of measurements: valid for the code that made them, complete or absent, readable."""
 
 import json
 import time

@@ -1,4 +1,4 @@
-"""What changed since a release is reported, and what was loosened needs a reason."""
+"""Changes since a release are reported, and a larger tolerance needs a reason."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""One case that raises fails; the others are judged as usual, and nothing is solved twice."""
+"""A case that raises an error fails; all others are judged as usual, and each is solved once."""
 
 import os
 from concurrent.futures import Future

@@ -1,4 +1,4 @@
-"""The set-up: system libraries where that is allowed, packages in groups, continued as it was."""
+"""The set-up: system libraries if permitted, groups of packages, continuation after a stop."""
 
 import fcntl
 import hashlib

@@ -1,4 +1,4 @@
-"""What both sides assume: every case states it, with effects that follow from other models."""
+"""Assumptions common to both sides: each case states them, with effects by other models."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The hash of the code behind a result: what changes it and what does not."""
+"""The hash of the code behind a result: changes with and without effect."""
 
 import ast
 import importlib

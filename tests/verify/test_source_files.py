@@ -1,4 +1,4 @@
-"""Digests of the project's files: which files count for a module, and that each change shows."""
+"""Digests of files of the project: files that a module depends on, and detection of changes."""
 
 import pytest
 

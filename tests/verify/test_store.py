@@ -1,4 +1,4 @@
-"""The store of results: whole entries, several processes, damaged and full files, its command."""
+"""The store of results: complete entries, several processes, damaged or full files, its command."""
 
 import json
 import multiprocessing

@@ -1,4 +1,4 @@
-"""Disks that are full or cannot be written: one line, and everything else as it was."""
+"""Full or read-only disks: one line, and all other results unchanged."""
 
 import subprocess
 

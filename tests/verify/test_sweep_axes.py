@@ -1,4 +1,4 @@
-"""What a sweep varies, from the command line's texts, and the points that follow."""
+"""Axes of a sweep from the texts of the command line, and the resulting points."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The command `sweep`: what it refuses before it solves, and which files it leaves."""
+"""The command `sweep`: inputs refused before solving, and files written."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Sensitivity indices of a sample: closed forms, confidence, noise, points that are missing."""
+"""Sensitivity indices of a sample: closed forms, confidence, noise, missing points."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What a sweep compares at a point and how uncertain that is: as the rows of a run have it."""
+"""Comparison and uncertainty at a point of a sweep: equal to the rows of a run."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Where a formula holds: verdicts, the largest box, what breaks it first."""
+"""Range of validity of a formula: verdicts, the largest box, the first violated limit."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""What a sweep solves and what it finds solved: points in the store stand while their code does."""
+"""Solved and stored points of a sweep: stored points are valid while their code is unchanged."""
 
 import sqlite3
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a sweep prints and its tables and JSON, on outcomes that are written down here."""
+"""Output, tables and JSON of a sweep, for outcomes defined here."""
 
 import csv
 import io

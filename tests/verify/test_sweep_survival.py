@@ -1,4 +1,4 @@
-"""Sweeps on a cluster whose workers or scheduler are killed end as undisturbed ones."""
+"""Sweeps on a cluster whose workers or scheduler are killed have the same results."""
 
 import os
 import socket

@@ -1,4 +1,4 @@
-"""Templates of parameter files are the paper's inputs, and complete."""
+"""Templates of parameter files are complete and have the inputs of the paper."""
 
 import re
 import tomllib

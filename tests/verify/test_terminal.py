@@ -1,4 +1,4 @@
-"""Lines that are longer than the terminal is wide."""
+"""Lines that are longer than the width of the terminal."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Strings with units: what a user writes, what SI makes of it, and what is refused."""
+"""Strings with units: input of a user, conversion to SI, and refused strings."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""`verify` makes no report again of which nothing has changed, and any change is noticed."""
+"""`verify` does not repeat a report without changes, and detects any change."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""Where formulas hold: what is measured, valid while its code stands, and written on cards."""
+"""Range of validity of formulas: measured, valid while its code is unchanged, printed on cards."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Bounds of polyhedral rings, loaded races and thick frames beside what they are independent of."""
+"""Bounds of polyhedral rings, loaded races and thick frames against independent models."""
 
 import math
 from dataclasses import replace

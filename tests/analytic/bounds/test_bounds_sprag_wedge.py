@@ -1,4 +1,4 @@
-"""Expected errors of wedged sprags and of engagements: what vanishes with what."""
+"""Expected errors of wedged sprags and of engagements: limits in which they vanish."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Bounds of contacts hold what is true of bodies of finite size, and not a wrong formula."""
+"""Bounds of contacts contain the values of finite bodies, and exclude a wrong formula."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Best crowns: no other that spares the ends is better, and a half-space finds their peak."""
+"""Optimal crowns: no crown with unloaded ends has a lower pressure; half-space check of peaks."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Crowns: exact arithmetic, the loads that they answer, a second writing, their mean."""
+"""Crowns: exact arithmetic, design loads, a second implementation, and the mean drop."""
 
 import math
 from decimal import Decimal, localcontext

@@ -1,4 +1,4 @@
-"""Contacts that make no sense are refused in one line that names what is wrong."""
+"""Invalid contacts are refused in one line that names the error."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The synthetic clutch of the project's freewheel cases, and an outer cam beside it."""
+"""The synthetic clutch of the freewheel cases of the project, and a clutch with an outer cam."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Bounds of a freewheel's formulas: a second writing of the wedge, limits, times of slip."""
+"""Bounds of freewheel formulas: a second implementation of the wedge, limits, times of slip."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Required friction, the couple that it leaves out, and the rig's load paths."""
+"""Required friction, the couple that the criterion omits, and load paths of the test rig."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Wedges of both cams against drawn circles; torsion by the rolling condition; Eqs. 3 to 7."""
+"""Wedges of both cams against drawn circles; wind-up by the rolling condition; Eqs. 3 to 7."""
 
 import numpy as np
 import pytest

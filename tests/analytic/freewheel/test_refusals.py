@@ -1,4 +1,4 @@
-"""Freewheels that cannot wedge, and loads without sense, are refused in one line."""
+"""Freewheels that cannot wedge, and invalid loads, are refused in one line."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Constants of rings, shafts and stars against second writings, and their slopes."""
+"""Constants of rings, shafts and stars against second implementations, and their derivatives."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""States under torque: equilibrium, energy, limits, the largest torque, a ring that is released."""
+"""States under torque: equilibrium, energy, limits, largest torque, release of the ring."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The polyhedral ring under pressure and rollers: Lamé, Michell, its residual."""
+"""The polyhedral ring under pressure and rollers against Lamé and Michell, and its residual."""
 
 import numpy as np
 import pytest

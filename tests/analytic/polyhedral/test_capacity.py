@@ -1,4 +1,4 @@
-"""Locked and driven rings: closure of the gap, balance of torques, where the ring locks."""
+"""Locked and driven rings: closure of the gap, balance of torques, locking of the ring."""
 
 import numpy as np
 import pytest

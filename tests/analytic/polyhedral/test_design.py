@@ -1,4 +1,4 @@
-"""The clutch with all its values: balance, remarks, torque and pressure as inverses."""
+"""Design values of the clutch: balance, remarks, torque and pressure as inverse functions."""
 
 from dataclasses import replace
 from math import atan, radians, tan

@@ -1,4 +1,4 @@
-"""The ring's expansion against Lamé and the balance of its cuts."""
+"""Expansion of the ring against Lamé and the equilibrium of its sections."""
 
 import numpy as np
 import pytest

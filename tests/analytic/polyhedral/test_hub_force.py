@@ -1,4 +1,4 @@
-"""Forces of the hub, stresses and slopes of the walls, loads in the cuts."""
+"""Forces of the hub, stresses and slopes of the walls, loads in the sections."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What the paper prints against statics that is solved here, by vectors and quadrature."""
+"""Printed equations of the paper against statics solved here by vectors and quadrature."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Polyhedral clutches that cannot be are refused in one line that names what is wrong."""
+"""Impossible polyhedral clutches are refused in one line that names the error."""
 
 from dataclasses import replace
 from math import atan

@@ -1,4 +1,4 @@
-"""The wedged roller against its balance as a free body."""
+"""The wedged roller against the equilibrium of its free body."""
 
 import numpy as np
 import pytest

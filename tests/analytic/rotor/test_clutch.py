@@ -1,4 +1,4 @@
-"""The clutch as a spring in five directions: Eqs. 2 to 11, closed forms, where it stands."""
+"""The clutch as a spring in five directions: Eqs. 2 to 11, closed forms, range of validity."""
 
 import math
 

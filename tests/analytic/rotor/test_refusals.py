@@ -1,4 +1,4 @@
-"""Clutches, shafts and rotors that make no sense are refused in words."""
+"""Invalid clutches, shafts and rotors are refused in words."""
 
 import math
 

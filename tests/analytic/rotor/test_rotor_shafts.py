@@ -1,4 +1,4 @@
-"""Turning shafts in closed form and in three dimensions: roots, limits, and one another."""
+"""Rotating shafts in closed form and in three dimensions: roots, limits, mutual comparison."""
 
 import numpy as np
 import pytest

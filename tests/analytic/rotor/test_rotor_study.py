@@ -1,4 +1,4 @@
-"""A rotor of two shafts: critical speeds by unbalance of each shaft, and its branches."""
+"""A rotor of two shafts: critical speeds by the unbalance of each shaft, frequency branches."""
 
 from dataclasses import replace
 

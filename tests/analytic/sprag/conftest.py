@@ -1,4 +1,4 @@
-"""The clutch of Huang 2018, Table 1, with what the paper leaves open set to round values."""
+"""The clutch of Huang 2018, Table 1; values missing in the paper are set to round numbers."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The clutch of Huang 2018 with the wedge angle in round radians, for tests without fixtures."""
+"""The clutch of Huang 2018 with a round wedge angle in radians, for tests without fixtures."""
 
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.parts import SpragClutchParts

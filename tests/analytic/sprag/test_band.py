@@ -1,4 +1,4 @@
-"""The band of sliding speeds in which contacts may stick, and friction's branches."""
+"""The band of sliding speeds in which contacts may stick, and the branches of friction."""
 
 import numpy as np
 import pytest

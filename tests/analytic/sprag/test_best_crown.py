@@ -1,4 +1,4 @@
-"""Best crowns by two regimes, their peaks, and a sprag drawn point by point."""
+"""Optimal crowns by two regimes, their peaks, and a sprag drawn point by point."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The explicit closure against drawn sprags, compliances, limits, and Eqs. 9 to 16 as printed."""
+"""The explicit closure against drawn sprags; compliances, limits, and Eqs. 9 to 16 as printed."""
 
 import numpy as np
 import pytest

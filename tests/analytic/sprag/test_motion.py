@@ -1,4 +1,4 @@
-"""What moves and where it starts; the closure in a table; Eqs. 12 to 16 as printed."""
+"""Motions and initial states; the closure in a table; Eqs. 12 to 16 as printed."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Sprags, motions and loads that make no sense are refused in one line."""
+"""Invalid sprags, motions and loads are refused in one line."""
 
 from dataclasses import replace
 

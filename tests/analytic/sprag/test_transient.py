@@ -1,4 +1,4 @@
-"""Engagements against closed forms and against events: energy, statics, friction's limit."""
+"""Engagements against closed forms and event detection: energy, statics, limit of friction."""
 
 import math
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""Kriging in steps beside its bordered system, likelihood, and designs in a box."""
+"""Kriging step by step against its bordered system; likelihood, and designs in a box."""
 
 import numpy as np
 import pytest

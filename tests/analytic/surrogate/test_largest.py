@@ -1,4 +1,4 @@
-"""Regimes whose squares are quadratics: kriged as squares they are met exactly."""
+"""Regimes whose squares are quadratic functions: kriging of the squares is exact."""
 
 import numpy as np
 import pytest

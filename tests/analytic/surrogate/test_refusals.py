@@ -1,4 +1,4 @@
-"""Boxes, designs, surrogates and searches that make no sense are refused."""
+"""Invalid boxes, designs, surrogates and searches are refused."""
 
 import re
 

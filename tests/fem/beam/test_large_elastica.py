@@ -1,4 +1,4 @@
-"""Large displacements beside closed forms, and what holds to round-off or by order."""
+"""Large displacements against closed forms; properties to round-off and by order."""
 
 from math import pi
 

@@ -1,4 +1,4 @@
-"""Terms beside the elements: springs, sliders with history, and steps that are taken back."""
+"""Terms in addition to elements: springs, sliders with history, and steps that are withdrawn."""
 
 import numpy as np
 import pytest

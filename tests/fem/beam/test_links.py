@@ -1,4 +1,4 @@
-"""Rigid links between points of a frame beside closed forms, and frames that touch in turn."""
+"""Rigid links between points of a frame against closed forms; contacts that close one by one."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Wrong frames and states that aren't in equilibrium get one line that names what is wrong."""
+"""Invalid frames and states without equilibrium give one line that names the error."""
 
 import re
 from math import inf, nan

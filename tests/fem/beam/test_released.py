@@ -1,4 +1,4 @@
-"""Pressed frames: release of the head, paths against the linear stiffness, and parts of them."""
+"""Compressed frames: release of the head, paths against the linear stiffness, parts of paths."""
 
 import numpy as np
 import pytest

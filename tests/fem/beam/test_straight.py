@@ -1,4 +1,4 @@
-"""Straight and curved members by both linear solvers, beside integrals, statics and textbooks.
+"""Straight and curved members by both linear solvers against integrals, statics and textbooks.
 
 Straight elements are the solution of the beam's equations; chords of an arc converge at order 2,
 curved elements at 4.

@@ -1,4 +1,4 @@
-"""Contact terms alone: their force is the energy's slope, their tangent the force's.
+"""Contact terms alone: the force is the derivative of the energy, the tangent that of the force.
 
 States are random, near those in which lines overlap by a few hundredths of the thickness.
 """

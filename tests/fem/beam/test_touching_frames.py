@@ -1,4 +1,4 @@
-"""Frames in contact beside closed forms of thin beams, and steps that would pass through."""
+"""Frames in contact against closed forms of thin beams; steps that would penetrate."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Bodies in contact that several tests press: blocks, discs on a flat, rollers on each other."""
+"""Bodies in contact for several tests: blocks, discs on a flat, rollers on each other."""
 
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem

@@ -1,4 +1,4 @@
-"""Contacts beside closed formulas, their balance, and the energy that friction takes."""
+"""Contacts against closed-form solutions, their balance, and the energy dissipated by friction."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Friction in a cone: layers sheared along z beside straight lines, and where blocks slide."""
+"""Friction cone: layers sheared along z against straight lines; sliding directions of blocks."""
 
 from types import SimpleNamespace
 

@@ -1,4 +1,4 @@
-"""Loads that are met by the movement of cuts: discs, a sector and its hub, a wedged roller."""
+"""Loads applied through the motion of sections: discs, a sector and its hub, a wedged roller."""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Friction by active sets and by Lemke's method: laws, proofs, and tolerances from both sides."""
+"""Friction by active sets and by Lemke's method: laws, proofs, tolerances on both sides."""
 
 from types import SimpleNamespace
 

@@ -1,4 +1,4 @@
-"""What must not change a contact's answer: its place, its units, and a sector for the whole."""
+"""Changes without effect on a contact: position, units, and a sector instead of the whole."""
 
 from dataclasses import replace
 from math import pi

@@ -1,4 +1,4 @@
-"""Nitsche's method beside the mortar: one answer, nearer with every mesh; and what it refuses."""
+"""Nitsche's method against the mortar method: the difference decreases with the mesh; refusals."""
 
 from functools import cache
 

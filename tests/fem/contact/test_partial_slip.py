@@ -1,4 +1,4 @@
-"""Pressed, then pushed and pulled: Cattaneo's and Mindlin's stick zone in the plane and along z.
+"""Normal, then tangential load: stick zone of Cattaneo and Mindlin in the plane and along z.
 
 All bodies are of one material, so that normal and tangential problem do not mix.
 """

@@ -1,4 +1,4 @@
-"""Patch tests: a uniform pressure passes a contact of meshes that do not match.
+"""Patch tests: contact between non-matching meshes transmits a uniform pressure exactly.
 
 To round-off between straight sides; as near as the facets between circles.
 """

@@ -1,4 +1,4 @@
-"""Readings of touches whose pressures, tractions and courses are known in closed form."""
+"""Evaluation of contacts whose pressures, tractions and load paths have a closed form."""
 
 from types import SimpleNamespace
 

@@ -1,4 +1,4 @@
-"""A contact problem that makes no sense is refused in one line that names what is wrong."""
+"""An invalid contact problem is refused in one line that names the error."""
 
 from dataclasses import replace
 

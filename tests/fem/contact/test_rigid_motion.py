@@ -1,4 +1,4 @@
-"""Bodies that only contact holds, that start separated, and exchanges that find equilibrium."""
+"""Bodies supported by contact only, bodies with an initial gap, and the search for equilibrium."""
 
 import numpy as np
 import pytest

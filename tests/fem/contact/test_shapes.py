@@ -1,4 +1,4 @@
-"""Exact shapes of contact surfaces, and rigid motions that move them."""
+"""Exact shapes of contact surfaces, and their rigid motions."""
 
 from math import atan, cos, hypot, nan, radians, sin
 

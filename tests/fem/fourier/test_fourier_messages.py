@@ -1,4 +1,4 @@
-"""A problem of harmonics that makes no sense is refused, and the message names what is wrong."""
+"""An invalid problem of harmonics is refused, and the message names the error."""
 
 import numpy as np
 import pytest

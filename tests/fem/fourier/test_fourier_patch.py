@@ -1,4 +1,4 @@
-"""What harmonics have exactly on any mesh, and rings under waves of pressure by Michell."""
+"""Exact solutions of harmonics on any mesh, and rings under pressure waves by Michell."""
 
 import numpy as np
 import pytest

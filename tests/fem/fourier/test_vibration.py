@@ -1,4 +1,4 @@
-"""Spinning elastic bodies against closed forms: inertia, rigid rotors, rings, whole cylinders."""
+"""Rotating elastic bodies against closed forms: inertia, rigid rotors, rings, whole cylinders."""
 
 import numpy as np
 import pytest

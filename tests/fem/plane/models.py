@@ -1,4 +1,4 @@
-"""Meshes of every element for the tests of plane bodies, mapped from a grid."""
+"""Meshes of every element type for the tests of plane bodies, mapped from a grid."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""A second solver: plane strain by Taylor and Hood's mixed triangles, all unknowns at once.
+"""A second solver: plane strain by Taylor-Hood triangles, solved for all unknowns at once.
 
 Displacements are quadratic, pressures linear and continuous; nothing is eliminated or projected,
 and assembly, solution and stresses are scikit-fem's and SuperLU's.

@@ -1,4 +1,4 @@
-"""Bodies of revolution: constant stress is exact, loads and reactions are totals of the turn."""
+"""Bodies of revolution: constant stress is exact; loads and reactions are those of 360°."""
 
 from dataclasses import replace
 

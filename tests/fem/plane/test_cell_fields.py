@@ -1,4 +1,4 @@
-"""What is read off plane fields: cells and nodes, copies of a sector, a loaded patch."""
+"""Evaluation of plane fields: cells and nodes, copies of a sector, a loaded patch."""
 
 from types import SimpleNamespace
 

@@ -1,4 +1,4 @@
-"""Cells: an order of small factors, folds that are refused, and stored factors."""
+"""Cells: an ordering with small factors, refusal of folded cells, and stored factors."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""A problem that makes no sense is refused, and the message names what is wrong with it."""
+"""An invalid problem is refused, and the message names the error."""
 
 import re
 from dataclasses import replace

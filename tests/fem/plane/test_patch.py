@@ -1,4 +1,4 @@
-"""Distorted elements have constant stress exactly; finer meshes converge to other solutions.
+"""Distorted elements reproduce constant stress exactly; other solutions converge.
 
 u of degree k is off by h^(k+1) in itself, by h^k in its stresses and by h^(2k) in energies; chords
 for arcs cost h^2.

@@ -1,4 +1,4 @@
-"""What is read off a solution: at any point, on boundaries, in bodies, and as plain arrays."""
+"""Evaluation of a solution: at any point, on boundaries, in bodies, and as plain arrays."""
 
 from dataclasses import replace
 

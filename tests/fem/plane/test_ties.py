@@ -1,4 +1,4 @@
-"""Cyclic sectors and bonded bodies against the whole, equal cells; mean motions of boundaries."""
+"""Cyclic sectors and bonded bodies against the whole; equal cells; mean motions of boundaries."""
 
 from math import pi
 

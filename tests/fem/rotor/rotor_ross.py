@@ -1,4 +1,4 @@
-"""The same rotors in ROSS and here: stepped, with discs and bearings, two shafts with 22 nodes."""
+"""Equal rotors in ROSS and in this project: steps, discs, bearings, two shafts with 22 nodes."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Free vibration against closed forms: whirling rigid rotors, shafts in three theories, torsion."""
+"""Free vibration against closed forms: rigid rotors, shafts by three theories, torsion."""
 
 import numpy as np
 import pytest

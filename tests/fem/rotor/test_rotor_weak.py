@@ -1,4 +1,4 @@
-"""Shafts as weak forms; peaks of responses; sets of springs that share a critical speed."""
+"""Shafts as weak forms; peaks of responses; sets of springs with equal critical speeds."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Cells laid over any surface, for tests with special shapes."""
+"""Cells on any surface, for tests with special shapes."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Constant strain comes out exactly, rigid motions alone cost nothing, wrong input is named."""
+"""Constant strain is exact, rigid motions have no energy, invalid input is named."""
 
 import numpy as np
 import pytest

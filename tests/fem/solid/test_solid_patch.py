@@ -1,4 +1,4 @@
-"""Solids: polynomial states of stress exactly, Lamé's cylinder, and no locking along one cell."""
+"""Solids: exact polynomial stresses, Lamé's cylinder, no locking with one cell."""
 
 from dataclasses import replace
 from functools import cache

@@ -1,4 +1,4 @@
-"""Courses of states, work and widths over a stroke, and steps to rest, without finite elements."""
+"""States, work and widths over a stroke, and steps to rest, without finite elements."""
 
 from dataclasses import dataclass
 from types import SimpleNamespace

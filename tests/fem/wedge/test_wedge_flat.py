@@ -1,4 +1,4 @@
-"""A roller between flat and race: its place, and what is read off courses and contacts."""
+"""A roller between flat and race: its position, and the evaluation of load paths and contacts."""
 
 import math
 from dataclasses import replace

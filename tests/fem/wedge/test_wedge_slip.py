@@ -1,4 +1,4 @@
-"""Sectors of a sprag clutch and of a freewheel: statics, rings, friction, and where they slip."""
+"""Sectors of a sprag clutch and of a freewheel: statics, rings, friction, and slip."""
 
 import math
 from functools import cache

@@ -1,4 +1,4 @@
-"""Discs and rings: even cells on whole circles, fine zones at a roller's ends and its crown."""
+"""Discs and rings: equal cells on whole circles, fine zones at the ends and crown of a roller."""
 
 from math import cos, pi, radians, sin
 

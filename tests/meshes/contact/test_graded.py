@@ -1,4 +1,4 @@
-"""Discs, blocks and races are fine where they touch and nowhere folded; cells grow as specified."""
+"""Discs, blocks and races: fine contact zones, no folded cells, growth of cells as specified."""
 
 from math import asin
 

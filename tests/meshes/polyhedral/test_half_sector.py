@@ -1,4 +1,4 @@
-"""The half sector of a polyhedral ring: fine zones, growth, refusals, and no fold."""
+"""The half sector of a polyhedral ring: fine zones, growth, refusals, and no folded cell."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Half-sections of cylinders: names, areas, and cells that grow away from where it matters."""
+"""Half-sections of cylinders: names, areas, and growth of cells away from fine zones."""
 
 import numpy as np
 import pytest

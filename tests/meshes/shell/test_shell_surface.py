@@ -1,4 +1,4 @@
-"""Any quadrilateral surface of gmsh comes over in memory, with its names."""
+"""Any quadrilateral surface of gmsh is read from memory, with its names."""
 
 import gmsh
 import numpy as np

@@ -1,4 +1,4 @@
-"""Hexahedra of strips and blocks against volumes, areas and places found by hand."""
+"""Hexahedra of strips and blocks against volumes, areas and positions calculated by hand."""
 
 from math import pi, radians
 

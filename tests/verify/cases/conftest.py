@@ -1,4 +1,4 @@
-"""Cases judged on their stored references while a formula is read in another sense."""
+"""Cases judged with their stored references while a formula has another reading."""
 
 import pytest
 

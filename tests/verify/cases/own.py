@@ -1,4 +1,4 @@
-"""Inputs of a user: those of the template of a case with some changed, as a file has them."""
+"""Inputs of a user: the template of a case with changed values, in the form of a file."""
 
 from functools import cache
 

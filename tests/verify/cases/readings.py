@@ -1,4 +1,4 @@
-"""Other readings of a function of the formulas, made of the right one."""
+"""Other readings of a function of the formulas, derived from the right one."""
 
 
 def given(**changes):

@@ -1,4 +1,4 @@
-"""Rows of a case on the paper's inputs, with its stored levels or with changed ones."""
+"""Rows of a case at the inputs of the paper, with stored or changed levels."""
 
 from dataclasses import replace
 

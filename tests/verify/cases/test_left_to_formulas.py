@@ -1,4 +1,4 @@
-"""What finite elements cannot solve or compare, of every subject: one input for each reason."""
+"""Inputs that finite elements cannot solve or compare, of every subject: one for each reason."""
 
 import pytest
 

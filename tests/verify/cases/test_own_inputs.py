@@ -1,4 +1,4 @@
-"""Parts of a user: judged without a failure, and drawn whatever their proportions."""
+"""Parts of a user: judged without a failure, and drawn with any proportions."""
 
 from dataclasses import replace
 

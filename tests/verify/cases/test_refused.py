@@ -1,4 +1,4 @@
-"""Parts that cannot be, of every subject: one input for each rule, refused in one line."""
+"""Impossible parts of every subject: one input for each rule, refused in one line."""
 
 import pytest
 

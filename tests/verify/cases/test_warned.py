@@ -1,4 +1,4 @@
-"""States that a part is warned of, of every subject: one input for each warning."""
+"""Warnings of every subject: one input for each warning."""
 
 import math
 

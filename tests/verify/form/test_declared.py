@@ -1,4 +1,4 @@
-"""A case declared by one class: what a declaration gives, and which broken rules are found."""
+"""A case declared by one class: results of a declaration, and reported violations of rules."""
 
 import pickle
 from collections.abc import Iterator

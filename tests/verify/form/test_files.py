@@ -1,4 +1,4 @@
-"""Cases in files outside the suite: commands that take them, and one clear line where they fail."""
+"""Cases in files outside the suite: commands that accept them, and one clear line for an error."""
 
 import html
 import json

@@ -1,4 +1,4 @@
-"""`freewheel new-case`: each kind of template is verified as it is written."""
+"""`freewheel new-case`: each kind of template is verified without changes."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Rules that equations and expected errors of a case follow: here the suite's, at start others'."""
+"""Rules for equations and expected errors of a case: of the suite here, of users at the start."""
 
 from math import log, pi
 

@@ -1,4 +1,4 @@
-"""Answers of forked children, as a campaign receives them."""
+"""Results of forked child processes, as a campaign receives them."""
 
 from verify.audit.mutation.sandbox import Answer, Task, forks, perform
 from verify.jobs.executor import Drive

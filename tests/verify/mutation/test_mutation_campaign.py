@@ -1,4 +1,4 @@
-"""What becomes of mutants: rows, refusals, tests, survivors; stored, continued, and scored."""
+"""Outcomes of mutants: rows, refusals, tests, survivors; stored, continued, and scored."""
 
 import importlib
 import sys

@@ -1,4 +1,4 @@
-"""Children answer, run out of time, die, and are gone when their parent stops."""
+"""Child processes return results, exceed their time, die, and end when their parent stops."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""Each operator makes its stated changes, in code that still compiles, and no others."""
+"""Each operator makes its stated changes only, and the changed code compiles."""
 
 import ast
 

@@ -1,4 +1,4 @@
-"""A fault of a weak form is named by its rows, and levels are those that depend on the fault."""
+"""A fault of a weak form is named by its rows; only levels that depend on it are solved."""
 
 import ast
 from functools import partial

@@ -1,4 +1,4 @@
-"""References changed on purpose: rows that fail, survivors by name, and the result of the gate.
+"""References changed on purpose: rows that fail, survivors by name, and the exit status.
 
 Rows are made by hand on the levels v = v0 (1 + a h²), h = 1/2, 1/4, 1/8: the finest is off by
 a/64, U = 1.25 a/64 of v0.

@@ -1,4 +1,4 @@
-"""What a test does in a browser: open, choose, type, wait."""
+"""Actions of a test in a browser: open, choose, type, wait."""
 
 import time
 from collections.abc import Callable

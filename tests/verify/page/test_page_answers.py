@@ -1,4 +1,4 @@
-"""The page gives the answers of the command line, and marks what is wrong."""
+"""The page gives the answers of the command line, and marks wrong inputs."""
 
 import contextlib
 import io

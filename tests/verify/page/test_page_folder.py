@@ -1,4 +1,4 @@
-"""The page reads and writes files of its folder alone."""
+"""The page reads and writes only files of its folder."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Only the browser that has the token, on this machine and from the page itself, is served."""
+"""Requests are served only with the token, from this machine, and from the page itself."""
 
 import asyncio
 from typing import Any

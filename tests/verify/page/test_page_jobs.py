@@ -1,4 +1,4 @@
-"""Work in other processes: its answer, errors, progress, limit and end."""
+"""Jobs in other processes: results, errors, progress, time limit and end."""
 
 import asyncio
 import os

@@ -1,4 +1,4 @@
-"""What the page looks like: narrow, dark, printed, and with enough contrast."""
+"""Appearance of the page: narrow, dark, printed, and with sufficient contrast."""
 
 from pathlib import Path
 from typing import Any

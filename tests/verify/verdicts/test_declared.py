@@ -1,4 +1,4 @@
-"""Declarations: complete, of rows that exist, of the cases' safe sides; and design ranges."""
+"""Declarations: complete, existing rows, safe sides of the cases; and design ranges."""
 
 from types import SimpleNamespace
 

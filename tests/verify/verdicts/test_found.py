@@ -1,4 +1,4 @@
-"""Verdicts from rows, errata and declarations; evidence that does not stand gives none."""
+"""Verdicts from rows, errata and declarations; invalid evidence gives no verdict."""
 
 from dataclasses import replace
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""The rule that makes a verdict of errors, and the errors it is given: of studies and of sweeps."""
+"""The rule from errors to a verdict, and its errors: of studies and of sweeps."""
 
 from types import SimpleNamespace
 

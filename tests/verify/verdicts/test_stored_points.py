@@ -1,4 +1,4 @@
-"""Stored studies: every point with its error, the ranges that follow, and other sizes of a part."""
+"""Stored studies: every point with its error, resulting ranges, and other sizes of a part."""
 
 from types import SimpleNamespace
 

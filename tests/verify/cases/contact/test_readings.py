@@ -1,4 +1,4 @@
-"""Readings of contacts: another one fails beside the finite elements or the half-space."""
+"""Readings of contacts: another reading fails against finite elements or the half-space."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""References of contacts: uncertainties that they state, end faces, and contacts that are wide."""
+"""References of contacts: their stated uncertainties, end faces, and wide contacts."""
 
 from types import SimpleNamespace
 

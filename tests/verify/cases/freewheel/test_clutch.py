@@ -1,4 +1,4 @@
-"""The engineer's freewheel: what is stated follows from numbers, and limits lie where stated."""
+"""The freewheel of a user: statements follow from numbers, and limits are at the stated values."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The pitch of a freewheel transmits in calculix what it does here.
+"""One pitch of a freewheel transmits the same torque in calculix as in this project.
 
 What differs is the penalty, for calculix presses surfaces by their overlap: a tenth of the
 stiffness takes ten times as much off the forces. That its circles are the parabolas of the cells'

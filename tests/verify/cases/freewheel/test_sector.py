@@ -1,4 +1,4 @@
-"""One pitch of a freewheel by finite elements: at rest, pulled along its axis, and released."""
+"""One pitch of a freewheel by finite elements: at rest, under axial load, and released."""
 
 import math
 

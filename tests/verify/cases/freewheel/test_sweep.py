@@ -1,4 +1,4 @@
-"""Sweeps over the torque, the rig's load paths, and intervals that are derived beforehand."""
+"""Sweeps over the torque, load paths of the test rig, and intervals derived beforehand."""
 
 from dataclasses import replace
 

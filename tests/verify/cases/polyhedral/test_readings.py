@@ -1,4 +1,4 @@
-"""Readings of the papers on polyhedral rings: another one fails beside the finite elements."""
+"""Readings of the papers on polyhedral rings: another reading fails against finite elements."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Readings that formulas and finite elements of the polyhedral cases share, by a third model.
+"""Readings common to formulas and finite elements of the polyhedral cases, by a third model.
 
 A whole ring is driven as a clutch is: the hub pushes every flat on one side of its middle, the
 rollers press and drag. It distinguishes the direction of the hub's friction, the lever of the

@@ -1,4 +1,4 @@
-"""A whole polyhedral ring on a separate mesh of triangles, driven as a clutch is.
+"""A whole polyhedral ring on a separate mesh of triangles, loaded as in a clutch.
 
 It shares neither formulas nor meshes nor finite elements with the cases.
 """

@@ -1,4 +1,4 @@
-"""Races under n sprags and turning races: readings, statements on user inputs, refused inputs."""
+"""Races under n sprags and rotating races: readings, statements, refused inputs."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Readings of rotors and of the clutch between them: another one fails beside the reference."""
+"""Readings of rotors and of the clutch between them: another one fails against the reference."""
 
 import numpy as np
 import pytest

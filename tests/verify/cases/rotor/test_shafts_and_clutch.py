@@ -1,4 +1,4 @@
-"""Turning shafts and the clutch between rotors: values by hand, user inputs, refused inputs."""
+"""Rotating shafts and the clutch between rotors: hand values, user inputs, refused inputs."""
 
 import numpy as np
 import pytest

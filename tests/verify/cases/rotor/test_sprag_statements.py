@@ -1,4 +1,4 @@
-"""Statements of the paper evaluated for made-up members, for which the answer is obvious."""
+"""Statements of the paper evaluated for invented members with an obvious answer."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Rotors of a user: formulas against beams, readings, and the computed results."""
+"""Rotors of a user: formulas against beams, readings, and computed results."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Files of rotors: what is refused, findings and warnings, what the command prints."""
+"""Files of rotors: refused inputs, findings and warnings, output of the command."""
 
 import pytest
 

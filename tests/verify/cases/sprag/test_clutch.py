@@ -1,4 +1,4 @@
-"""The engineer's sprag clutch at rest: what is stated follows from numbers, limits lie there."""
+"""The sprag clutch of a user at rest: statements follow from numbers, limits are as stated."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""The engineer's sprag clutch in time: its verdict with that at rest, and how long it takes."""
+"""The sprag clutch of a user over time: verdict compared with that at rest, run time."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Wedge, engagement and friction of sprags: words agree with steps in time, yields with rings."""
+"""Wedge, engagement and friction of sprags: words agree with time steps, deflections with rings."""
 
 import math
 

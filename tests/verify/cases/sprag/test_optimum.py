@@ -1,4 +1,4 @@
-"""What crowns do and which is optimal: boxes, verdicts, Table 2, and how maps are described."""
+"""Effects of crowns and the optimal crown: boxes, verdicts, Table 2, descriptions of maps."""
 
 import math
 

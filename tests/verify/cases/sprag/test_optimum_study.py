@@ -1,4 +1,4 @@
-"""The study of the optimal crown on contacts under known forces, in place of engagements."""
+"""The study of the optimal crown with contacts under known forces instead of engagements."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Largest pressures of engagements, crown by crown."""
+"""Largest pressures of engagements for each crown."""
 
 import numpy as np
 import pytest

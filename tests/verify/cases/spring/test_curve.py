@@ -1,4 +1,4 @@
-"""Case spring-curve: readings, statements about its curve that can fail, and where a curve ends."""
+"""Case spring-curve: readings, statements that can fail, and the end of the curve."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Springs by formulas and by shells: limits of the strip, widths, and what is left to a tip."""
+"""Springs by formulas and by shells: limits of the strip, widths, remaining gap of a tip."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Case spring-map: what its cells measure, and what is no result of the map."""
+"""Case spring-map: values of its cells, and cells without a result."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Readings of the paper on accordion springs: another one fails beside the beams and shells."""
+"""Readings of the paper on accordion springs: another one fails against beams and shells."""
 
 import numpy as np
 import pytest
