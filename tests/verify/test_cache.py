@@ -1,4 +1,4 @@
-"""Stored finite-element results and files are whole, and found only for what they are of."""
+"""Stored finite-element results and files are complete, and found for equal inputs and code."""
 
 import subprocess
 import sys
