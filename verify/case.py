@@ -35,7 +35,7 @@ The class
 
 Comparisons of a quantity with the reference; Options are the arguments that they all take
     identity        both solve one problem
-    approximation   the formula neglects something: its error is Expected, about a value, Computed
+    approximation   the formula neglects an effect: its error is Expected, about a value, Computed
                     where it is judged, or underived
     limit           the error vanishes with a parameter; over_family: its points
     as_printed      a number that the source prints

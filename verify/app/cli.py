@@ -65,13 +65,14 @@ def verify(
     cases
         Cases to run, all by default; see `freewheel list`.
     quick
-        Only cheap cases of every subject, at the full required sensitivity.
+        Run only fast cases of every subject, with the full required sensitivity.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     engine
-        Processes on this machine, or a dask cluster.
+        Where to solve: in processes on this machine, or on a dask cluster.
     scheduler
-        Address of the cluster's scheduler, tcp://host:8786; without it dask starts a local cluster.
+        Address of the scheduler of the cluster, such as tcp://host:8786; without an address, dask
+        starts a local cluster.
     out
         Folder for the report, by default reports/out of this checkout.
     cache
@@ -109,29 +110,30 @@ def check(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """State whether a part holds, the value to design with, its margin and the limiting criterion.
+    """State whether a part holds, its design value, its margin and the limiting criterion.
 
-    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 undecided ("cannot say").
+    Exit status: 0 the part holds, 1 the part or a row fails, 2 wrong input, 3 "cannot say".
 
     Parameters
     ----------
     file
         Parameter file (TOML): case = "ring-lame" and a table [inputs]; every value has a unit.
     fem
-        Also run the finite elements and judge the formulas for these parameters.
+        Also solve the finite elements for these inputs and compare the formulas with them.
     dynamic
-        Also run the transient motion, if the case has one; its first run takes some seconds longer.
+        Also integrate the motion in time, if the case supports it; the first run takes some seconds
+        longer.
     json
         Print JSON instead of text; `--keys` lists its keys.
     keys
-        List the keys of the inputs and values of the file's case; FILE may also be a case name.
+        List the keys of the inputs and values of the case; FILE may also be the name of a case.
     units
-        Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi); by default
-        inch where most lengths of the file are in inches, else mm.
+        Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi). The default is
+        inch if most lengths of the file are in inches, otherwise mm.
     out
-        Folder for a report on these parameters: page, tables, pictures, meshes.
+        Folder for a report on these inputs: page, tables, pictures, meshes.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     cache
         Reuse finite-element results of earlier runs.
     """
@@ -150,14 +152,14 @@ def check(
 def init(
     case: Annotated[str, Parameter(completer=_templates)], /, *, out: Path | None = None
 ) -> int:
-    """Print a commented parameter file of a case with the paper's numbers.
+    """Print a commented parameter file of a case with numbers of the paper or of this project.
 
     Parameters
     ----------
     case
-        A case, see `freewheel list`, or a task of `freewheel design`: design-spring, design-sprag.
+        A case (`freewheel list`), or a task of `freewheel design`: design-spring, design-sprag.
     out
-        File to write instead; an existing file is never overwritten.
+        File to which the text is written instead; an existing file is never overwritten.
     """
     from verify.answers.template import hand_over, run_init
 
@@ -186,12 +188,12 @@ def explain(
     Parameters
     ----------
     row
-        Name of the row, a part of it, or words that it contains; a parameter file may follow.
-        Or an equation of a paper, such as Belcin Eq. 20, for its verdict of record.
+        Name of a row, or words that the name contains; a parameter file may follow. For the verdict
+        of record of an equation, its paper and number, such as Belcin Eq. 20.
     json
         Print JSON instead of text.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     cache
         Reuse finite-element results of earlier runs.
     """
@@ -204,19 +206,19 @@ def explain(
 def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
     """Run the studies that take too long for `verify`: maps, validity regions, error budgets.
 
-    Results remain valid until the code that computed them changes; an interrupted run continues
-    where it stopped.
+    Results remain valid until the code that computed them changes. The same command continues an
+    interrupted run.
 
     Parameters
     ----------
     cases
-        Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
-        default all that are missing.
+        Studies to run: validity, validity:CASE, budget, budget:CASE or the name of a map. The
+        default is all studies without a valid result.
     again
-        Write the records again, from the stored results of this code, and solve failed points
-        again. `freewheel store --clear KIND:CASE` removes stored results first.
+        Write the records again from the stored results of this code, and solve failed points again.
+        To solve all points again, first run `freewheel store --clear KIND:CASE`.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     """
     from verify.studies.deep import run_deep
 
@@ -225,7 +227,7 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
 
 @app.command
 def doctor(*, json: bool = False) -> int:
-    """Check whether this machine has what a run needs, and list what to install.
+    """List which required components this machine has, and what to install.
 
     Parameters
     ----------
@@ -246,13 +248,14 @@ def store(
     Parameters
     ----------
     case
-        List instead the stored results of this case, their place, and whether the code is current.
+        Case whose stored results are listed instead, with their place and whether they are valid
+        for this code.
     json
         Print JSON instead of text.
     clear
         First remove the results of a kind, or of KIND:SUBJECT.
     code
-        List instead the cases that use a module, such as `analytic.ring.lame` or its file.
+        Module, such as `analytic.ring.lame`, or its file: the cases that use it are listed instead.
     """
     from verify.app.store import run_origin, run_store
 
@@ -268,7 +271,7 @@ def new_case(file: Path, /, *, kind: ProblemKind = "plane") -> int:
     Parameters
     ----------
     file
-        The file, such as `my_pipe.py`, which must not exist yet.
+        File to write, such as `my_pipe.py`; it must not exist.
     kind
         Kind of problem: a plane body, two bodies in contact, a frame of beams, a sector of a ring,
         a shaft as a rotor, or a body of revolution.
@@ -305,7 +308,7 @@ def main(arguments: list[str] | None = None) -> None:
 def run(arguments: list[str]) -> int:
     """Run one command line and return its exit status."""
     if "" in arguments and arguments[0] != "__complete":  # a shell requests suggestions
-        return _complain("an argument is empty: a variable of the shell that is not set?")
+        return _complain("an argument is empty: possibly a variable of the shell is not set")
     try:
         status = int(app(arguments, result_action="return_value") or 0)
         sys.stdout.flush()  # a full disk or a closed pipe is noticed here, not at the very end

@@ -156,7 +156,7 @@ def approximation(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """The formula neglects something; the signed error lies where it was expected beforehand.
+    """The formula neglects an effect; its signed error must lie in an interval derived beforehand.
 
     Comparisons are stated before the reference is solved: no interval can be read off it.
     """

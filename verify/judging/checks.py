@@ -43,7 +43,7 @@ class Identity(FemClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Approximation(FemClaim):
-    """A formula that neglects something: m = formula/FE - 1 in an interval known beforehand.
+    """A formula that neglects an effect: m = formula/FE - 1 in an interval derived beforehand.
 
     `interval(inputs, analytic values)` must not look at these finite elements; `source` says
     where it comes from. Without an interval the row is SHOWN.

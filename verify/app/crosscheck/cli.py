@@ -12,20 +12,21 @@ def crosscheck(
     keep: bool = True,
     out: Path | None = None,
 ) -> int:
-    """Solve the project's meshes and loads by second solvers: calculix, tamaas, ROSS.
+    """Solve meshes and loads of the project with second solvers: calculix, tamaas, ROSS.
 
-    The report compares their results with those of the project. Stored results of this code are
-    listed with their date and not solved again. Solvers that are not installed are skipped. Exit
-    status 1: a difference exceeds the allowed one; 2: no problem of the named cases was compared.
+    The report compares their results with those of the project. Results that are stored for this
+    code are listed with their date and not solved again. Solvers that are not installed are
+    skipped. Exit status 1: a difference exceeds its limit; 2: no problem of the named cases was
+    compared.
 
     Parameters
     ----------
     cases
-        Cases to compare, by default all that have a problem for a second solver.
+        Cases to compare; by default all cases with a problem for a second solver.
     list
         List the comparisons and the installed solvers.
     again
-        Solve the stored problems again, which also writes their decks.
+        Solve problems with stored results again; this also writes their decks.
     keep
         Store the results for the report, in verify/measured.
     out

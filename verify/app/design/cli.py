@@ -21,13 +21,13 @@ def design(
     Parameters
     ----------
     file
-        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`, or a
+        Task (TOML) written by `freewheel init design-spring` or `freewheel init design-sprag`, or a
         parameter file of sprag-clutch.
     choose
-        Springs: number of the selected member of the Pareto front; by default, of those that finite
-        elements accept, the one closest to the ideal point.
+        For springs: number of the member of the Pareto front to select. The default is the member
+        closest to the ideal point among those that finite elements confirm.
     fem
-        Compare every member of the front with finite elements, the crown with a half-space.
+        Verify every member of the Pareto front by finite elements, or the crown by a half-space.
     json
         Print JSON instead of text.
     out

@@ -17,21 +17,22 @@ def mutants(
     jobs: Jobs = 0,
     only: Groups = (),
 ) -> int:
-    """Insert faults in references, formulas, judging and elements; count those detected.
+    """Insert faults into references, formulas, judging and finite elements; count detected faults.
 
-    Takes the finite elements of an earlier `verify`. Every outcome is stored at once, so that an
-    interrupted run continues where it stopped; the score of seed 0 enters the report.
+    Uses finite-element results of an earlier `verify`. Every outcome is stored at once: the same
+    command continues an interrupted run. The report contains the score of seed 0.
 
     Parameters
     ----------
     all
-        Test every mutant instead of a sample, which takes hours.
+        Test every mutant instead of a sample; this takes hours.
     seed
         Seed of another sample, whose score is printed and not stored.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     only
-        references, formulas, judging or finite-elements; by default all. May be repeated.
+        Group of faults: references, formulas, judging or finite-elements; by default all. May be
+        repeated.
     """
     from verify.audit.mutation.command import run_mutants
 

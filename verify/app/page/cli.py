@@ -16,18 +16,18 @@ def app(
     port: Number = 8080,
     browser: Annotated[bool, Parameter(negative="--no-browser")] = True,
 ) -> int:
-    """Open a local page: inputs of a part, its answer while typing, finite elements, sweeps.
+    """Open a local page in the browser: inputs of a part, answer, finite elements, sweeps.
 
     The page is served on 127.0.0.1 only, and only to the browser that opens the printed address.
 
     Parameters
     ----------
     file
-        Parameter file (TOML) in the folder, which the page then shows.
+        Parameter file (TOML) in the folder; its inputs are shown first.
     folder
-        The page reads and writes files of this folder alone, by default the current one.
+        Folder whose files the page can read and write; by default the current folder.
     port
-        Port of the page, 0 for any that is free.
+        Port of the page; 0 for any free port.
     browser
         Open the page in the browser.
     """

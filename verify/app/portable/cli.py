@@ -16,26 +16,26 @@ def portable(
 ) -> int:
     """Compare every row with the same row on emulated machines.
 
-    A machine is another core type of OpenBLAS, another number of BLAS threads, numpy or numba
-    for another processor, or inputs perturbed by 1e-13. Each runs with a separate cache. Lists
-    rows whose status differs, and rows whose value changes by more than a tenth of the tolerance
-    or whose tolerance differs. Exit status 1: there are rows of the first kind, or of the second
-    without a stated reason. An interrupted run continues where it stopped.
+    A machine has another core type of OpenBLAS, another number of BLAS threads, numpy or numba for
+    another processor, or inputs perturbed by 1e-13. Each machine has a separate cache. The command
+    lists rows whose status differs, whose value changes by more than a tenth of the tolerance, or
+    whose tolerance differs. Exit status 1: a status differs, or another difference has no stated
+    reason. The same command continues an interrupted run.
 
     Parameters
     ----------
     cases
         Cases to run, all by default; see `freewheel list`.
     only
-        A machine to compare with this one, all by default. May be repeated.
+        Emulated machine to compare with this machine; by default all. May be repeated.
     seeds
         Number of perturbed input sets.
     list
-        List the machines, and why some cannot be emulated here.
+        List the machines, with the reason if a machine cannot be emulated here.
     again
         Remove the results of earlier runs.
     jobs
-        Machines emulated in parallel, 0 for one per core.
+        Number of machines emulated in parallel; 0 for one per core.
     out
         Folder for the results, by default reports/out/portable of this checkout.
     """

@@ -17,8 +17,8 @@ def search(
 ) -> int:
     """Find the reading that reproduces a printed number: diameter or radius, half or whole, etc.
 
-    Tries every combination of a few readings and reports how many would fit by chance. Exit
-    status 0: a reading reproduces the number; 1: none does.
+    Tries all combinations of readings, and states how many of them would fit by chance. Exit
+    status 0: the formula or a reading reproduces the number; 1: no reading does.
 
     Parameters
     ----------
@@ -26,15 +26,16 @@ def search(
         A published number or erratum with listed readings (wang2023:k1-theory), a row (CASE/row),
         or a case with --key and --printed.
     key
-        Formula value of the case, see `freewheel check --json`.
+        Key of a value of the formulas, see `freewheel check --keys`.
     printed
         The number with all its printed digits, which determine its accuracy.
     unit
-        Its unit, by default the unit of the value in the case.
+        Unit of the number; by default the unit of the value in the case.
     file
-        Parameter file of the case; by default the paper's numbers.
+        Parameter file of the case; by default the inputs of the paper.
     changes
-        Readings combined at once, 1 to 3; by default 2, or as declared for the number.
+        Largest number of readings in a combination, 1 to 3; by default 2, or as declared for the
+        number.
     rounded
         Treat the paper's inputs as rounded to their last printed digit, not as exact.
     json

@@ -23,9 +23,10 @@ def sweep(
 ) -> int:
     """Compute the errors of the formulas over ranges of the inputs, and their range of validity.
 
-    Writes the difference of each row's formula from finite elements with its error bar, and the
-    region where it is within 2, 5 and 10 %; for a sample, the influence of the tolerances. Solved
-    points are stored: an interrupted sweep continues where it stopped, a finer one reuses them.
+    For each row, writes the difference between formula and finite elements with its error bar, and
+    the region in which it is within 2, 5 and 10 %; for a sample, the influence of the tolerances.
+    Solved points are stored: the same command continues an interrupted sweep, and a finer sweep
+    reuses the points.
 
     Parameters
     ----------
@@ -33,22 +34,23 @@ def sweep(
         Parameter file (TOML), see `freewheel init`.
     vary
         An input and its values: z=3:12:10, b=0.3mm:2mm:9, b=0.1mm:10mm:9:log, E=190GPa,210GPa or
-        supports[2].k=...; several make a grid.
+        supports[2].k=...; several inputs give a grid.
     star
-        Vary one input at a time instead, with the others as in the file.
+        Vary one input at a time instead of a grid; the others are as in the file.
     sample
-        sobol:N, a sample for sensitivity indices with N a power of two: N (d + 2) points for d
-        tolerances.
+        sobol:N, a sample for sensitivity indices; N is a power of two. A sample with d tolerances
+        has N (d + 2) points.
     tolerance
         An input of the sample and its tolerance, uniformly distributed: b=±0.05mm, E=±5%.
     only
-        Only rows whose names contain this; some cases then solve less.
+        Text in the names of the rows to compute; some cases then solve less.
     jobs
-        Processes, 0 for one per core.
+        Number of processes; 0 for one per core.
     engine
-        Processes on this machine, or a dask cluster.
+        Where to solve: in processes on this machine, or on a dask cluster.
     scheduler
-        Address of the cluster's scheduler, tcp://host:8786; without it dask starts a local cluster.
+        Address of the scheduler of the cluster, such as tcp://host:8786; without an address, dask
+        starts a local cluster.
     out
         Folder for the page and tables, by default reports/out/sweep-FILE of this checkout.
     json

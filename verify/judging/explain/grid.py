@@ -16,10 +16,10 @@ from verify.judging.explain.lines import Step, amount, long, short
 from verify.judging.judge import numerical_uncertainty
 
 MEANING = {
-    "monotone": "the last differences have one sign and shrink as an order makes them",
+    "monotone": "the last differences have equal sign and decrease as for a constant order",
     "oscillating": "the last differences change sign",
     "slow": "the observed order is below 0.5",
-    "noisy": "iteration leaves more than 1 % of the last difference",
+    "noisy": "the iteration error exceeds 1 % of the last difference",
     "round-off": f"the last difference is below {RESOLVED:g} of the scale",
     "diverging": "the differences grow, or a value is not finite",
     "short": "fewer than three levels",
@@ -86,7 +86,7 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
                 f"{'' if times == 1 else f'{times:.3g} × '}spread of the last three values, {last}"
             )
         else:
-            why = "theory gives no order" if g.formal is None else "there is no order to use"
+            why = "theory gives no order" if g.formal is None else "no order can be determined"
             how = f"3 × spread of the last three values, 3 × {last}: {why}"
         return [("GCI", f"{_floored(g, again.gci, how)} = {gci}")]
     off = abs(again.order - g.formal)

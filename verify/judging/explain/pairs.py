@@ -40,7 +40,7 @@ def identity(row: Row) -> Derivation:
     u_ref = row.u_ref or 0.0
     U = judge.expanded(u_num, u_ref)
     verdict = judge.difference(v, r, U=U, scale=row.scale, demand=demand(row))
-    evaluated = f"{amount(u_ref, row.unit)}: what the formula's series leaves"
+    evaluated = f"{amount(u_ref, row.unit)}: truncation error of the series in the formula"
     found += [
         *uncertainty_steps(row.grid),
         ("u_ref", evaluated if u_ref else "0: the formula is evaluated to round-off"),
@@ -79,13 +79,13 @@ def printed_theory(row: Row) -> Derivation:
 
 
 def approximation(row: Row) -> Derivation:
-    """A formula that neglects something, beside finite elements that do not."""
+    """Steps for a formula that neglects an effect, against finite elements that include it."""
     assert row.grid is not None
     assert row.analytic is not None
     again, u_num = regrid(row.grid)
     v, formula = row.grid.levels[-1][1], row.analytic
     found: list[Step] = [
-        ("formula", f"{amount(formula, row.unit, long)}, which neglects something"),
+        ("formula", f"{amount(formula, row.unit, long)}, which neglects an effect"),
         _finest(row, v),
         *grid_steps(row.grid),
     ]
@@ -125,7 +125,7 @@ def _model_error(
         ("U_m", f"|formula/{name}| U/|{name}| = {percent(U_m)}"),
     ]
     if row.interval is None:
-        return (*found, ("expected", f"no interval known beforehand ({row.interval_source})"))
+        return (*found, ("expected", f"no interval was derived ({row.interval_source})"))
     low, high = row.interval
     inside = low + U_m <= m <= high - U_m
     return (

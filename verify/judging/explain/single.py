@@ -33,7 +33,7 @@ def trend(row: Row) -> Derivation:
     found = (
         *((f"h = {a:.4g}", f"relative error {short(e)}") for a, e in row.levels),
         ("slopes", ", ".join(f"{p:.5f}" for p in fit.slopes) + " between neighbouring levels"),
-        ("order", f"p = {fit.order:.5f}, where the last three slopes p + c h lead for h = 0"),
+        ("order", f"p = {fit.order:.5f}, extrapolated from the last three slopes to h = 0"),
         (
             "u_num",
             "scatter about that line, half its last correction c h and round-off: "
@@ -54,7 +54,7 @@ def coefficient(row: Row, theory: float) -> Derivation:
     points = zip(row.levels, row.levels_u, strict=True)
     found = (
         *((f"ε = {e:.4g}", f"formula/FE − 1 = {y:+.4e}, u = {short(u)}") for (e, y), u in points),
-        ("fit", f"c ε² + e ε⁴ with c = {c:+.5f}; the points' u add up to U = {short(U)}"),
+        ("fit", f"c ε² + e ε⁴ with c = {c:+.5f}; U is the sum of all u: {short(U)}"),
         ("theory", f"{theory:g}"),
         *difference_steps(row, verdict, "theory − observed"),
     )
@@ -70,7 +70,7 @@ def limit(row: Row) -> Derivation:
     found: list[Step] = [
         *((f"ε = {e:.4g}", f"formula/FE − 1 = {y:+.4e}, u = {short(u)}") for (e, y), u in points),
         ("fit", f"d0 + c ε^q with d0 = {fit.d0:+.4e}, c = {short(fit.c)}, q = {fit.q:.4f}"),
-        ("U0", f"2 × the points' u added up, or their scatter: {short(fit.U0)}"),
+        ("U0", f"twice the sum of all u, or the scatter of the points: {short(fit.U0)}"),
         ("test", f"|d0| ≤ U0, that is {short(abs(fit.d0))} ≤ {short(fit.U0)}: "
          f"{'holds' if abs(fit.d0) <= fit.U0 else 'does not hold'}"),
     ]  # fmt: skip
