@@ -27,7 +27,7 @@ class Cholesky:
     """A = L L' of a symmetric, positive definite `A` (n, n).
 
     Its lower triangle is read, the upper one of a csr_array. Unknowns are eliminated in their
-    order; with `ordered` False in one that CHOLMOD finds. ArithmeticError where `A` is not positive
+    order; with `ordered` False in one that CHOLMOD finds. ArithmeticError if `A` is not positive
     definite.
 
     >>> factor = Cholesky(csc_array([[4.0, 2.0, 0.0], [2.0, 3.0, 1.0], [0.0, 1.0, 2.0]]))

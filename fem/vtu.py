@@ -31,7 +31,7 @@ def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any 
 
     ImportError without meshio, which `freewheel-verification[fem]` has; TypeError for a solution
     of another kind; ValueError for a frame without elements, and for modes without their rotor;
-    OSError where it cannot be written.
+    OSError if it cannot be written.
     """
     content = kind_of(solution, WRITTEN)
     try:

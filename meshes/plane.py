@@ -24,7 +24,7 @@ def plane_mesh(*, straight: bool = False) -> Mesh2D:
 
     Physical curves become `boundaries` and physical surfaces `subdomains` of their names. Nodes
     are renumbered compactly, vertices first. `straight` keeps only the corners of curved cells.
-    Raises ValueError where the model mixes triangles and quadrilaterals or has no cells.
+    Raises ValueError if the model mixes triangles and quadrilaterals or has no cells.
     """
     read = nodes_and_cells(straight=straight)
     mesh = read.shape(read.p, read.t)

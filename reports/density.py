@@ -19,7 +19,7 @@ BAR, BAR_TOP, THICK = 180.0, 282.0, 9.0
 
 
 def density(d: Density) -> Markup:
-    """The plane from its first to its last column and row; nothing where z is NaN."""
+    """The plane from its first to its last column and row; nothing if z is NaN."""
     axes = Axes((LEFT, TOP, RIGHT, BOTTOM), _ends(d.x), _ends(d.y))
     colours = _scale(d)
     data = base64.b64encode(webp(_pixels(d, colours))).decode()

@@ -32,7 +32,7 @@ class DrawingProcess:
         self._end()
 
     def draw(self, scenes: Sequence[Scene], seconds: float) -> tuple[list[bytes], str]:
-        """WebPs, empty where there is none, and the failures of the process."""
+        """WebPs, empty if there is none, and the failures of the process."""
         if self._broken:
             return [b""] * len(scenes), self._broken
         with tempfile.TemporaryDirectory(prefix="pictures-") as name:

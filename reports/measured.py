@@ -17,7 +17,7 @@ TINY = 5e-4  # smaller errors cannot be distinguished in a figure
 class Measured:
     """A formula's error (formula - FE)/scale and its expanded uncertainty `U`, measured on a grid.
 
-    `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN where nothing is
+    `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN if nothing is
     solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
     inputs that are not drawn differ from them; `box` are the first and last x and y of the region
     that `box_name` names. `log` says of x and y whether they
@@ -41,7 +41,7 @@ class Measured:
 
     @property
     def unsafe(self) -> NDArray[np.bool_]:
-        """True where an error is beyond the last limit on the unsafe side."""
+        """True if an error is beyond the last limit on the unsafe side."""
         if self.unsafe_sign is None:
             return np.zeros(self.error.shape, dtype=bool)
         size = self.unsafe_sign * self.error if self.unsafe_sign else np.abs(self.error)

@@ -8,7 +8,7 @@ from verify.core.verdicts import FormulaVerdict, Verdict
 
 
 def counts_data(report: Report) -> Data | None:
-    """Number of verdicts of each kind of a paper; None where a run has no verdicts."""
+    """Number of verdicts of each kind of a paper; None if a run has no verdicts."""
     if not report.verdicts:
         return None
     kinds = given(report)

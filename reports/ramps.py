@@ -42,7 +42,7 @@ class Scale:
 
 
 def scale(values: Array) -> Scale:
-    """Blue over grey to red, symmetric about zero, where values have both signs; else one ramp."""
+    """Blue over grey to red, symmetric about zero, if values have both signs; else one ramp."""
     low, high = float(values.min()), float(values.max())
     reach = max(-low, high, 0.0)
     if high - low <= ROUND_OFF * max(abs(low), abs(high)):

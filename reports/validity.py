@@ -60,7 +60,7 @@ def mapped(known: Sequence[Validity]) -> bool:
 
 
 def common(one: Validity) -> str:
-    """Ranges that all cards of a case share; empty where they differ or there is only one."""
+    """Ranges that all cards of a case share; empty if they differ or there is only one."""
     over = {region.over for card in one.cards for region in card.regions}
     alike = len(one.cards) > 1 and len(over) == 1
     return over.pop() if alike else ""

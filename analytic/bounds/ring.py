@@ -28,7 +28,7 @@ def smeared_error(
     """Relative error of Eq. 6 with `added`, against `at` less `indentation`, within ACCEPTED.
 
     Displacements [length] of the loaded wall: its `mean`, `at` the place, and at a `load`. None
-    where less than PART of the last one remains without the local indentation.
+    if less than PART of the last one remains without the local indentation.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)

@@ -54,7 +54,7 @@ def best_crown(
 
     `tilt` [rad] may be several angles: the highest peak of all counts, and every end. The range is
     K_1 from 0.5 to 100, K_2 from 0.2, z_m from 2 to 300 A_1. ValueError for impossible inputs,
-    ArithmeticError where the strips fail.
+    ArithmeticError if the strips fail.
 
     >>> straight = best_crown(load=3407.0, length=9e-3, R=2.95e-3, E_star=113e9)
     >>> straight.free, bool(1.0 < straight.peak / 2.149e9 < 1.06)  # Hertz's of a uniform load

@@ -55,9 +55,9 @@ class HalfSpace:
     ) -> HalfSpaceContact:
         """Contact under either `load` or `approach`, with the `gap` (nx, ny) before it.
 
-        `start` is a guess of the pressure. Where the gap is a mirror image of itself about the
+        `start` is a guess of the pressure. If the gap is a mirror image of itself about the
         middle of an even number of cells, so is the pressure, and half is solved. An approach
-        that reaches nothing gives zero load. Raises ArithmeticError where `limit` iterations
+        that reaches nothing gives zero load. Raises ArithmeticError if `limit` iterations
         leave a residual above `tolerance`.
         """
         gap = _field(gap, self.shape, "gap", "m")

@@ -60,7 +60,7 @@ def solve(
 ) -> Pressed:
     """Pressures for the `gap` where `total`, the sum of the part's pressures, or `approach` rules.
 
-    Raises ArithmeticError where `limit` iterations leave more than the `tolerance`.
+    Raises ArithmeticError if `limit` iterations leave more than the `tolerance`.
     """
     pressure = _kept(start, total)
     now = _State(pressure, K.displacement(pressure), pressure > 0, np.zeros_like(gap))

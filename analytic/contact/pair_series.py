@@ -23,7 +23,7 @@ w being the half-width of the moments, 2 sqrt(int q x² / int q). Contributions 
 - normals link points at x_1 and :math:`x_2 = x_1 + \kappa x_1^3/(2R)`: with x halfway,
   :math:`-\kappa^2/4` to the sum for p_0.
 
-Where the materials differ (Dundurs' beta), half planes couple both directions, too: the kernel
+If the materials differ (Dundurs' beta), half planes couple both directions, too: the kernel
 :math:`\beta\kappa|x - x'|/E^*` acts at the first order,
 
 .. math:: -\beta\kappa a\,\frac{2G - 1/3}{\pi} \text{ in } p_0, \qquad

@@ -94,7 +94,7 @@ def contact_pressures(
 ) -> Array:
     """Pressures [stress] at the interfaces from the innermost outward; shaped (walls - 1,).
 
-    p_i and p_o act on the innermost bore and on the outermost rim. Raises ValueError where an
+    p_i and p_o act on the innermost bore and on the outermost rim. Raises ValueError if an
     interface would have to pull: it opens.
 
     >>> steel = {"E": 2.0, "nu": 0.25}
@@ -124,7 +124,7 @@ def pressure_of_overlap(
 
     Each wall retains its radius and the force between them is one, so that the pressure on the
     outer wall is r_o/r_i times that. `contact_pressures`, with one radius for both, omits terms
-    of overlap over radius. Raises ValueError where the walls do not overlap or lose contact.
+    of overlap over radius. Raises ValueError if the walls do not overlap or lose contact.
 
     >>> steel = {"E": 2.0, "nu": 0.25}
     >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1 - 1e-6, r_o=2.0, **steel)

@@ -9,7 +9,7 @@ plane's kernel the largest shear stress is, at its depth h = g^(-1/2) a (g the g
     \int_{-1}^{1} \frac{s^2}{2}\,\frac{6 s^2 h^2 - h^4 - s^4}{(s^2 + h^2)^3}
     \sqrt{1 - s^2}\,ds\right] = 0.3003 + 0.2082\,\frac{a}{R}, \qquad h = g^{-1/2}.
 
-Where the bodies meet on a curved line, the pressure is inclined: `tilted_shear_excess`. The golden
+If the bodies meet on a curved line, the pressure is inclined: `tilted_shear_excess`. The golden
 ratio is written again here, independent of the formula that these terms correct.
 """
 

@@ -71,7 +71,7 @@ class Cases:
         approach: ArrayLike | None,
         compliance: ArrayLike | None,
     ) -> Self:
-        """Arguments checked and spread over all cases; ValueError where they do not fit."""
+        """Arguments checked and spread over all cases; ValueError if they do not fit."""
         gap = finite(gap, "gap", "m")
         if gap.ndim == 0 or gap.shape[-1] == 0:
             raise ValueError(f"gap must have a height [m] for each slice, got shape {gap.shape}")

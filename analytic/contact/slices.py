@@ -46,7 +46,7 @@ def press_slices(
     `length` [m], relative radius R [m], contact modulus [Pa] and the slices' `compliance`
     [m^(10/9)/N] are (...), too; the default, Palmgren's, requires SI units. `kernel` is a function
     like `love` or a matrix of weights (n, n). An approach that reaches nothing gives no force.
-    ValueError for what makes no sense, ArithmeticError where the iteration fails.
+    ValueError for what makes no sense, ArithmeticError if the iteration fails.
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.5}
     >>> w = [[2.0, 1.0], [1.0, 2.0]]  # S = w/2; 512^(10/9) = 1024, 1^(10/9) = 1

@@ -54,7 +54,7 @@ END = 3.0  # half-widths from a loaded end within which no slow variation can be
 class Neglected:
     """Fraction by which the pressure is higher than by the strips, to first order.
 
-    pressure (..., n) is NaN where a strip or its neighbour carries nothing and within three
+    pressure (..., n) is NaN if a strip or its neighbour carries nothing and within three
     half-widths of a loaded end; peak and mid are (...). The true deviation should lie between
     half and twice of it as long as it is a few per cent and q varies over some b. A peak at a
     loaded end is NaN; no expansion holds for such an end, and the mid pressure, to

@@ -27,7 +27,7 @@ class System:
     """Linear system of Newton's step: `push` is -g on the strips that carry, (N, n).
 
     Shared `far` matrices (n, n); `bands` (M, N, n), the first is the diagonal; `carries`
-    (N, n); the load still `missing` (N,), or None where the approach is given.
+    (N, n); the load still `missing` (N,), or None if the approach is given.
     """
 
     far: tuple[Array, ...]

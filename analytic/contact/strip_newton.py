@@ -92,7 +92,7 @@ def solve(
     """Loads s of the cases h (N, n), under the sum `total` or the approach `Delta`, both (N,).
 
     Cases that converged leave the iteration; those that don't are solved again by themselves.
-    ArithmeticError where one doesn't converge even so.
+    ArithmeticError if one doesn't converge even so.
     """
     cases = len(h)
     s, level = _uncoupled(h, total, Delta)

@@ -13,7 +13,7 @@ middle line of a strip by a strip of elliptic pressure on a half-space, both bod
 the gap that crown, tilt and faults leave beside the parabola x²/2R. SI or any consistent units.
 
 Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
-`strip_error.neglected` estimates the error. Where the roller ends under load (no crown) the
+`strip_error.neglected` estimates the error. If the roller ends under load (no crown) the
 pressure has no limit as strips become narrower: only the mid pressure and loads of finite lengths
 have. The half-space goes on beyond the roller's end faces.
 
@@ -198,7 +198,7 @@ def _in_parts(part: Callable[[slice], Solved], h: Array, workers: int) -> Solved
 
 
 def _refuse_wide(s: Array, n: int) -> None:
-    """ValueError where b = sqrt(s) D exceeds half the length n D; s is a mean of the case, (N,)."""
+    """ValueError if b = sqrt(s) D exceeds half the length n D; s is a mean of the case, (N,)."""
     wide = np.sqrt(np.maximum(s, 0.0)) / n
     if np.any(wide > 0.5):
         case = int(np.argmax(wide))

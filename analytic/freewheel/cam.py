@@ -123,7 +123,7 @@ class Cam(ABC):
         return np.asarray(self.flat * np.tan(np.pi / self.count))
 
     def check_rollers(self) -> None:
-        """ValueError where rollers overlap or are beyond the end of their flats."""
+        """ValueError if rollers overlap or are beyond the end of their flats."""
         rho, (x, _) = self.distance(d_i=0.0, d_o=0.0), self.centre(d_i=0.0, d_o=0.0)
         pitch = rho * np.sin(np.pi / self.count)
         require(

@@ -58,7 +58,7 @@ def required_friction_of_ratio(*, alpha: ArrayLike, ratio: ArrayLike, R: ArrayLi
 
 
 def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: ArrayLike) -> Array:
-    """F_ax [force] on the whole clutch at which mu_req = mu; nan where it slips without (Eq. 9).
+    """F_ax [force] on the whole clutch at which mu_req = mu; nan if it slips without (Eq. 9).
 
     >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
     4.0

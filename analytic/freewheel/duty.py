@@ -66,7 +66,7 @@ class Duty:
 
     @cached_property
     def under(self) -> RollerClutchState | None:
-        """The state under the torque; None where the clutch overruns, rests or has no state."""
+        """The state under the torque; None if the clutch overruns, rests or has no state."""
         if self.T <= 0:
             return None
         now = state.loaded(self.clutch, self.T)
@@ -122,7 +122,7 @@ class Duty:
     def least_torque(self) -> float:
         """Torque [N m] above which friction transmits the axial load, 0 if it does at any torque.
 
-        nan where no range of transmitted torques contains T.
+        nan if no range of transmitted torques contains T.
         """
         return next((low for low, _ in self._range), math.nan)
 

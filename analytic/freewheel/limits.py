@@ -1,6 +1,6 @@
 """Torques at which a clutch reaches its limits, and which limit is the first.
 
-Infinite where a limit is not reached up to the last equilibrium state: the maximum of an outer
+Infinite if a limit is not reached up to the last equilibrium state: the maximum of an outer
 cam's torque, beyond which the rollers pop through, or contacts wider than r/2.
 """
 
@@ -115,7 +115,7 @@ def _summit(clutch: RollerClutch, last: Array) -> Array:
 
 
 def _release(clutch: RollerClutch, mu: Array) -> Array:
-    """Torque at which tan(alpha) = mu: 0 where it is more without load, infinite where never."""
+    """Torque at which tan(alpha) = mu: 0 where it is more without load, infinite if never."""
     at = state.at_angle(clutch, 2 * np.arctan(mu))
     started = np.tan(clutch.cam.alpha0) > mu
     reached = np.where(clutch.cam.sense > 0, at.T, np.inf)

@@ -90,7 +90,7 @@ def _nearer(duty: Duty, dX: Array) -> RollerClutch:
 def friction_for(duty: Duty, goal: float) -> float:
     """Friction at which mu/mu_req is `goal`, or more if the rollers need it to stay.
 
-    ValueError where no equilibrium exists at the torque.
+    ValueError if no equilibrium exists at the torque.
     """
     if (now := duty.under) is None:
         raise ValueError(f"no equilibrium exists at T = {duty.T:g} N m")

@@ -62,7 +62,7 @@ class Scatter:
 def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | None:
     """Clutches drawn with the standard deviations `sigma`, by the cam's fields and mu.
 
-    None where nothing scatters or the clutch has no equilibrium.
+    None if nothing scatters or the clutch has no equilibrium.
     """
     if not sigma or duty.under is None:
         return None

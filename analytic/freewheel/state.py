@@ -106,7 +106,7 @@ def at_normal_force(clutch: RollerClutch, N: ArrayLike) -> RollerClutchState:
 
 
 def at_angle(clutch: RollerClutch, psi: ArrayLike) -> RollerClutchState:
-    """State at the angle psi [rad] of the roller's centre; nan where no load brings it there."""
+    """State at the angle psi [rad] of the roller's centre; nan if no load brings it there."""
     bodies, cam = compliance(clutch), clutch.cam
     cos = np.cos(finite(psi, "angle", "rad"))
     # y = rho cos(psi) leaves for the approaches: d of the flat + cos(psi) d of the race

@@ -14,7 +14,7 @@ FOUND = 1e-9  # relative to N
 def summit(clutch: RollerClutch) -> RollerClutchState | None:
     """The state of one clutch at its largest torque.
 
-    None where contacts are wider than half the rollers' radius before, and of an inner cam.
+    None if contacts are wider than half the rollers' radius before, and of an inner cam.
     """
     T = float(pop_through(clutch))
     if not np.isfinite(T):

@@ -67,7 +67,7 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
 class Ensemble:
     """Clutches drawn: arrays of those that wedge, and the outcome of each of all.
 
-    Angles in rad; alpha and mu_req under the load, nan where there is no state. `outcomes` are
+    Angles in rad; alpha and mu_req under the load, nan if there is no state. `outcomes` are
     `Outcome`s, "no state" where an outer cam's rollers pop through or contacts are too wide.
     """
 

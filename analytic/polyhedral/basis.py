@@ -57,7 +57,7 @@ class Basis:
 def basis_of(sector: Sector, *, density: float) -> Basis:
     """Basis with `density` poles for each factor e of the distance from the corner.
 
-    Raises ArithmeticError where omega of the apothem is too small a number.
+    Raises ArithmeticError if omega of the apothem is too small a number.
     """
     if sector.z * np.log(sector.r_e / sector.apothem) > DEEPEST:
         raise ArithmeticError(

@@ -164,7 +164,7 @@ class PolyhedralClutch:
 
     @property
     def p_required(self) -> float | None:
-        """Total pressure [Pa] for M_wanted (Eq. 20); infinite where the rollers are expelled."""
+        """Total pressure [Pa] for M_wanted (Eq. 20); infinite if the rollers are expelled."""
         if self.M_wanted is None:
             return None
         if not self.wedges:

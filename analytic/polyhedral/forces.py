@@ -105,7 +105,7 @@ def corners(z: ArrayLike) -> Array:
 
 
 def hub_angles(psi: ArrayLike, phi_1: ArrayLike) -> tuple[Array, Array]:
-    """Angles psi and phi_1 [rad] as arrays; ValueError where the hub could not push outwards."""
+    """Angles psi and phi_1 [rad] as arrays; ValueError if the hub could not push outwards."""
     psi, phi_1 = np.asarray(psi, dtype=np.float64), np.asarray(phi_1, dtype=np.float64)
     if not np.all((psi > 0) & (phi_1 >= 0) & (psi + phi_1 < np.pi / 2)):
         raise ValueError(

@@ -86,7 +86,7 @@ class FreeRim:
 def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeRim:
     """Ring whose bore carries f/zeta = load(zeta, s) [stress] at the points zeta(s) of the bore.
 
-    Raises ArithmeticError where two refinements leave a residual above 1e-4.
+    Raises ArithmeticError if two refinements leave a residual above 1e-4.
     """
     for density in DENSITIES:
         fit = _fit(sector, density)

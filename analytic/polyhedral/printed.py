@@ -28,7 +28,7 @@ def arc_over_chord(z: ArrayLike) -> Array:
 def required_pressure(*, p_t: ArrayLike, p_1r: ArrayLike, z: ArrayLike) -> Array:
     """Total pressure [stress] by Eqs. 17 and 18, from the correct `p_t` and the touching pressure.
 
-    Infinite where the right one is.
+    Infinite if the right one is.
     """
     touching = positive(p_1r, "pressure p_1r", "Pa")
     return np.asarray(touching + (np.asarray(p_t) - touching) / arc_over_chord(z))

@@ -77,7 +77,7 @@ def torque(
 ) -> Array:
     """Largest torque M_t [force x length] under the total pressure p_t (Eqs. 17 and 20).
 
-    0 where the ring does not touch the rollers, infinite where it does and locks itself.
+    0 where the ring does not touch the rollers, infinite if it does and locks itself.
     """
     p_2 = blocking_pressure(p_t=p_t, p_1r=p_1r)
     F = forces.pressure_force(p_2=p_2, b=b, d_i=d_i, z=z)

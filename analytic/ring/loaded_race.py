@@ -42,7 +42,7 @@ ON_WALL = 1e-9  # relative to the radius
 class LoadedRace:
     """Ring of radii r_i, r_o with n Hertz patches on its `loaded` wall, the first at theta = 0.
 
-    Load `P` per unit length and half-width `a` of each. ValueError where patches overlap.
+    Load `P` per unit length and half-width `a` of each. ValueError if patches overlap.
 
     >>> race = LoadedRace(r_i=1.0, r_o=1.5, E=1.0, nu=0.3, assumption="plane stress",
     ...                   loaded="bore", n=12, P=1.0, a=0.01)

@@ -34,7 +34,7 @@ def bending_frequency(
 
     That of a cylinder of the length j pi/k whose ends are held across and free along, too. A shear
     wave of this k is faster than any of them, and the search ends there. ValueError unless
-    0 <= r_i < r_o and k > 0; ArithmeticError where no root is found.
+    0 <= r_i < r_o and k > 0; ArithmeticError if no root is found.
 
     >>> w = bending_frequency(k=0.1, r_o=1.0, E=1.0, nu=0.3, rho=1.0)
     >>> round(w / 0.1**2, 2)  # near sqrt(E I/(rho A)) = r_o/2 of a thin bar

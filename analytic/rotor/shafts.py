@@ -125,7 +125,7 @@ class UniformShaft:
     def critical_speed(self, j: int, *, theory: Theory, backward: bool = False) -> float:
         """Speed [1/time] that meets mode j whirling at that speed, forward or backward; or inf.
 
-        Infinite where the gyroscopic stiffening outruns the speed.
+        Infinite if the gyroscopic stiffening outruns the speed.
 
         >>> shaft = UniformShaft(L=np.pi, d_o=4.0, E=1.0, nu=0.3, rho=1.0, kappa=0.9)
         >>> shaft.critical_speed(1, theory="rayleigh")  # rho A = rho I k^2: never met

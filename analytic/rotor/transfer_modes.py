@@ -96,7 +96,7 @@ class _Search:
     whirl: Whirl | None  # None: both, coupled by bearings that differ in x and y
 
     def lowest(self, count: int) -> tuple[Array, Bending]:
-        """Roots (items, count), NaN where there are no more, and their bending model."""
+        """Roots (items, count), NaN if there are no more, and their bending model."""
         if count < 1:
             raise ValueError(f"count must be at least 1, got {count}")
         if self.whirl and not self.rotor.isotropic:

@@ -78,7 +78,7 @@ class Shift:
 def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -> Ends | None:
     """Under Hertz patches of half-widths `a` [length], against the column's core beside its pole.
 
-    None where a contact lies beyond a flank.
+    None if a contact lies beyond a flank.
     """
     outline = column.outline(turned=turned, alpha_b=alpha_b)
     if outline is None:

@@ -24,7 +24,7 @@ alone: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N cos(omega)/cos(nu). The de
 sides are those under N, as in the paper; N_e is larger by half of nu² - omega².
 
 alpha is the rotation against the azimuth of the centroid, alpha_b + gamma - gamma_0, positive where
-it locks. SI; shapes broadcast; nan where there is no state.
+it locks. SI; shapes broadcast; nan if there is no state.
 """
 
 from dataclasses import dataclass

@@ -47,7 +47,7 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
 class Column:
     """A sprag cut by flanks at the distance b [length], about the unloaded line of both contacts.
 
-    ValueError where the flanks meet the spiral or the arc nowhere within 75 degrees.
+    ValueError if the flanks meet the spiral or the arc nowhere within 75 degrees.
     """
 
     sprag: LogSprag
@@ -101,7 +101,7 @@ class Column:
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
         """With the contacts where they are at these angles [rad]; the pole is 0, the arc's top +y.
 
-        None where a contact lies beyond a flank.
+        None if a contact lies beyond a flank.
         """
         if not self.stands(turned=turned, alpha_b=alpha_b):
             return None

@@ -63,7 +63,7 @@ class Compliance:
         not_negative(self.d_ce, "growth d_ce", "m")
 
     def yields(self, N: ArrayLike) -> Yields:
-        """Deflections under the force N [N], nan where N is or where a law of a contact ends."""
+        """Deflections under the force N [N], nan if N is or where a law of a contact ends."""
         N = np.asarray(N, dtype=np.float64)
         return Yields(
             contact_i=self.contact_i(N), contact_e=self.contact_e(N),

@@ -146,7 +146,7 @@ class ElasticSpragClutch:
     def _constant(self, *, turned: float, alpha_b: float) -> float | None:
         """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
 
-        None where its contacts are beyond its flanks.
+        None if its contacts are beyond its flanks.
         """
         outline = self.column and self.column.outline(turned=turned, alpha_b=alpha_b)
         return column.approach(outline, a=(1.0, 1.0), nu=self.parts.nu) if outline else None

@@ -250,7 +250,7 @@ def engage_by_events(
     """Engagement over `duration` [s] from rest under the blades, but for `speeds`; SI units.
 
     `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` is for the
-    friction that this takes. `balanced` as in `table`. ArithmeticError where the solver or the
+    friction that this takes. `balanced` as in `table`. ArithmeticError if the solver or the
     number of events fails.
     """
     system = System(Sprag(states, n_s, balanced=balanced), motion, torque, unlimited=unlimited)

@@ -49,7 +49,7 @@ class Triangle:
 def triangle(*, OA: ArrayLike, OC_e: ArrayLike, m: ArrayLike) -> Triangle:
     """Triangle O A C_e of a spiral that meets a circle of the radius OA (Eq. 10).
 
-    nan where the spiral's pole is too near to O for it.
+    nan if the spiral's pole is too near to O for it.
 
     >>> t = triangle(OA=3.0, OC_e=np.sqrt(17), m=1.0)  # 17 = 9 + 2 + 6
     >>> np.round([t.rho**2, np.tan(t.eta), np.tan(t.beta)], 12).tolist()

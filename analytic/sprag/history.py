@@ -122,7 +122,7 @@ class Engagement:
 
     @property
     def peak_factor(self) -> float:
-        """N_max over its value at rest; nan where the engagement was not followed to a peak."""
+        """N_max over its value at rest; nan if the engagement was not followed to a peak."""
         return self.N_max / self.N_static if self.followed else float("nan")
 
     @property

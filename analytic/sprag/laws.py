@@ -98,7 +98,7 @@ def sliced_law(
 
 
 def _loaded(N: Array, approach: Law) -> Array:
-    """`approach` under load, 0 without load, nan where N is nan."""
+    """`approach` under load, 0 without load, nan if N is nan."""
     known = np.isfinite(N)
     load = not_negative(np.where(known, N, 0.0), "normal force", "N")
     found = np.where(load > 0, approach(np.where(load > 0, load, 1.0)), 0.0)

@@ -104,7 +104,7 @@ def reached(
 
     `made` gives the clutch whose contacts are known up to a force [N]. It is raised from `N` until
     the clutch stores more than the torque `T` [N m], the races' `kinetic` energy [J] and the blades
-    put in. ValueError where no force carries the torque.
+    put in. ValueError if no force carries the torque.
     """
     for _ in range(LONGEST):
         found = made(N)

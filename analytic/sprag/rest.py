@@ -15,7 +15,7 @@ def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
 
     .. math:: T_e = -\frac{h N}{c_e}, \qquad K_r(\alpha_{max} - \alpha) = h N - b_e T_e.
 
-    ValueError where the blades would turn the sprag to its end.
+    ValueError if the blades would turn the sprag to its end.
     """
     slack = motion.alpha_max - table.origin
 

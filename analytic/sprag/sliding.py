@@ -1,11 +1,11 @@
 """Sprags that slide permanently: their forces, and which contact slides.
 
-Where one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
+If one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
 the blades alone. Driven, it is the inner one, T_i = mu N:
 
     N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
 
-which grows without limit as mu comes near the friction required at rest. Where the race overruns,
+which grows without limit as mu comes near the friction required at rest. If the race overruns,
 the outer contact would carry more, slides with T_e = -mu N, and the sprags rotate with the race.
 """
 

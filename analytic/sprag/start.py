@@ -26,8 +26,8 @@ def spring_equilibrium(
 ) -> tuple[Wedged, Array]:
     """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
 
-    Of the state N and the geometry hold, not its forces of a wedged strut. ValueError where the
-    spring is slack already at first contact, ArithmeticError where the states end before one
+    Of the state N and the geometry hold, not its forces of a wedged strut. ValueError if the
+    spring is slack already at first contact, ArithmeticError if the states end before one
     balances it.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)

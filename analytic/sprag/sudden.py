@@ -19,7 +19,7 @@ def engage_suddenly(
     SI units; contacts by Palmgren's law; steps of `dt` [s]. The result has the normal force `N` [N]
     over `t` [s], its largest value `N_max`, that at rest `N_static`, their ratio `peak_factor` and
     the `verdict`. Forces up to 3 times the static force are tabulated. ValueError for impossible
-    inputs, ArithmeticError where steps are too long.
+    inputs, ArithmeticError if steps are too long.
     """
     clutch = SpragClutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
     table = tabulated(clutch, N_end=REACH * float(at_torque(clutch, T).N))

@@ -69,7 +69,7 @@ def time_to_rest(q: Driven, motion: Motion) -> float:
 def swing(w: RaceSpring, q: Driven, motion: Motion) -> Swing:
     """Two races on the clutch as a spring: rolling, massless sprags.
 
-    A race that overruns comes to rest first and engages from there. ArithmeticError where the
+    A race that overruns comes to rest first and engages from there. ArithmeticError if the
     integration ends before its time.
     """
     rest = time_to_rest(q, motion)

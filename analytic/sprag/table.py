@@ -94,7 +94,7 @@ def table(
 ) -> Table:
     """Table of the closure's states, which begin at N = 0 and rise; angles in rad, SI.
 
-    ValueError where a growing force does not turn the sprag further.
+    ValueError if a growing force does not turn the sprag further.
     """
     alpha, N, OA, OB, OC_g, beta, gamma = (
         np.asarray(x, dtype=np.float64) for x in (alpha, N, OA, OB, OC_g, beta, gamma)
@@ -131,7 +131,7 @@ def tabulated(
 ) -> Table:
     """Table of a clutch up to the normal force `N_end` [N] or the spiral's end `theta_max` [rad].
 
-    ValueError where no force up to `N_end` has a state, or further force turns nothing.
+    ValueError if no force up to `N_end` has a state, or further force turns nothing.
     """
     N = float(positive(N_end, "normal force at the end", "N")) * np.linspace(0, 1, STATES) ** 2
     states = wedged(clutch, N)

@@ -44,7 +44,7 @@ def engage(
 
     `D_V` [m/s] is the half-width of the band in which a contact may stick; None takes twice the
     change that a step makes in the inner contact's sliding at rest, and twice the change at which
-    the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, where the band
+    the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, if the band
     given is too narrow, LongStepError if the energy balance is off by a hundredth of the work
     put in; without `guard` the wrong result is returned. ValueError for impossible inputs.
     """

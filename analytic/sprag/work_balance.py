@@ -19,7 +19,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 
 def at_rest(w: RaceSpring, T: float) -> float:
-    """Rotation [rad] at rest under T [N m]; nan where the profile ends before."""
+    """Rotation [rad] at rest under T [N m]; nan if the profile ends before."""
     resists = w.resistance()
     if float(resists(w.theta[-1])) < T:
         return math.nan

@@ -100,7 +100,7 @@ class Elastica:
         """States at the displacements `U` [length] of a head free, hinged or guided sideways.
 
         Steps between them should keep within a twentieth of the spring's length. ArithmeticError
-        where equilibrium is not found.
+        if equilibrium is not found.
         """
         states = [self.unloaded()]
         for u in U:

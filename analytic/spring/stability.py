@@ -32,7 +32,7 @@ SHARP, SECANTS = 1e-10, 30  # of the displacement
 
 
 def determinant(state: State, head: Head) -> float:
-    """Zero where a head of this freedom can move under the loads that it has."""
+    """Zero if a head of this freedom can move under the loads that it has."""
     rows, columns = FREEDOM[head]
     return float(np.linalg.det(state.J[np.ix_(rows, columns)]))
 
@@ -47,7 +47,7 @@ def lateral_stiffness(state: State) -> float:
 def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
     """The first critical point of a `head` that is released, on the guided path through U [length].
 
-    None where there is no critical point up to the last U. Steps as for `Elastica.path`.
+    None if there is no critical point up to the last U. Steps as for `Elastica.path`.
     """
     near = [line.unloaded()]
     for u in U:

@@ -20,7 +20,7 @@ SPREAD = 1e-8  # spread of the population's values over their mean at which the 
 def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
     """Smallest value found by differential evolution; the objective is given many points at once.
 
-    ArithmeticError where the population has not drawn together after 500 generations.
+    ArithmeticError if the population has not drawn together after 500 generations.
     """
     history: list[float] = []
     count = 0

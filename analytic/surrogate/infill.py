@@ -74,7 +74,7 @@ def infill(
     one of them. Agreement is |true/predicted - 1| <= agree, in so
     many rounds `in_a_row`. A smallest value on a design that is
     there already is asked for once more: a model that is a function answers the same, and a
-    surrogate that interpolates agrees. ArithmeticError where it does not, or for an answer that
+    surrogate that interpolates agrees. ArithmeticError if it does not, or for an answer that
     is not finite; NoAgreementError, one of them, where `rounds` have passed without agreement.
 
     Agreement is local. It shows that the surrogate is right where it is smallest, not that nothing

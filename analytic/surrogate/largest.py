@@ -1,6 +1,6 @@
 """Surrogate of a largest value: each regime kriged for itself, and the largest taken.
 
-Where the largest of several quantities passes from one to the other it has a kink, which no smooth
+If the largest of several quantities passes from one to the other it has a kink, which no smooth
 process follows; each quantity alone is smooth. Kriging a power of it helps where the power is the
 natural quantity: a Hertzian pressure squared is a force a length.
 """

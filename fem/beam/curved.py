@@ -68,7 +68,7 @@ def solve_curved_frame(
     ValueError
         For unknown names, missing shear stiffness, folded elements, rigid motions.
     ArithmeticError
-        Where the linear solve leaves a residual above 1e-6.
+        If the linear solve leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)

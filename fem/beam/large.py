@@ -131,7 +131,7 @@ class LargeFrame:
         ValueError
             For unknown nodes and elements, rigid motions, loads that are not finite.
         ArithmeticError
-            Where no equilibrium is found, naming factor and residual.
+            If no equilibrium is found, naming factor and residual.
         """
         pattern = loading(self.elements, loads, follower, distributed)
         return self._reach(pattern, self.held, factors, since)
@@ -185,7 +185,7 @@ class LargeFrame:
         ValueError
             As `under_loads`, and where nothing moves the frame.
         ArithmeticError
-            Where no step goes on, or `until` isn't met within `steps`.
+            If no step goes on, or `until` isn't met within `steps`.
         """
         moving, held = movement(len(self.points), moved or {})
         pattern = loading(self.elements, loads, follower, distributed).plus(1.0, moving)

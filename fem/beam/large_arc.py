@@ -42,7 +42,7 @@ class Arc:
 def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
     """States along the arc; the `first` change of the factor sets direction and step size.
 
-    Steps grow up to `largest`, measured as the arc is. ArithmeticError where no step goes on.
+    Steps grow up to `largest`, measured as the arc is. ArithmeticError if no step goes on.
     """
     weights = march.balance.weights
     push = march.tangent.push

@@ -95,7 +95,7 @@ class Balance:
         return Response(energy, stored, internal, residual, math.sqrt(size), K, predict)
 
     def factorise(self, u: Extended, K: csc_array) -> Tangent:
-        """Tangent at held components; ConvergenceError where it is singular."""
+        """Tangent at held components; ConvergenceError if it is singular."""
         free = ~self.held
         try:
             factor = splu(

@@ -171,7 +171,7 @@ def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
     """Solve K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
 
     K is positive definite if the frame stands `alone`, without its links; else s B^T B makes it
-    so and changes nothing, since B u is g. RuntimeError where even that is singular.
+    so and changes nothing, since B u is g. RuntimeError if even that is singular.
     """
     s = 0.0 if alone else float(abs(K.diagonal()).mean())
     factor = positive_factor(csc_array(K + s * (B.T @ B)) if s else K)
@@ -187,7 +187,7 @@ def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
 
 
 def positive_factor(K: csc_array) -> SuperLU:
-    """Factors of a positive definite matrix; RuntimeError where a pivot is zero."""
+    """Factors of a positive definite matrix; RuntimeError if a pivot is zero."""
     return splu(
         K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     )

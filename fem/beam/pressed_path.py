@@ -19,7 +19,7 @@ class UnstableError(ArithmeticError):
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:
     """Forces of the guided head at ascending shares of the `length`, all of stable equilibria.
 
-    UnstableError where there is a critical point before, ArithmeticError where nothing is found.
+    UnstableError if there is a critical point before, ArithmeticError if nothing is found.
     """
     first = np.linspace(0, shares[0], CLOSER + 1)[1:]
     U = np.unique([*first, *shares]) * length

@@ -41,7 +41,7 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
 def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
     """First buckling of a guided head that is released: displacement, rounding error, state.
 
-    NaN and None where it does not up to `until`. The search begins at the linear buckling load; a
+    NaN and None if it does not up to `until`. The search begins at the linear buckling load; a
     lower point would be found, since from rest on the determinant changes its sign at the first.
     """
     load, _ = linear_load(one)

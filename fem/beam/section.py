@@ -202,7 +202,7 @@ def _parts(count: int, elements: Indices) -> Indices:
 
 
 def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
-    """ValueError where the supports leave a connected part of the frame a rigid motion."""
+    """ValueError if the supports leave a connected part of the frame a rigid motion."""
     part = _parts(len(points), elements)
     parts = int(part.max()) + 1
     for k in range(parts):

@@ -23,7 +23,7 @@ def compress_spring(
     The curve has forces `F` [N] over `U` [m], `press` [N] between neighbouring units and shapes.
 
     Of a wide strip, E/(1 - nu^2) may stand for E. ValueError for another head, a line without
-    tips or a U that does not rise; ArithmeticError where no equilibrium is found at a U.
+    tips or a U that does not rise; ArithmeticError if no equilibrium is found at a U.
 
     >>> from math import radians
     >>> from meshes.spring import spring_centre_line

@@ -60,7 +60,7 @@ def solve_frame(
     ValueError
         For unknown nodes or bodies, elements without length and frames that can move rigidly.
     ArithmeticError
-        Where the linear solve leaves a residual above 1e-6.
+        If the linear solve leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)

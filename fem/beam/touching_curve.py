@@ -92,10 +92,10 @@ def compress(
     """The line with its head moved to each of the displacements U [m] in turn.
 
     `times` is how much stiffer the contact is than usual. Displacements `beyond` the last of U
-    follow until the force is TWICE that at the last of U. Where no equilibrium is found before, the
+    follow until the force is TWICE that at the last of U. If no equilibrium is found before, the
     curve ends early, which is no property of the line.
 
-    Raises ArithmeticError where a state at one of U is not found.
+    Raises ArithmeticError if a state at one of U is not found.
     """
     contact = SelfContact(
         line.points, line.elements, thickness=line.thickness, EA=line.section.EA,

@@ -42,7 +42,7 @@ class FittedLines:
 
 
 def fitted(curve: Array, stroke: float) -> FittedLines:
-    """Least squares up to the stroke; NaN where nothing touches.
+    """Least squares up to the stroke; NaN if nothing touches.
 
     >>> U = np.arange(1.0, 9.0)
     >>> pressing = np.maximum(U - 4.0, 0.0)
@@ -63,7 +63,7 @@ def fitted(curve: Array, stroke: float) -> FittedLines:
 def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
     """U_A, F_A and the slope beyond, from the two first states in which parts surely touch.
 
-    N begins at zero in A and grows linearly. NaN where nothing touches.
+    N begins at zero in A and grows linearly. NaN if nothing touches.
     """
     i = int(np.argmax(N > TOUCH * F))
     if i == 0 or i + 1 == len(U):

@@ -31,7 +31,7 @@ def exchanged(
 ) -> Solution:  # fmt: skip
     """Multipliers, motions and states that fit, on springs (k, k), from given `states` (m,).
 
-    `changes` counts the rows of each exchange, in place. NotFoundError where the states repeat or
+    `changes` counts the rows of each exchange, in place. NotFoundError if the states repeat or
     keep changing.
     """
     rough, seen = bool(system.rough.size), set()
@@ -103,7 +103,7 @@ def linear(
 ) -> tuple[Array, Array]:
     """Multipliers (n,) and motions (k,) that `states` imply, on springs (k, k).
 
-    NotFoundError where the states leave them undetermined.
+    NotFoundError if the states leave them undetermined.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

@@ -78,7 +78,7 @@ class AlongBodies:
     def reaction(self, boundary: str, u: Array, forces: Array) -> float:
         """Force along z that the support of `boundary` exerts at `u`, under `forces` (nodes,).
 
-        Where several supports hold a node, the first one named has it.
+        If several supports hold a node, the first one named has it.
         """
         nodes, known = self.nodes, self.nodes.supported
         if boundary not in known:

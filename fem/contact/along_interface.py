@@ -44,7 +44,7 @@ class AlongInterface:
         return self.C @ at_rest + self.rows @ pull.u_0, e
 
     def check_held(self) -> None:
-        """ValueError where neither supports nor friction could hold a body along z."""
+        """ValueError if neither supports nor friction could hold a body along z."""
         felt = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
         own = np.abs(self.C).max(initial=0.0)
         if np.any(felt <= UNHELD * own):

@@ -60,7 +60,7 @@ class AlongNodes:
         return np.asarray(self.of_dof[nodes_on(basis, named_facets(basis.mesh, name))[0]])
 
     def prescribed(self, values: Mapping[str, Prescribed]) -> Array:
-        """Displacements (count,) of held nodes; ValueError where supports contradict each other."""
+        """Displacements (count,) of held nodes; ValueError if supports contradict each other."""
         given = np.full(self.held.size, np.nan)
         largest = 0.0
         for name, value in values.items():

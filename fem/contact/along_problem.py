@@ -85,7 +85,7 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """The solution of the cone; NoEquilibriumError where loads leave it, NotFoundError."""
+        """The solution of the cone; NoEquilibriumError if loads leave it, NotFoundError."""
         missed = missing(descent.cone, descent.e)
         if np.any(missed):
             raise NoEquilibriumError(
@@ -129,7 +129,7 @@ class AlongProblem:
         return self.bodies.bodies.named(plane)
 
     def _check_small(self, plane: Interface, rest: Rest, step: AlongStep) -> None:
-        """NotFoundError where bodies slide along z by far more than they deform.
+        """NotFoundError if bodies slide along z by far more than they deform.
 
         That is a state of rest, but beyond small displacements.
         """

@@ -94,7 +94,7 @@ class Bodies:
         return int(self.basis.N) + 3 * len(self.obstacles)
 
     def plane_modulus(self, cells: Indices) -> float:
-        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite where rigid."""
+        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite if rigid."""
         lam, mu = self.lam[cells], self.mu[cells]
         if np.any(mu == 0):
             return np.inf

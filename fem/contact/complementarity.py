@@ -1,6 +1,6 @@
 """One kernel for every plane contact problem: unilateral contact with Coulomb friction, condensed.
 
-Active sets are the fast method. Where they end without a solution, Lemke's method follows, and for
+Active sets are the fast method. If they end without a solution, Lemke's method follows, and for
 bodies without loads a linear programme that separates them. A solution is accepted by its
 residual alone.
 """
@@ -58,7 +58,7 @@ class Complementarity(ContactSystem):
         Raises
         ------
         NoEquilibriumError
-            Where no admissible contact forces balance `e`.
+            If no admissible contact forces balance `e`.
         NotFoundError
             Where neither active sets nor Lemke's method find a solution.
         """
@@ -182,7 +182,7 @@ class Complementarity(ContactSystem):
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
         """Start from the contact without friction; None if that contact is not found.
 
-        Where there is none, groups of rows are taken in one: from there a few exchanges are left at
+        If there is none, groups of rows are taken in one: from there a few exchanges are left at
         the edges, instead of one for every row that the contact shrinks by.
         """
         m, rough = self.friction.size, bool(self.rough.size)

@@ -1,6 +1,6 @@
 """Solutions of a cone's equations under given loads.
 
-Newton's method from each start first. Where it fails from all of them, paths of solutions are
+Newton's method from each start first. If it fails from all of them, paths of solutions are
 followed through their turns: from no friction to the friction there is, on springs that hold the
 motions, then to weaker and weaker springs; and from friction at which everything sticks downwards.
 
@@ -8,7 +8,7 @@ What that proves: on springs a solution exists for every friction and is bounded
 cannot end before it arrives. As the springs weaken it stays bounded where pressures alone can
 balance the loads, -e = D_n' l_n with l_n >= 0 (without loads on motions always). There a state of
 rest exists for every friction, and the path leads to it but for rounding and for events that
-coincide. Where only friction balances the loads there may be no rest, or several: that none is
+coincide. If only friction balances the loads there may be no rest, or several: that none is
 found proves nothing, nor do bodies that move on as the springs weaken. `cone_reach` proves that
 there is none; between its cone and the loads at which the contact really slips lies what elasticity
 makes of the pressures, which nothing here bounds.
@@ -46,7 +46,7 @@ class Descent:
     def solve(self, starts: list[State]) -> State:
         """The solution from the first start that leads to one, else along a path.
 
-        SlidingError where a search ends with bodies that move on, else NotFoundError with the
+        SlidingError if a search ends with bodies that move on, else NotFoundError with the
         reasons of all searches.
         """
         reasons: list[str] = []

@@ -37,7 +37,7 @@ class Linearised:
     states: NDArray[np.int8]
 
     def newton(self) -> State:
-        """Result of Newton's step; ArithmeticError where the system is singular."""
+        """Result of Newton's step; ArithmeticError if the system is singular."""
         x = self.scale * _solved(self._scaled, self.scale * self._known)
         return State(self._multipliers(x[: x.size - self._motions]), x[x.size - self._motions :])
 

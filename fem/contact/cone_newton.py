@@ -44,7 +44,7 @@ class Newton:
     def at_rest(self, at: State, friction: Array) -> State:
         """The solution on springs that follow the motions until they carry no loads.
 
-        SlidingError where they carry loads permanently, NotFoundError where a step fails.
+        SlidingError if they carry loads permanently, NotFoundError if a step fails.
         """
         spring, imbalance = SPRING, np.inf
         for _ in range(MAX_RELEASES):

@@ -45,7 +45,7 @@ class Path:
     def follow(self, at: State, t: float) -> State:
         """An approximate solution at t = 1, from one `at` t < 1: correct it by Newton's method.
 
-        NotFoundError where the path does not arrive within MAX_STEPS.
+        NotFoundError if the path does not arrive within MAX_STEPS.
         """
         z, h = np.concatenate([at.multipliers, at.motion, [t]]), FIRST
         row = np.append(np.zeros(z.size - 1), 1.0)

@@ -18,7 +18,7 @@ MAX_ROUNDS = 60
 def missing(cone: Cone, e: Array) -> Array:
     """Part of the loads `e` (k,) on motions and shifts that no contact forces can balance.
 
-    Zero where they can. Forces are sums of edges of the cones; edges are added where what is
+    Zero if they can. Forces are sums of edges of the cones; edges are added where what is
     missing still pulls along them, until none does.
     """
     if not np.any(e):

@@ -45,7 +45,7 @@ class Piecewise:
     def least(self, v: Array) -> tuple[Array, int]:
         """Place (n,) of the minimum of J, from `v` (n,), and the number of steps.
 
-        Springs to the place before steer the steps, not the result. ArithmeticError where J is
+        Springs to the place before steer the steps, not the result. ArithmeticError if J is
         not convex, falls without end, or the steps do not converge.
         """
         for step in range(MAX_STEPS):

@@ -22,7 +22,7 @@ class DrivenSector:
 
     The hub's force leans by `phi_1` [rad] from the flat's normal to its middle. `mesh` makes the
     sector, coarse or fine, with cells for the contacts under a pressure and a hub's force. N is
-    the roller's force under the pressure p, infinite where the hub's lift locks.
+    the roller's force under the pressure p, infinite if the hub's lift locks.
     """
 
     mesh: Callable[[bool, float, Force], LockedSector]
@@ -56,7 +56,7 @@ class DrivenSector:
         return self.fine.at(p, self.push(N))
 
     def force_on(self, sector: LockedSector, p: float) -> float:
-        """Force N of a roller under the pressure `p`, infinite where the hub's lift locks."""
+        """Force N of a roller under the pressure `p`, infinite if the hub's lift locks."""
 
         def excess(N: float) -> float:
             """Excess of the roller's force over the N that belongs to the hub's force."""

@@ -29,7 +29,7 @@ class DrivenDiscs:
     def loaded(self, Q: float, cut: Array, after: ContactSolution) -> tuple[ContactSolution, Array]:
         """The state under Q and P [N/m], one step on from `after`, and the cut's place.
 
-        `cut` is where to start looking (Broyden's method). NotFoundError where the loads are not
+        `cut` is where to start looking (Broyden's method). NotFoundError if the loads are not
         met.
         """
         target, flexibility = np.array([Q, -self.P]), self.flexibility

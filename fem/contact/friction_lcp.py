@@ -2,7 +2,7 @@
 
 With w_t = w_t+ - w_t- and motions a = a+ - a- the unknowns z = (l_n, mu l_n + l_t, w_t-, a+, a-)
 are complementary to (w_n, w_t+, mu l_n - l_t, -(e + D'l), e + D'l) (Klarbring 1986). The matrix is
-copositive: z'M z = l'B l + 2 mu l_n w_t-. Where the loads can be balanced without friction, or no
+copositive: z'M z = l'B l + 2 mu l_n w_t-. If the loads can be balanced without friction, or no
 motion is free, Lemke's method cannot end in a ray; a solution then exists for every mu.
 """
 

@@ -98,7 +98,7 @@ class Interface:
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 
     def check_held(self, surfaces: Surfaces) -> None:
-        """ValueError where neither supports nor any contact could hold a body.
+        """ValueError if neither supports nor any contact could hold a body.
 
         A round body may spin in a round one: that moves nothing against anything.
         """

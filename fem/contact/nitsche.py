@@ -66,7 +66,7 @@ def solve_nitsche(
         For slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and bodies
         that start with too large a gap.
     ArithmeticError
-        Where `alpha` is too large, where loads move a body that nothing holds, and where the
+        If `alpha` is too large, where loads move a body that nothing holds, and where the
         iteration does not converge.
     """
     if not 0 < alpha < np.inf:
@@ -120,7 +120,7 @@ def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Ar
 
 
 def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
-    """ValueError where the stress of a slave does not give the traction of its pair."""
+    """ValueError if the stress of a slave does not give the traction of its pair."""
     mesh, surfaces, mortars = problem.bodies.basis.mesh, problem.surfaces, problem.interface.mortars
     others = [(f"a load on {x!r}", named_facets(mesh, x)) for x in loaded if x in mesh.boundaries]
     touching = [
@@ -145,7 +145,7 @@ def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
 
 
 def _check_gap(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
-    """ValueError where surfaces that touch were paired too far from each other."""
+    """ValueError if surfaces that touch were paired too far from each other."""
     s = problem.surfaces
     for pair, slave, master, touch in zip(s.pairs, s.slaves, s.masters, touches, strict=True):
         bend = slave.curvature() + (0.0 if master is None else master.curvature())

@@ -21,7 +21,7 @@ def at_load(
 ) -> tuple[float, ContactSolution]:
     """Approach [m] at which the force is `P`, by secants from a state at `approach`.
 
-    The boundary "upper.middle" is moved along -y. NotFoundError where the load is not met.
+    The boundary "upper.middle" is moved along -y. NotFoundError if the load is not met.
     """
     force, step = push(state), 0.6 * approach * (P / push(state) - 1)
     for _ in range(STEPS):

@@ -190,7 +190,7 @@ class ContactProblem:
         NoEquilibriumError
             For loads that no contact forces balance: proven, they move a body. Also a ValueError.
         NotFoundError
-            Where no state of rest was found. That proves nothing about the bodies.
+            If no state of rest was found. That proves nothing about the bodies.
         """
         actions = [
             *self.loads.actions(
@@ -350,7 +350,7 @@ class ContactProblem:
         return self._shifts[key]
 
     def _check_small(self, found: ContactSolution, after: ContactSolution | None) -> None:
-        """NotFoundError where bodies move by far more than they deform and gaps that they close.
+        """NotFoundError if bodies move by far more than they deform and gaps that they close.
 
         Only the facets of the mesh stop such motions; the assumption of small motions has ended.
         Motions count from the step before, and deformations of both steps.
@@ -378,7 +378,7 @@ class ContactProblem:
         return float(size + ROUND_OFF * np.ptp(self.bodies.basis.mesh.p, axis=1).max())
 
     def _refuse(self, missing: Array) -> None:
-        """NoEquilibriumError where loads on rigid motions lack contact forces `missing` (k,)."""
+        """NoEquilibriumError if loads on rigid motions lack contact forces `missing` (k,)."""
         if np.any(missing):
             raise NoEquilibriumError(
                 f"{self.bodies.named(missing)}, and the loads do move it: contact can only push, "

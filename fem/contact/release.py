@@ -41,7 +41,7 @@ class Release:
     def rest(self, states: States, springs: tuple[float, ...]) -> Solution:
         """The solution from given states, on ever weaker springs, then on none.
 
-        NotFoundError where none of the methods solves a step, or motions keep growing.
+        NotFoundError if none of the methods solves a step, or motions keep growing.
         """
         system, motion = self.system, np.zeros(self.system.D.shape[1])
         for share in springs if motion.size else (0.0,):

@@ -76,7 +76,7 @@ class Touch:
     def sticking_share(self) -> float:
         """Part of the normal force on nodes that stick, 0 to 1; 0 without contact.
 
-        Where it is zero, the whole contact slides.
+        If it is zero, the whole contact slides.
         """
         load = self.pressure * self.mortar.size
         total = float(load.sum())

@@ -130,7 +130,7 @@ class ContactSystem:
     def missing(self, e: Array) -> Array:
         """Part of the loads `e` (k,) on rigid motions that no contact forces can balance.
 
-        Zero where they can, to round-off.
+        Zero if they can, to round-off.
         """
         m, (resisted, neutral) = self.friction.size, self.motions
         if not np.any(e):

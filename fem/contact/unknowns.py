@@ -39,7 +39,7 @@ class Unknowns:
     rows: csr_array
 
     def displaced(self, values: Array) -> Array:
-        """L b; ValueError where the supports of one node, or of a rigid body, contradict."""
+        """L b; ValueError if the supports of one node, or of a rigid body, contradict."""
         u = np.asarray(self.L @ values)
         given = values[: self.rows.shape[0]]
         missed = np.abs(self.rows @ u - given)

@@ -156,7 +156,7 @@ def surface_compliance(
     """The compliance of the cylindrical `boundary` of `solid` on cells between `stations` in z.
 
     `orders` are the harmonics to be solved: 0 and growing multiples of `places`, such as
-    `harmonics` gives; the last represents all higher ones. ValueError where the boundary is no
+    `harmonics` gives; the last represents all higher ones. ValueError if the boundary is no
     cylinder, or a station no node of it.
     """
     orders = np.asarray(orders)

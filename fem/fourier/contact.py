@@ -87,8 +87,8 @@ def patch_contact(
     """The contact of `bodies` under `load` [force] on the modelled length.
 
     Their undeformed gap is the gap of their circles, R - R cos(s/R) for a rim and minus this for a
-    bore, plus `crown` (z). ValueError where stations or places of the bodies differ, or where
-    their surfaces don't curve away from each other; NarrowPatchError where the contact is as wide
+    bore, plus `crown` (z). ValueError if stations or places of the bodies differ, or where
+    their surfaces don't curve away from each other; NarrowPatchError if the contact is as wide
     as the patch.
     """
     across = _check(bodies, across, load)

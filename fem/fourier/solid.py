@@ -165,7 +165,7 @@ class Harmonic:
     def displacements(self, f: Array) -> Array:
         """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), one correction included.
 
-        ArithmeticError where the balance misses more than 1e-8 of the forces.
+        ArithmeticError if the balance misses more than 1e-8 of the forces.
         """
         load = self.T.T @ f
         q = self.factor.solve(load)

@@ -15,7 +15,7 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
 
     A p + area (gap - approach) is 0 where p > 0, otherwise positive; area . p = load. `A`
     (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave,
-    those that overlap come back, until none does. ArithmeticError where that does not end.
+    those that overlap come back, until none does. ArithmeticError if that does not end.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):

@@ -124,7 +124,7 @@ class RotatingSolid:
     def modes(self, speed: float, count: int = 4) -> WhirlModes:
         """The `count` lowest modes that run forward and backward at `speed` [rad/time].
 
-        ArithmeticError where a mode misses balance by more than 1e-5 of its elastic forces.
+        ArithmeticError if a mode misses balance by more than 1e-5 of its elastic forces.
         """
         K, M, size = self.K, self.M, self.K.shape[0]
         if not np.isfinite(speed) or not 1 <= count < size // 2:
@@ -189,7 +189,7 @@ class RotatingSolid:
         return csr_array(self.T.T @ whole @ self.T)
 
     def _check(self, w: Array, q: Array, residual: Array) -> None:
-        """ArithmeticError where the residual of modes of unit mass exceeds its limit."""
+        """ArithmeticError if the residual of modes of unit mass exceeds its limit."""
         missed = abs((residual * self.factor.solve(residual)).sum(axis=0))
         error = np.sqrt(missed / ((q * (self.K @ q)).sum(axis=0) + w**2))
         if not np.all(error < RESIDUAL_LIMIT):

@@ -12,7 +12,7 @@ from fem.plane.discretisation import Array
 
 
 def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Array]) -> None:
-    """ValueError where a rigid motion of the bodies in harmonic n is free of forces.
+    """ValueError if a rigid motion of the bodies in harmonic n is free of forces.
 
     u = T q are the supported displacements, `pulls` (free,) each the functionals of q that a spring
     acts on.

@@ -127,7 +127,7 @@ def point_load(
 ) -> Array:
     """Forces at nodes, by coordinates; with `turn` the totals around rings.
 
-    ValueError where no node lies, and for a radial force on the axis.
+    ValueError if no node lies, and for a radial force on the axis.
     """
     f = np.zeros(basis.N)
     for point, force in forces.items():
@@ -141,7 +141,7 @@ def point_load(
 
 
 def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> Trace:
-    """`basis` on the `facets` of boundary `name`; ValueError where a turn gives them no area."""
+    """`basis` on the `facets` of boundary `name`; ValueError if a turn gives them no area."""
     if turn and not has_area(basis.mesh, facets):
         raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")
     return facet_basis(basis, facets)

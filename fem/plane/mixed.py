@@ -85,7 +85,7 @@ class MixedCells(Cells):
 def basis_for(
     mesh: Mesh2D, lam: Array, mu: Array, degree: int | None, *, turn: bool = False
 ) -> Basis:
-    """Displacements on cells of these moduli; ValueError where their degree 1 would lock."""
+    """Displacements on cells of these moduli; ValueError if their degree 1 would lock."""
     if degree_on(mesh, degree) == 1:
         refuse(mesh, lam, mu, "displacements of degree 1 lock, use degree=2")
     return vector_basis(mesh, degree, turn=turn, mixed=nearly_incompressible(lam, mu))

@@ -96,7 +96,7 @@ def solve_plane(
         contradicting supports, unsupported bodies, and in a body of revolution for r < 0, a
         thickness and radial forces on the axis.
     ArithmeticError
-        Where the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the last correction of the linear solve holds more than 1e-12 of the energy.
 
     Examples
     --------

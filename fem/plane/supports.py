@@ -61,7 +61,7 @@ class Conditions:
         """The conditions of one node side by side.
 
         Numbers (nodes, c) of the conditions, -1 where a node has fewer than c >= 2; the unknowns
-        (2, nodes) of the nodes; directions (nodes, c, 2), zero where there is no condition.
+        (2, nodes) of the nodes; directions (nodes, c, 2), zero if there is no condition.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
         order = np.argsort(group, kind="stable")

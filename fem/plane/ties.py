@@ -144,7 +144,7 @@ class Tied:
 
 
 def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
-    """Followers and leaders; ValueError where nodes of a tie do not match.
+    """Followers and leaders; ValueError if nodes of a tie do not match.
 
     With `turn` x is a radius, and ties can only shift along the axis.
     """

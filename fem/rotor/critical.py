@@ -61,13 +61,13 @@ def critical_speeds(
 
 
 def check_supported(block: Block) -> None:
-    """ValueError where a rigid motion of the rotor across its axis is left free."""
+    """ValueError if a rigid motion of the rotor across its axis is left free."""
     if not block.supported:
         raise ValueError("the rotor is not supported: it can move rigidly across its axis")
 
 
 def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
-    """Speeds and vectors (k, n). Where only turning is free, A v is orthogonal to that motion."""
+    """Speeds and vectors (k, n). If only turning is free, A v is orthogonal to that motion."""
     check_supported(block)
     K, A = block.K, block.M - block.H / excitation
     if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():

@@ -44,7 +44,7 @@ class Diagonal:
 
     @classmethod
     def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
-        """Of `block` at speeds and frequencies (m,); None where the form does not hold."""
+        """Of `block` at speeds and frequencies (m,); None if the form does not hold."""
         ratio = _ratio(speeds, omega)
         skew = abs(block.K - block.K.conj().T).max()
         if ratio is None or skew > SKEW * abs(block.K).max():

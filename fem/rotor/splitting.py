@@ -34,7 +34,7 @@ def gyroscopic_splitting(
 
     .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
 
-    without the round-off of K in a difference of nearly equal frequencies. Where the shapes number
+    without the round-off of K in a difference of nearly equal frequencies. If the shapes number
     k differ, at speeds that change the order of the modes, the difference is not small and
     is taken as it is.
     """

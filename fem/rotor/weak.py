@@ -80,7 +80,7 @@ class WeakShaft:
     def whirl(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> tuple[Array, Array]:
         """Lowest frequencies (count,) [rad/s] that run forward and backward at `speed`, positive.
 
-        The deflection vanishes at the places `held` [m]. numpy.linalg.LinAlgError where the shaft
+        The deflection vanishes at the places `held` [m]. numpy.linalg.LinAlgError if the shaft
         can move rigidly.
         """
         left, right = _linearised(speed, *self._matrices(held))

@@ -107,7 +107,7 @@ class WhirlSystems:
     def critical_speeds(self, count: int) -> tuple[Array, Array]:
         """The lowest forward ones (m, count) [rad/s] and shapes (m, 2 nodes, count).
 
-        Shapes have v K v = 1. Where there are fewer, speeds are NaN.
+        Shapes have v K v = 1. If there are fewer, speeds are NaN.
         """
         K, M, G = self.matrices()
         inverse = np.linalg.inv(np.linalg.cholesky(K))

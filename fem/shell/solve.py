@@ -62,7 +62,7 @@ def solve_shell(
         Edges (k, 3) of two ends and the middle, and cells, by name.
     ties
         Boundary name to components that all its nodes share: "x" for a rigid line that moves
-        along x. Where a support holds one of them, it holds all.
+        along x. If a support holds one of them, it holds all.
     edge_loads
         Boundary name to force per length; three numbers or f(x) of points (3, ...).
     pressures, surface_loads
@@ -77,7 +77,7 @@ def solve_shell(
         For unknown names, missing thickness or material, folded cells, contradicting supports and
         rigid motions.
     ArithmeticError
-        Where the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the last correction of the linear solve holds more than 1e-12 of the energy.
     """
     points, cells = np.asarray(points, float), np.asarray(cells, int)
     _check_mesh(points, cells)

@@ -90,7 +90,7 @@ def operator(corners: Array) -> tuple[Array, Array, Array]:
 
 
 def _check_folds(at: Frame) -> None:
-    """ValueError where a cell's normals turn over or it has no area."""
+    """ValueError if a cell's normals turn over or it has no area."""
     mean = np.einsum("mk,mkc->mc", at.area, at.n)
     upright = np.einsum("mkc,mc->mk", at.n, mean).min(axis=1)
     bad = (upright <= 0) | (at.area.min(axis=1) <= FLAT_OUT * at.area.mean(axis=1))

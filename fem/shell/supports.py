@@ -35,7 +35,7 @@ def place(component: str, where: str | int) -> int:
 
 
 def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
-    """Prescribed values (6 count,), NaN where free; ValueError where two differ."""
+    """Prescribed values (6 count,), NaN if free; ValueError if two differ."""
     values = np.full((count, 6), np.nan)
     for where, support in supports.items():
         nodes = nodes_of(where, boundaries, count)
@@ -65,7 +65,7 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
     """Number of the free unknown behind each (6 nodes,), -1 where held; and the support of each.
 
-    Where one of several tied unknowns is held, all of them are.
+    If one of several tied unknowns is held, all of them are.
     """
     graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))
     groups, group = connected_components(graph, directed=False)
@@ -82,7 +82,7 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
 
 
 def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indices) -> None:
-    """ValueError where supports and ties leave a connected part of the shell a rigid motion."""
+    """ValueError if supports and ties leave a connected part of the shell a rigid motion."""
     count = len(points)
     first = np.repeat(cells[:, :1], cells.shape[1], axis=1).ravel()
     ends = np.hstack([np.array([first, cells.ravel()]), pairs // 6])

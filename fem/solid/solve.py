@@ -78,7 +78,7 @@ def solve_solid(
         For unknown names, missing materials, contradicting supports, folded cells, unsupported
         bodies.
     ArithmeticError
-        Where the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the last correction of the linear solve holds more than 1e-12 of the energy.
     """
     n = degree(mesh) + 1
     check_unfolded(mesh)

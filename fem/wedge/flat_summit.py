@@ -37,7 +37,7 @@ class SummitCourse(FlatCourse):
 
     @property
     def summit(self) -> tuple[float, float]:
-        """Normal force [N] and torque [N m] at the summit; ArithmeticError where it is not met."""
+        """Normal force [N] and torque [N m] at the summit; ArithmeticError if it is not met."""
         N = self.at_states["N"]
         top = int(np.argmax(self.at_states["T"]))
         if top in (0, N.size - 1):

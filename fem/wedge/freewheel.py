@@ -54,7 +54,7 @@ def solve_freewheel(
     half of each fine zone. Plane strain, small displacements. Both loads are met within 1e-3.
 
     ValueError unless mu exceeds tan(alpha) without load and loads are positive (F_ax may be 0);
-    ArithmeticError where no equilibrium is found, as where the axial load makes the clutch slip.
+    ArithmeticError if no equilibrium is found, as where the axial load makes the clutch slip.
 
     >>> from meshes.freewheel import inner_cam_sector
     >>> clutch = {"R": 21e-3, "X": 14.9e-3, "r": 3e-3, "z": 10, "L": 12e-3, "r_b": 8e-3}

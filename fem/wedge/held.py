@@ -38,7 +38,7 @@ class Held:
         return axial_unit(self.one, self.rest)
 
     def to(self, share: float, state: State) -> State:
-        """On from `state` to an axial load; NotFoundError where no rest is found under it."""
+        """On from `state` to an axial load; NotFoundError if no rest is found under it."""
         return creeping(self.there, state, axial_forces=self._rim(share * self.unit))
 
     def at_once(self, force: float) -> State:

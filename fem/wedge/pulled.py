@@ -151,7 +151,7 @@ def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> S
     """On from `state` with the roller in its place: the ring takes back its outward movement.
 
     The ring turns on then, and N stays; by `ahead` [m] from the start, where that is known to be
-    needed: then nodes that slip do so in the last solve, too. NotFoundError where the roller does
+    needed: then nodes that slip do so in the last solve, too. NotFoundError if the roller does
     not come to rest, or a solve finds no equilibrium.
     """
     size = state.start.d_i + state.start.d_o

@@ -65,7 +65,7 @@ def at_rest(
     """The state in which the `body` rests: the first of `most` that moves by `still` of its size.
 
     `at` solves with surfaces turned by `drags`; from one to the next they undo what the body moves.
-    NotFoundError where it does not come to rest.
+    NotFoundError if it does not come to rest.
     """
     limit = STILL if still is None else still
     for _ in range(most):

@@ -73,7 +73,7 @@ class Limit:
     def _corrected(self, k: float) -> tuple[float, float]:
         """Friction over Eq. 8 at which the load is the limit, from slip with `k`; uncertainty.
 
-        Where all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
+        If all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
         """
         lever, doubt = self._lever(k * self.full)
         found = k * math.hypot(1.0, self.asked) / math.hypot(1.0, lever)
@@ -126,7 +126,7 @@ def over_angles(
 ) -> Array:  # fmt: skip
     """Clutches equal but for X, at the same overlap, one row (m, 7) for each that can be built.
 
-    `built` makes the pitch with flats at X [m], ValueError where there is none. Rows have
+    `built` makes the pitch with flats at X [m], ValueError if there is none. Rows have
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
     ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
     angle the clutch, `stuck`, deflects by `unit` [m] along z to where it slips. Angles and forces

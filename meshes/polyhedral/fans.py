@@ -103,7 +103,7 @@ def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
 def _core(ring: Outline, rows: int, least: int) -> tuple[int, float]:
     """Cells along the fillet and depth of the core around it, with `rows` square cells if it may.
 
-    Where a thin wall leaves it less, no arc rises as high as its cell is thin.
+    If a thin wall leaves it less, no arc rises as high as its cell is thin.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(least, at_least(arc / (SLENDER * wall)))

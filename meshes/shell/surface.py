@@ -28,7 +28,7 @@ class ShellMesh:
 def shell_mesh() -> ShellMesh:
     """The surfaces of the current gmsh model; physical groups of every dimension give names.
 
-    Raises ValueError where a surface has no name or other cells than quadratic quadrilaterals.
+    Raises ValueError if a surface has no name or other cells than quadratic quadrilaterals.
     """
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
     blocks, bodies, count = [], {}, 0

@@ -21,7 +21,7 @@ def solid_mesh(*, straight: bool = False) -> Mesh3D:
 
     Physical surfaces become `boundaries` and physical volumes `subdomains` of their names.
     `straight` moves the middle nodes of 27-node cells between their corners. Raises ValueError
-    where the model has other cells, or none.
+    if the model has other cells, or none.
     """
     found = [int(k) for k in gmsh.model.mesh.getElementTypes(3)]
     if len(found) != 1 or found[0] not in KINDS:

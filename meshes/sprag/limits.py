@@ -62,7 +62,7 @@ def check_beside(at: Placed, pitch: float) -> None:
 
 
 def check_flank(where: str, reach: Reach) -> None:
-    """ValueError where the contact comes to a flank, too near for cells between them."""
+    """ValueError if the contact comes to a flank, too near for cells between them."""
     if not reach.share >= NEAREST:
         raise ValueError(
             f"the sprag touches the {where} race {reach.least:g} m from a flank: its contact needs "

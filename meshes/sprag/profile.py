@@ -147,7 +147,7 @@ class Placed:
     def theta(self) -> float:
         """Direction in which the spiral's normal runs through the axis [rad].
 
-        ValueError where that is beyond the flanks.
+        ValueError if that is beyond the flanks.
         """
         sprag = self.sprag
         left, right = sprag.below

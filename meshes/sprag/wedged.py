@@ -79,7 +79,7 @@ class FirstContact:
 
 @lru_cache(64)
 def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstContact:
-    """With the wedge angle `nu_0` [rad]; ValueError where no spiral has it."""
+    """With the wedge angle `nu_0` [rad]; ValueError if no spiral has it."""
 
     def missing(m: float) -> float:
         return FirstContact(R_i, R_e, r_i, m).wedge - nu_0

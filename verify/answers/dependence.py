@@ -15,7 +15,7 @@ MOST = 4  # inputs that are named
 
 
 def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tuple[str, ...]:
-    """Change of the smallest margin with the assumed inputs; empty where none is assumed."""
+    """Change of the smallest margin with the assumed inputs; empty if none is assumed."""
     if not assumed:
         return ()
     names = frozenset(one.name for one in assumed)

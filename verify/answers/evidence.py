@@ -43,7 +43,7 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 
 
 def why_not_solved(rows: Sequence[Row]) -> str:
-    """Reason why no failed row has a value of the reference; empty where one has."""
+    """Reason why no failed row has a value of the reference; empty if one has."""
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed or any(row.reference is not None for row in failed):
         return ""
@@ -51,7 +51,7 @@ def why_not_solved(rows: Sequence[Row]) -> str:
 
 
 def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
-    """The design value by the reference of the row that has it; empty where no row has."""
+    """The design value by the reference of the row that has it; empty if no row has."""
     if answer.design is None:
         return ""
     value, unit = answer.design.value, answer.design.unit

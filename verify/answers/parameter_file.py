@@ -92,7 +92,7 @@ def _case(case_id: str, path: Path) -> Case:
 
 
 def _values(case: Case, inputs: Inputs, where: str) -> Values:
-    """All values of the formulas [SI]; InputError where one is not finite."""
+    """All values of the formulas [SI]; InputError if one is not finite."""
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             values = case.analytic(inputs)

@@ -22,7 +22,7 @@ def answer_record(answer: Answer) -> dict[str, Any]:
 
 
 def finite(value: float) -> float | None:
-    """The value, None where JSON has no number for it."""
+    """The value, None if JSON has no number for it."""
     return value if math.isfinite(value) else None
 
 

@@ -23,7 +23,7 @@ GIVEN = "given"
 
 @dataclass(frozen=True)
 class Strength:
-    """A limit [Pa] with its source; `value` None where no default applies, for a stated reason."""
+    """A limit [Pa] with its source; `value` None if no default applies, for a stated reason."""
 
     value: float | None
     source: str

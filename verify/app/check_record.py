@@ -19,7 +19,7 @@ SCHEMA_VERSION = 3  # 1 had no answer, and keys with spaces; 2 no verdicts
 def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:
     """The answer, then its evidence, in display units; `check.schema.json` describes it.
 
-    `dynamic` is None where it did not run, `rows` are empty without finite elements.
+    `dynamic` is None if it did not run, `rows` are empty without finite elements.
     """
     from reports.records import row_record  # only the command line may import reports
 

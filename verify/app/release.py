@@ -18,7 +18,7 @@ from verify.jobs.session import solve
 def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:
     """Run all cases and store their rows under the version of pyproject.toml; the file.
 
-    InputError where the version is stored already, a file is not committed, or a row failed.
+    InputError if the version is stored already, a file is not committed, or a row failed.
     """
     name = version(root)
     path = path_of(name, folder)
@@ -44,7 +44,7 @@ def refuse_uncommitted(root: Path) -> None:
 
 
 def refuse_red(report: Report) -> None:
-    """InputError where a row failed or was not run, or a demand was loosened without a reason."""
+    """InputError if a row failed or was not run, or a demand was loosened without a reason."""
     for row in report.rows:
         if row.status in (Status.FAIL, Status.SKIP):
             raise InputError(f"a release needs every row: {row.id}: {row.status}: {row.reason}")

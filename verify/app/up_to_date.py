@@ -40,7 +40,7 @@ def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
 
 
 def found(out: Path, key: str) -> Reported | None:
-    """Printed output of the report in a folder; None where something has changed since.
+    """Printed output of the report in a folder; None if something has changed since.
 
     Stored results that were removed, and files of the report that were changed, count.
     """

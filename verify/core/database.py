@@ -27,7 +27,7 @@ class Database:
     format: int
 
     def is_there(self) -> bool:
-        """Whether the file exists; OSError where something else is in its place."""
+        """Whether the file exists; OSError if something else is in its place."""
         if self.path.is_file():
             return True
         if self.path.exists():

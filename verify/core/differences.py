@@ -2,7 +2,7 @@
 
 One convention: (formula - reference)/reference, so that a positive difference is a formula of the
 larger magnitude also where both are negative, and the difference lies in the same interval as the
-expected model error. Where a row has another scale than its reference, the difference is
+expected model error. If a row has another scale than its reference, the difference is
 (formula - reference)/scale: with the sign of the values; the scale is named next to it.
 Balances and orders are plain numbers; facts have no difference.
 """

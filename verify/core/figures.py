@@ -160,7 +160,7 @@ class Map:
     """Where a formula holds: its signed relative error `error` (k, m) over two parameters.
 
     Columns and rows have names, the first row at the bottom; cells are shaded by the first of the
-    `limits` that holds them. Where the error is NaN there is nothing to compare, for the reason
+    `limits` that holds them. If the error is NaN there is nothing to compare, for the reason
     `without`. `checked` (k, m) are the cells that `checked_name` is true of.
     """
 

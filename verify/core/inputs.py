@@ -41,7 +41,7 @@ class InputError(ValueError):
 class EntryError(ValueError):
     """A rule that the validator of a model finds violated in one entry of a table.
 
-    `entry` counts from 1; `key` is the input there, empty where the rule is of the whole entry.
+    `entry` counts from 1; `key` is the input there, empty if the rule is of the whole entry.
     """
 
     def __init__(self, table: str, entry: int, key: str, rule: str) -> None:

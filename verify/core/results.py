@@ -302,7 +302,7 @@ class ValidityCard:
 class ValidityExact:
     """A formula and finite elements that solve the same problem: their largest difference.
 
-    `U` is the error bar of that point; both are relative. None where no point was solved.
+    `U` is the error bar of that point; both are relative. None if no point was solved.
     """
 
     quantity: str
@@ -348,7 +348,7 @@ class ScaleInput:
 class StudyAxis:
     """An input that a study varies, its `own` value in `unit`; `log` where in equal ratios.
 
-    `ratio` is `factor` times its value over the product of the inputs `per`; empty where none is
+    `ratio` is `factor` times its value over the product of the inputs `per`; empty if none is
     declared. `scales` tells whether a part of another size, all in proportion, has the same error
     at the same ratios.
     """
@@ -368,7 +368,7 @@ class StudyAxis:
 
 @dataclass(frozen=True, kw_only=True)
 class StudiedFormula:
-    """A formula at the points of a study: relative errors with bars, NaN where `problems` says why.
+    """A formula at the points of a study: relative errors with bars, NaN if `problems` says why.
 
     `by` names the reference, `of` the magnitude that errors are related to, empty for the reference
     itself. `is_positive` states whether the reference is above zero at the default inputs.
@@ -484,7 +484,7 @@ class Drift:
 class ReadingsTried:
     """A printed number that the first reading of its formula does not give, and other readings.
 
-    `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
+    `readings` is the best of `hits` combinations that reproduce it, empty if none does, with its
     `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
     was tried, for that reason. `reference` names the number or the erratum, "paper:id".
     """
@@ -510,7 +510,7 @@ class ReadingsTried:
 class BudgetPart:
     """Contribution of one cause to a relative difference, by a rerun without it; `u` half-width.
 
-    None where there was no rerun, and `note` says why. What is `shared` by formula and finite
+    None if there was no rerun, and `note` says why. What is `shared` by formula and finite
     elements is no part of their difference and is not subtracted from it.
     """
 
@@ -524,7 +524,7 @@ class BudgetPart:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetJoint:
-    """Excess of two causes removed together over their sum one by one; None where not rerun."""
+    """Excess of two causes removed together over their sum one by one; None if not rerun."""
 
     causes: tuple[str, str]
     value: float | None

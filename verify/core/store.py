@@ -71,7 +71,7 @@ class Store:
         self._database = Database(self.path, TABLES, FORMAT)
 
     def load(self, kind: str, keys: Sequence[str]) -> dict[str, bytes]:
-        """The content of those keys that have an entry; OSError where the file cannot be read."""
+        """The content of those keys that have an entry; OSError if the file cannot be read."""
         parts = [keys[k : k + AT_ONCE] for k in range(0, len(keys), AT_ONCE)]
         named = [(f"AND key IN ({','.join('?' * len(part))})", part) for part in parts]
         return self._read(kind, named)
@@ -100,7 +100,7 @@ class Store:
                 _trim(database)
 
     def check(self) -> None:
-        """OSError where nothing can be stored: found before the work."""
+        """OSError if nothing can be stored: found before the work."""
         made_folder(self.path.parent)
         with self._database.writing() as database:
             database.execute("BEGIN IMMEDIATE")
@@ -115,7 +115,7 @@ class Store:
         return {key: line for key, line in lines.items() if line}
 
     def groups(self) -> list[Group]:
-        """Stored results by kind and subject; OSError where the store cannot be read."""
+        """Stored results by kind and subject; OSError if the store cannot be read."""
         if not self._database.is_there():
             return []
         with self._database.reading() as database:

@@ -76,7 +76,7 @@ class VerdictRange:
     `over` states the varied inputs of the study of a case, `studied` their ends, `held` the
     constant inputs that differ from the default; `box` contains the ranges within the limit, one at
     a time if `is_star`, and is empty if no point is within it. `interpolation` is by how much
-    the error at a point differs at most from a straight line between its neighbours, None where no
+    the error at a point differs at most from a straight line between its neighbours, None if no
     point has two.
     """
 
@@ -105,7 +105,7 @@ class FormulaVerdict:
     part itself, or only against its idealisation; `model` states how well the formula solves
     that where `rows` set it beside the part. `points` counts inputs beside the paper's,
     `unsolved` those without an answer; `own_only` are cases without a study. `misprint` is the
-    change from the corrected to the printed value, None where no row has both. `caution`
+    change from the corrected to the printed value, None if no row has both. `caution`
     is a failure beside the errors, demonstrated by `caution_row`; `readings` states the range of
     the value by the readings that the paper leaves open.
     """

@@ -152,7 +152,7 @@ class Case(Inputs):
     def variant(self, **attributes: Any) -> Self:
         """The case with other class attributes that formulas read, such as the ends.
 
-        ValueError where the class has no such attribute.
+        ValueError if the class has no such attribute.
         """
         if unknown := attributes.keys() - type(self).__class_vars__:
             name = ", ".join(sorted(unknown))

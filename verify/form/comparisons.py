@@ -37,7 +37,7 @@ class Expected(NamedTuple):
 class Computed(NamedTuple):
     """An expected error that takes long to compute: `interval` is called when the row is judged.
 
-    It gives low and high, or None where the interval is too wide to judge by.
+    It gives low and high, or None if the interval is too wide to judge by.
     """
 
     interval: Callable[[], tuple[float, float] | None]

@@ -72,7 +72,7 @@ def symbols_of(case: Case) -> Symbols:
 def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     """The equation of a quantity, with numbers if it is arithmetic.
 
-    None where none is stated; CaseError where it gives another number than the code on the default
+    None if none is stated; CaseError if it gives another number than the code on the default
     inputs. For other inputs cancellation may separate them: the inserted numbers are left out then.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None

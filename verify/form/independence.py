@@ -16,7 +16,7 @@ LEAST = 0.25 * CHANGE  # least change of a formula by a quantity that it reads
 
 
 def check(case: Case, one: Comparison) -> None:
-    """CaseError where a change of the formula moves its expected error along."""
+    """CaseError if a change of the formula moves its expected error along."""
     if one.quantity and (read := follows(case, one)):
         both = "this formula" if read == one.quantity.name else f"{read}, as this formula does"
         rule = f"its expected error reads {both}, so that a mistake in it fails no row"

@@ -42,7 +42,7 @@ def reached(
 
 
 def check_names(form: type[Inputs]) -> None:
-    """CaseError where a class declares two members of one name: the second hides the first."""
+    """CaseError if a class declares two members of one name: the second hides the first."""
     for cls in _classes(form):
         lines: dict[str, int] = {}
         for name, node in _body(cls):

@@ -87,7 +87,7 @@ class Quantity:
         return partial(Family.of, self, tuple(product(*indices)))
 
     def of(self, case: object) -> float | None:
-        """Its number [SI], None where the inputs of the case do not have it."""
+        """Its number [SI], None if the inputs of the case do not have it."""
         if self.when is not None and not self.when(case):
             return None
         return finite(getattr(case, self.name))
@@ -98,7 +98,7 @@ class Quantity:
         return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
 
     def check_words(self) -> None:
-        """CaseError where `safe`, `form` or `role` is none of its words."""
+        """CaseError if `safe`, `form` or `role` is none of its words."""
         for name, words in ("safe", Side), ("form", Form), ("role", Role):
             if (word := getattr(self, name)) not in get_args(words):
                 known = ", ".join(filter(None, get_args(words)))
@@ -247,7 +247,7 @@ def _note(source: "Quantity | shared[Any]", name: str) -> None:
 def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
     """A value of an instance, computed once: its inputs never change.
 
-    CaseError where computing it reads it.
+    CaseError if computing it reads it.
     """
     memo, key = case.__dict__, f"{MEMO}{_code[0]} {name}"
     if key not in memo:

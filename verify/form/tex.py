@@ -123,7 +123,7 @@ def evaluate(
 ) -> T | None:
     """Value of the equation for `values` by symbol, such as numbers [SI].
 
-    None where it is more than arithmetic, or has no value there: a root of a negative number.
+    None if it is more than arithmetic, or has no value there: a root of a negative number.
     """
     variables = {f"x{k}": value for k, value in enumerate(values.values())}
     text = plain(put_in(tex, {s: f"({name})" for s, name in zip(values, variables, strict=True)}))

@@ -25,7 +25,7 @@ AHEAD = 1  # task that waits on the cluster for each that is solved
 def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
     """The cluster of the scheduler at an address, tcp://host:port; without one, a local one.
 
-    A local cluster has `processes` workers of one thread. GoneError where nothing answers.
+    A local cluster has `processes` workers of one thread. GoneError if nothing answers.
     """
     import dask.config
     from distributed import Client, LocalCluster

@@ -18,7 +18,7 @@ def adopt(folder: Path) -> int:
     """Move such files into the folder's store, and return how many they were.
 
     A file is removed after its content is stored: nothing is lost where this is interrupted.
-    Files that are no results stay. OSError where the store takes none.
+    Files that are no results stay. OSError if the store takes none.
     """
     files = [p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name)]
     moved = [path for path in files if path.parent.name != PICTURES and _move(path, folder)]

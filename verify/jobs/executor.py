@@ -120,7 +120,7 @@ class Drive:
         A task is taken from `tasks` when its turn comes, and `tasks` is asked again after every
         answer. One whose process dies is split and done again when no other is left, each part
         alone in a fresh process; Lost is its answer if that dies too.
-        GoneError where the engine answers no more.
+        GoneError if the engine answers no more.
         """
         waiting = iter(tasks)
         while died := (yield from self._round(waiting, self.engine.ahead)):

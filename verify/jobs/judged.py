@@ -88,7 +88,7 @@ def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
 
 
 def keep(folder: Path, job: Job, result: CaseResult, key: str) -> None:
-    """Store a result all of whose levels are stored; nothing where something went wrong."""
+    """Store a result all of whose levels are stored; nothing if something went wrong."""
     levels = [cache.key(job.case, job.inputs, level) for level in job.case.levels]
     store = Store(folder)
     with suppress(OSError):  # a full disk costs the time to judge again

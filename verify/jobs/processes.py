@@ -141,7 +141,7 @@ class _Worker:
     def call(self, function: Callable[..., Any], args: Any, kwargs: Any) -> tuple[bool, Any]:
         """True and the function's result, or False and its exception with the traceback.
 
-        EOFError or OSError where the process dies.
+        EOFError or OSError if the process dies.
         """
         task = pickle.dumps((function, args, kwargs))
         self.connection.send_bytes(task)

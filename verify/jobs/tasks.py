@@ -70,7 +70,7 @@ def do(task: Task | Judging) -> Solved | CaseResult | None:
 
 
 def _judge(task: Judging) -> CaseResult | None:
-    """The judged case; None where the store has lost a level."""
+    """The judged case; None if the store has lost a level."""
     levels = []
     for level, solved in task.levels:
         found = cache.load(task.folder, task.case, task.inputs, level)

@@ -139,7 +139,7 @@ class Statement:
         return next((one for one in self.corrected if one.row == row), None)
 
     def reason(self, row: str) -> str:
-        """Reason why the difference of this row is not split; empty where no reason is given."""
+        """Reason why the difference of this row is not split; empty if no reason is given."""
         return next(
             (one.why for one in self.left if any(fnmatchcase(row, name) for name in one.rows)), ""
         )

@@ -72,7 +72,7 @@ def grid_convergence(
     h, values
         Mesh sizes, strictly decreasing, and the values computed on them; the last three count.
     formal
-        The order that theory gives, or None where it gives none (no order is then used).
+        The order that theory gives, or None if it gives none (no order is then used).
     scale
         Natural magnitude of the values, for round-off.
     u_it

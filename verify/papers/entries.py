@@ -35,7 +35,7 @@ class Value(Entry):
 
     @property
     def standard_uncertainty(self) -> float | None:
-        """Half the last printed digit over root three [unit]; None where it is only about so."""
+        """Half the last printed digit over root three [unit]; None if it is only about so."""
         return None if self.approximate else half_last_digit(self.printed) / math.sqrt(3)
 
     @model_validator(mode="after")

@@ -90,11 +90,11 @@ def _index() -> dict[str, Value]:
 
 
 def published(reference: str) -> Value:
-    """The value named `paper:id`, such as "wang2023:k1-theory"; KeyError where there is none."""
+    """The value named `paper:id`, such as "wang2023:k1-theory"; KeyError if there is none."""
     return _index()[reference]
 
 
 def erratum(reference: str) -> Erratum:
-    """The erratum named `paper:id`; KeyError where there is none."""
+    """The erratum named `paper:id`; KeyError if there is none."""
     found = {f"{paper.key}:{e.id}": e for paper in papers() for e in paper.errata}
     return found[reference]

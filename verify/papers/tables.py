@@ -63,7 +63,7 @@ def named_tables(place: str) -> set[str]:
 
 
 def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printed: int) -> None:
-    """Raise ValueError where tables and values do not hold the same numbers, each once.
+    """Raise ValueError if tables and values do not hold the same numbers, each once.
 
     `printed` is how many tables the paper numbers.
     """

@@ -14,7 +14,7 @@ class Study:
     """One kind of measurements; a case has one measurement of each kind.
 
     `is_measured` states whether a case has a record for the present code. `measure` measures cases,
-    stores each as soon as it is complete and prints a line for it; False where a part failed.
+    stores each as soon as it is complete and prints a line for it; False if a part failed.
     With its last argument, failed parts are solved again.
     """
 
@@ -39,9 +39,9 @@ class Study:
         return list(known.values()) if self.name in names else [known[one] for one in selected]
 
     def measure_missing(self, cases: Sequence[Case], where: Where, *, again: bool = False) -> bool:
-        """Measure the cases without a record for the present code; False where a part failed.
+        """Measure the cases without a record for the present code; False if a part failed.
 
-        With `again` all of them. OSError where a record cannot be written.
+        With `again` all of them. OSError if a record cannot be written.
         """
         missing = [case for case in cases if again or not self.is_measured(case)]
         for case in cases:

@@ -38,7 +38,7 @@ class Placed:
 
 
 def named(words: str) -> tuple[FormulaVerdict, ...]:
-    """The forms of the equation that words name, "Belcin Eq. 20"; empty where they name none."""
+    """The forms of the equation that words name, "Belcin Eq. 20"; empty if they name none."""
     match = _NAMED.fullmatch(" ".join(words.lower().split()))
     if match is None:
         return ()

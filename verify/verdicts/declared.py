@@ -87,7 +87,7 @@ class Declarations(Entry):
 
 @cache
 def declared() -> dict[str, Declarations]:
-    """The declarations by the key of their paper; ValueError where they are not complete."""
+    """The declarations by the key of their paper; ValueError if they are not complete."""
     found = {}
     for paper in papers():
         text = (HERE / f"{paper.key}.toml").read_text("utf-8")
@@ -119,7 +119,7 @@ def _check(paper: Paper, declarations: Declarations) -> None:
 
 
 def _broken(forms: tuple[Formula, ...]) -> str:
-    """Broken rule of the forms of one equation; empty where none is broken."""
+    """Broken rule of the forms of one equation; empty if none is broken."""
     kinds = [f.form for f in forms]
     if kinds not in ([Form.PRINTED], [Form.PRINTED, Form.CORRECTED]):
         return "declare it as printed, once"

@@ -46,7 +46,7 @@ class Table(Entry):
 
 @cache
 def declared() -> tuple[Declared, ...]:
-    """The entries of the file; ValueError where one is not complete."""
+    """The entries of the file; ValueError if one is not complete."""
     return Table.model_validate(tomllib.loads(FILE.read_text("utf-8"))).ranges
 
 
@@ -72,7 +72,7 @@ def _one(entry: Declared, studies: Sequence[Study]) -> DesignRange:
 
 
 def axis_of(entry: Declared) -> Axis:
-    """The two ends as an axis of the default inputs; InputError where there is no such input."""
+    """The two ends as an axis of the default inputs; InputError if there is no such input."""
     return axis(find(entry.case).inputs(), entry.ends)
 
 

@@ -62,7 +62,7 @@ def _verdict(
 def _of(
     paper: str, formula: Formula, part: Evidence, model: Evidence, changed: float | None
 ) -> Verdict:
-    """The verdict of evidence that stands; NoEvidenceError where there is none."""
+    """The verdict of evidence that stands; NoEvidenceError if there is none."""
     rows = (*part.rows, *model.rows)
     if formula.errata:
         _require_shown(paper, formula, [point_of(row) for row in rows], changed)

@@ -11,7 +11,7 @@ SAME = 1e-9  # relative: references that differ by less are one
 def misprint(printed: Iterable[Row], corrected: Iterable[Row]) -> float | None:
     """The largest relative change from a corrected to a printed value of the same reference.
 
-    None where no row of the corrected form has the reference of a row of the printed one.
+    None if no row of the corrected form has the reference of a row of the printed one.
     """
     corrected = tuple(corrected)
     changes = [

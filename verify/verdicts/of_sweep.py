@@ -28,7 +28,7 @@ def safe_side(plan: Plan, course: Course) -> Safe:
 
 
 def verdict_in_words(plan: Plan, course: Course) -> str:
-    """Verdict, largest error on either side and the safe side; empty where nothing is compared."""
+    """Verdict, largest error on either side and the safe side; empty if nothing is compared."""
     known = np.isfinite(course.error + course.U_error)
     if not known.any():
         return ""
@@ -46,7 +46,7 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
 
 
 def _nominal(plan: Plan) -> int | None:
-    """The row with the nominal inputs; None where no point of the sweep has them."""
+    """The row with the nominal inputs; None if no point of the sweep has them."""
     found = nominal_point(plan)
     if found is None:
         return None

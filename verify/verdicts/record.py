@@ -27,7 +27,7 @@ SMALLEST_ERROR = 1e-5  # errors below it depend on rounding, so that they are no
 
 @cache
 def kept() -> tuple[FormulaVerdict, ...]:
-    """The verdicts of record; empty where there are none."""
+    """The verdicts of record; empty if there are none."""
     try:
         text = FILE.read_bytes()
     except OSError:

@@ -45,7 +45,7 @@ def interpolation(plan: Plan, course: Course) -> float | None:
     """Largest deviation of an error from a line between its neighbours on an axis.
 
     At the points of a study this overestimates what interpolation between them leaves out, some
-    four times where the error is smooth. None where no point has two solved neighbours.
+    four times where the error is smooth. None if no point has two solved neighbours.
     """
     largest = [
         float(np.max(off))

@@ -27,7 +27,7 @@ def of_strips(
 
     Half to twice the error `missing` of the `value`; and, on both sides, the remaining error of
     first order of the strips: twice the change of the value with `twice` as many strips, once
-    this change under a `loaded` end, where more strips need not be better. None where no estimate
+    this change under a `loaded` end, where more strips need not be better. None if no estimate
     is known. b is the half-width, `user_inputs`: strips are not tuned to them.
 
     >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "user_inputs": False}

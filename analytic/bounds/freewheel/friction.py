@@ -77,7 +77,7 @@ def at_limit(
 ) -> Interval | None:
     """The interval of a function of tan(alpha) whose value is known within `slope`.
 
-    None where tan(alpha) may reach mu: torque alone would expel the rollers.
+    None if tan(alpha) may reach mu: torque alone would expel the rollers.
 
     >>> at_limit(lambda tan: 1 / tan, 0.05, (-0.5, 0.0), mu=0.2)
     (0.0, 1.0)

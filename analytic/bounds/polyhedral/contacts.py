@@ -1,6 +1,6 @@
 r"""Errors of Hertz and of a ring's series for rollers locked on the ring, plane stress.
 
-Where the materials of two bodies differ (Dundurs' beta), half planes couple both directions along
+If the materials of two bodies differ (Dundurs' beta), half planes couple both directions along
 the line of curvature kappa on which they meet. At the first order the half-width grows by
 64/(45 pi) of beta kappa a, the pressure in the middle falls by (2 G - 1/3)/pi of it, with Catalan's
 constant G. Argued, each once: (2 a/d)² of the curvatures, (a/wall)², and 1e-3.

@@ -42,7 +42,7 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
     """Error of the coupling's first term in eps = dx/delta_0, Z sprags; without squares of eps^2.
 
-    The next term of the sum over cos psi, and the deflection recovered by torque. None where eps
+    The next term of the sum over cos psi, and the deflection recovered by torque. None if eps
     is too large for a first term, or sprags too few for fourth powers to sum to 3/8 of Z.
 
     >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)

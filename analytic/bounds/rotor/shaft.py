@@ -50,7 +50,7 @@ def neglected(
     `e` is the rotary inertia, `s` its increase by shear. 1 - W (1 + a) + s e^2 W^2 = 0 with
     a = e (1 + s), W the square over Euler's: Euler's error is 1/sqrt(W) - 1 = a/2 less
     a^2/8 + s e^2/2 to second order, Rayleigh's is e s/2 less no more than that. Twice the second
-    order is allowed, downwards. None where `a` is not SMALL: the series is not valid there.
+    order is allowed, downwards. None if `a` is not SMALL: the series is not valid there.
 
     >>> low, high = neglected("euler", e=0.01, s=3.0)
     >>> round(low, 6), high

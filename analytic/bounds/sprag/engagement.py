@@ -39,7 +39,7 @@ class Bounds:
     def spring(self) -> Interval | None:
         """Error of a peak by the spring, which omits the mass of the sprags: an error of any sign.
 
-        None where contacts slide first.
+        None if contacts slide first.
         """
         (low, _), inertia = self.energy(), self.inertia
         return None if self.turns else (low - inertia, inertia)

@@ -41,7 +41,7 @@ class Bounds:
     """Intervals for formula/FE - 1 at a normal force N [N].
 
     `at` is the state there, `a` half-widths [m] of both contacts, `column` the sprag between its
-    flanks, None where it has none. `meshes` is the error of angles by meshes.
+    flanks, None if it has none. `meshes` is the error of angles by meshes.
     """
 
     sizes: Sizes

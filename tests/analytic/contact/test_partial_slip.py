@@ -44,7 +44,7 @@ def middle_displacement(x):
 
 @pytest.mark.parametrize("share", [0.5, 0.97])
 def test_slip_is_what_the_traction_does_not_carry_along(share):
-    """By the half plane's logarithm alone: zero where it sticks, the closed form where it slips."""
+    """By the half plane's logarithm alone: zero if it sticks, the closed form where it slips."""
     x = share * LOAD["a"]
     lag = middle_displacement(0.0) - middle_displacement(x)
     slip = float(partial_slip.slip(x, **LOAD, E_star=E_STAR))

@@ -54,7 +54,7 @@ LEFT = [
 
 
 def left_out(case, q):
-    """Why finite elements do not take these inputs; empty where they do."""
+    """Why finite elements do not take these inputs; empty if they do."""
     return case.too_large(q) or getattr(q, "refusal", str)()
 
 

@@ -24,7 +24,7 @@ class Influence:
     """Change of a value of the formulas with one assumed input.
 
     `low` and `high` are the values that the input was given, in its display unit; `at_low` and
-    `at_high` the relative changes of the value, None where there is "no solution" (`note`).
+    `at_high` the relative changes of the value, None if there is "no solution" (`note`).
     """
 
     assumed: Assumed
@@ -36,7 +36,7 @@ class Influence:
 
     @property
     def largest(self) -> float:
-        """The larger relative change; infinite where a variation has no solution."""
+        """The larger relative change; infinite if a variation has no solution."""
         if self.at_low is None or self.at_high is None:
             return float("inf")
         return max(abs(self.at_low), abs(self.at_high))
@@ -54,7 +54,7 @@ def influence(
 
     `result` is the key of a value, or computes a number from inputs and values. Each input is
     varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a rule
-    change with it. Words, tables and inputs of --dynamic alone are left out. ValueError where the
+    change with it. Words, tables and inputs of --dynamic alone are left out. ValueError if the
     inputs themselves have no such result.
     """
     of = result if callable(result) else _by_key(result)

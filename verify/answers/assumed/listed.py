@@ -10,7 +10,7 @@ from verify.core.terminal import print_wrapped
 
 
 def print_assumed(assumed: Sequence[Assumed]) -> None:
-    """Every assumed input with its value and source, nothing where all inputs are given."""
+    """Every assumed input with its value and source, nothing if all inputs are given."""
     if not assumed:
         return
     print("assumed, because the file does not give them")

@@ -23,7 +23,7 @@ ASSUMPTIONS: Mapping[str, tuple[Assumption, ...]] = {
 
 
 def assumption_of(case_id: str, name: str) -> Assumption:
-    """The assumption of one input; LookupError where there is none."""
+    """The assumption of one input; LookupError if there is none."""
     for one in ASSUMPTIONS.get(case_id, ()):
         if one.name == name:
             return one

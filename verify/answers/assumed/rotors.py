@@ -6,7 +6,7 @@ from verify.answers.assumed.rules import Assumption, Given
 
 
 def one_shaft(g: Given) -> list[dict[str, Any]]:
-    """The shaft that all segments name; ValueError where they name several."""
+    """The shaft that all segments name; ValueError if they name several."""
     names = list(dict.fromkeys(str(segment["shaft"]) for segment in g.segments))
     if len(names) != 1:
         raise ValueError("several shafts need a table of their speed ratios")

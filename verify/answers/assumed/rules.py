@@ -27,7 +27,7 @@ class Assumption:
     """The value of the input `name` where a file leaves it out.
 
     `value` is a TOML value ("206 GPa", 0.3), or a function of the other inputs that returns the SI
-    value, None where nothing can be assumed. `source` names a standard, a handbook or a paper, or
+    value, None if nothing can be assumed. `source` names a standard, a handbook or a paper, or
     begins with "typical:", or states the rule. `usual` is the lowest and the highest usual value,
     each as `value`; without it the influence is measured by 10 % up and down. `dynamic`: no
     formula uses it, only --dynamic.

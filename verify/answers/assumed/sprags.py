@@ -20,7 +20,7 @@ FEWEST, MOST = 3, 200
 
 
 def gap(g: Given) -> float:
-    """Radial distance [m] of the races; ValueError where there is none."""
+    """Radial distance [m] of the races; ValueError if there is none."""
     if not g.R_e > g.R_i > 0:
         raise ValueError(
             f"needs R_e > R_i > 0, got R_e = {g.R_e * 1e3:g} mm, R_i = {g.R_i * 1e3:g} mm"

@@ -63,7 +63,7 @@ def si_value(model: type[Inputs], one: Assumption, rule: Any, given: Given) -> A
 
 
 def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
-    """The TOML value of an assumption, None where nothing can be assumed."""
+    """The TOML value of an assumption, None if nothing can be assumed."""
     if not callable(one.value):
         return one.value
     with np.errstate(all="ignore"):

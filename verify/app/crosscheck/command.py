@@ -96,7 +96,7 @@ def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Fo
 def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
     """One problem solved by both solvers, its deck and answer in a separate folder.
 
-    RuntimeError where the other solver fails, LookupError where its answer lacks something.
+    RuntimeError if the other solver fails, LookupError if its answer lacks something.
     """
     own = folder / cross.file
     own.mkdir(parents=True, exist_ok=True)

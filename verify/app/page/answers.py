@@ -58,7 +58,7 @@ def shown(
 ) -> Shown:
     """The answer to raw inputs; without `notes` the slow study of assumed inputs is left out.
 
-    Faults of inputs are part of the answer; InputError where there is no such case.
+    Faults of inputs are part of the answer; InputError if there is no such case.
     """
     try:
         case = find(case_name)

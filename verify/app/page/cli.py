@@ -23,7 +23,7 @@ def app(
     Parameters
     ----------
     file
-        Parameter file (TOML) in the folder; its inputs are shown first.
+        Parameter file (TOML) in the folder; its inputs are displayed first.
     folder
         Folder whose files the page can read and write; by default the current folder.
     port

@@ -99,7 +99,7 @@ class Jobs:
         self._most, self._running = most, set[Worker]()
 
     def begin(self) -> Worker:
-        """A worker for a job; InputError where too many run."""
+        """A worker for a job; InputError if too many run."""
         if len(self._running) >= self._most:
             raise InputError(f"{self._most} jobs are running; wait for one or cancel it")
         worker = Worker()

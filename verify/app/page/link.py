@@ -22,7 +22,7 @@ def to_link(state: State) -> str:
 
 
 def from_link(text: str) -> State:
-    """The state of `to_link`; InputError where the text holds none, or one that is too large."""
+    """The state of `to_link`; InputError if the text holds none, or one that is too large."""
     try:
         packed = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
         data = zlib.decompressobj().decompress(packed, MOST_BYTES)

@@ -30,7 +30,7 @@ BROWSER_AFTER = 0.5  # s
 
 
 def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int:
-    """Serve the page until Ctrl-C; InputError where the folder, the file or the port is wrong."""
+    """Serve the page until Ctrl-C; InputError if the folder, the file or the port is wrong."""
     chosen = Folder(folder)
     first = ""
     if file is not None:
@@ -54,7 +54,7 @@ def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int
 
 
 def bound(port: int) -> socket.socket:
-    """A socket on this machine alone; InputError where the port is taken or none."""
+    """A socket on this machine alone; InputError if the port is taken or none."""
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port is 0 to {LAST_PORT}, got {port}")
     found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)

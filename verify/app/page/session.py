@@ -41,7 +41,7 @@ class Session:
     def edit(self, place: str, text: str) -> None:
         """Type `text` into an input: "r_i", or "supports[2].k" of a table; nothing leaves it out.
 
-        ValueError for a text that is too long, LookupError where there is no such entry.
+        ValueError for a text that is too long, LookupError if there is no such entry.
         """
         if len(text) > LONGEST_TEXT:
             raise ValueError(f"{place}: needs at most {LONGEST_TEXT} characters, got {len(text)}")

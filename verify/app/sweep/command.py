@@ -65,7 +65,7 @@ def _has_failed(problems: Sequence[str]) -> bool:
 
 
 def _some_possible(plan: Plan) -> None:
-    """InputError where the inputs' rules refuse every point; most plans pass at the first."""
+    """InputError if the inputs' rules refuse every point; most plans pass at the first."""
     refused = []
     for row in plan.points:
         try:
@@ -78,7 +78,7 @@ def _some_possible(plan: Plan) -> None:
 
 
 def _some_accepted(problems: Sequence[str]) -> None:
-    """InputError where each is a refusal, which a solver may be the first to say."""
+    """InputError if each is a refusal, which a solver may be the first to say."""
     if all(problem.startswith(f"{REFUSED}:") for problem in problems):
         raise InputError(f"every point is rejected, such as: {bare(problems[0])}")
 

@@ -47,7 +47,7 @@ class Campaign:
         return 1
 
     def _outcome(self, key: str, answer: Answer) -> Outcome | None:
-        """The mutant's fate; None where tests are still to come."""
+        """The mutant's fate; None if tests are still to come."""
         if answer.failure:
             by = By.TIME if answer.failure == LATE else By.CRASHED
             what = answer.failure

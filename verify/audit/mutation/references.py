@@ -34,7 +34,7 @@ Progress = Callable[[int, int, str], None]  # cases done, cases in all, the runn
 
 @dataclass(frozen=True)
 class Both:
-    """A row tried by both methods; `by_formula` None where no value of the formulas reaches it."""
+    """A row tried by both methods; `by_formula` None if no value of the formulas reaches it."""
 
     moved: Tried
     by_formula: Red | None = None
@@ -58,7 +58,7 @@ def measured(
 ) -> dict[str, Any]:  # fmt: skip
     """The score as JSON: shares red by perturbation and kind, survivors, and what is only listed.
 
-    `folder` is the cache of finite elements, from which all levels come: InputError where one is
+    `folder` is the cache of finite elements, from which all levels come: InputError if one is
     not there. `show` follows the cases.
     """
     rows: list[Both] = []

@@ -96,7 +96,7 @@ class _Chosen:
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
     """Seconds and called functions of the tests of a file or folder, until PER_FILE is over.
 
-    RuntimeError where they do not run: a file without tests is one that catches nothing.
+    RuntimeError if they do not run: a file without tests is one that catches nothing.
     """
     forget_memoised()
     tracer = _Tracer()
@@ -107,9 +107,9 @@ def traced(path: str) -> dict[str, tuple[float, list[str]]]:
 
 
 def first_failure(tests: Sequence[str]) -> str:
-    """The first of these tests, in their order, that fails; empty where all pass.
+    """The first of these tests, in their order, that fails; empty if all pass.
 
-    RuntimeError where they do not run: that is no merit of the tests.
+    RuntimeError if they do not run: that is no merit of the tests.
     """
     settings.load_profile("mutants")
     chosen = _Chosen({name: n for n, name in enumerate(tests)})

@@ -53,7 +53,7 @@ class Load:
 
 
 def loads(cases: Sequence[Case], folder: Path) -> list[Load]:
-    """The cases with their levels; InputError where the cache has not all of them."""
+    """The cases with their levels; InputError if the cache has not all of them."""
     return [_load(case, folder) for case in cases]
 
 

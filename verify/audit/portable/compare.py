@@ -25,7 +25,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """One row that differs in one variant; `move` is in tolerances, nan where no value moved."""
+    """One row that differs in one variant; `move` is in tolerances, nan if no value moved."""
 
     kind: Kind
     row: str

@@ -56,7 +56,7 @@ def probe(environment: Mapping[str, str]) -> dict[str, Any]:
 
 
 def processor_flags(path: Path | None = None) -> frozenset[str]:
-    """Instruction sets of the first processor as Linux names them; empty where unknown."""
+    """Instruction sets of the first processor as Linux names them; empty if unknown."""
     try:
         text = (path or CPU_INFO).read_text("utf-8")
     except OSError:

@@ -47,7 +47,7 @@ def record(row: Row) -> Record:
 
 
 def move(was: Record, now: Record, *, perturbed: bool) -> float:
-    """Change of a row, in tolerances; infinite where a number exists or is finite only once."""
+    """Change of a row, in tolerances; infinite if a number exists or is finite only once."""
     allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
     values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
     parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]

@@ -54,7 +54,7 @@ class Place:
     key: str
 
     def results(self) -> Results:
-        """Stored results of this key; OSError where the store cannot be read."""
+        """Stored results of this key; OSError if the store cannot be read."""
         found: dict[str, Any] = {}
         for name, content in self.store.all(KIND, self.variant).items():
             part = name.removeprefix(f"{self.variant} {self.key} ")

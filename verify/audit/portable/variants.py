@@ -104,7 +104,7 @@ def machines(
 
 
 def _missing(variant: Variant, flags: frozenset[str], environment: Mapping[str, str]) -> str:
-    """Reason why the variant cannot be emulated, before any start; empty where it can."""
+    """Reason why the variant cannot be emulated, before any start; empty if it can."""
     for name in variant.environment:
         if name not in THREADS and environment.get(name):
             return f"the environment fixes {name}={environment[name]}"

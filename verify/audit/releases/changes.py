@@ -14,7 +14,7 @@ MOST = 12  # lines of changes; the report lists all
 def since(results: Sequence[CaseResult]) -> Drift | None:
     """Changes since the newest release; None before the first.
 
-    InputError where a file of releases or of reasons cannot be read.
+    InputError if a file of releases or of reasons cannot be read.
     """
     release = newest()
     return None if release is None else drift(release, results, read())

@@ -114,7 +114,7 @@ def numerical_error(was: Kept, now: Kept) -> float:
 
 
 def relative_error(was: Kept, now: Kept) -> float:
-    """The expanded numerical error of both runs over the scale; zero where none is known."""
+    """The expanded numerical error of both runs over the scale; zero if none is known."""
     if was.u_num is None or now.u_num is None:
         return 0.0
     return _relative(numerical_error(was, now), was.scale) or 0.0
@@ -130,7 +130,7 @@ def half_width(row: Kept) -> float | None:
 def value_limit(was: Kept, now: Kept) -> float:
     """Allowed change of a formula or finite-element value [unit].
 
-    The numerical error of both runs, or 10 % of the narrower band. Zero where a row has neither.
+    The numerical error of both runs, or 10 % of the narrower band. Zero if a row has neither.
     """
     if was.kind == "fact":
         return margin_limit(was, now)

@@ -134,7 +134,7 @@ class Star(Rollers):
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
 
     def under(self, T: float) -> RollerClutchState:
-        """The state under a torque [N m]; ValueError where the rollers are beyond their flats."""
+        """The state under a torque [N m]; ValueError if the rollers are beyond their flats."""
         state = loaded(self.clutch, T)
         if not np.isfinite(state.N):
             raise ValueError(

@@ -15,7 +15,7 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
     """While the body runs, `changes` hold; whatever happens, all is as before afterwards.
 
     Code that imports functions while it runs, as the `fem` functions of cases do, gets the changed
-    ones. LookupError where a name is not there, RuntimeError where what should be called with
+    ones. LookupError if a name is not there, RuntimeError if what should be called with
     other arguments was not called.
     """
     calls: dict[str, int] = {}

@@ -25,7 +25,7 @@ STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
 def of_result(result: CaseResult) -> CaseBudget | None:
-    """Error budget of a case of the suite; None where no row of it has one."""
+    """Error budget of a case of the suite; None if no row of it has one."""
     plan = plan_of(result.id)
     return of_case(plan, result) if plan.rows else None
 

@@ -45,7 +45,7 @@ class _Reader:
     solutions: Solutions
 
     def at(self, pair: Pair, causes: tuple[str, ...], level: int) -> float:
-        """The row's error with the causes removed; NaN where that was not solved."""
+        """The row's error with the causes removed; NaN if that was not solved."""
         return self.values(pair, causes, level).error
 
     def values(self, pair: Pair, causes: tuple[str, ...], level: int) -> Values:

@@ -44,7 +44,7 @@ def with_rows() -> list[Case]:
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
     """Solve and store the reruns for the budgets of the cases; False if a rerun failed.
 
-    An interrupted run continues where it was. OSError where nothing can be stored.
+    An interrupted run continues where it was. OSError if nothing can be stored.
     """
     if not where.scheduler:
         require_gmsh()

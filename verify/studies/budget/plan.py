@@ -104,7 +104,7 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 
 
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
-    """Both causes removed together; None where each has separate finite elements."""
+    """Both causes removed together; None if each has separate finite elements."""
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
         return None

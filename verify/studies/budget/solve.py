@@ -42,7 +42,7 @@ class Solution:
 def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
     """The solution of a step: from the store, or computed and stored, whatever goes wrong in it.
 
-    MemoryError and OSError where the machine fails: that is no result.
+    MemoryError and OSError if the machine fails: that is no result.
     """
     store = None if folder is None else Store(folder)
     if store is not None and (stored := _stored(store, key(plan, step))) is not None:

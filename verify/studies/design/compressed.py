@@ -52,7 +52,7 @@ class Curve:
 def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) -> Curve:
     """Candidate `i`, whose head moves beyond `stroke` [m] in tenths of U_w.
 
-    Where that ends well below the closed form's U_A its leaves are not watched.
+    If that ends well below the closed form's U_A its leaves are not watched.
     """
     from fem.beam.large import LargeFrame
     from fem.beam.touching import SelfContact

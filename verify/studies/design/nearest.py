@@ -49,7 +49,7 @@ def _least(excess: NDArray[np.float64]) -> int:
 def nearest(judged: Judged) -> list[Relaxation]:
     """Violations of the candidate with the smallest largest excess, the worst first.
 
-    Empty where no candidate is a spring at all.
+    Empty if no candidate is a spring at all.
     """
     if not judged.possible.any():
         return []

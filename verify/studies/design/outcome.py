@@ -18,7 +18,7 @@ BEYOND = 1.15  # of U_A, how far the chosen spring is compressed
 class Outcome:
     """`verified` belongs to the members of the front, none without finite elements.
 
-    `chosen` counts the members from 0, and is None where nothing is feasible; `curve` is the
+    `chosen` counts the members from 0, and is None if nothing is feasible; `curve` is the
     chosen spring's by finite elements, to a displacement beyond U_A.
     """
 

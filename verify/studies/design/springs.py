@@ -51,7 +51,7 @@ def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
 
 @dataclass(frozen=True)
 class Formulas:
-    """Results of the formulas for N springs, SI, (N,); NaN where no strip can be bent.
+    """Results of the formulas for N springs, SI, (N,); NaN if no strip can be bent.
 
     `f` is the width factor on E I; `k1_eqs_1_9` the stiffness as the paper has it, whatever the
     demands say of arcs and ends; `U_cr` is inf where nothing sways.

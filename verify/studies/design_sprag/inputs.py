@@ -152,7 +152,7 @@ def _wished() -> tuple[str, ...]:
 
 
 def _refuse_wide(task: Task, where: str) -> None:
-    """InputError where a tolerance is too wide for the ranges."""
+    """InputError if a tolerance is too wide for the ranges."""
     t_z, least = task.wishes.t_z, task.low[2]
     if t_z > LARGEST_SHARE * least:
         raise InputError(

@@ -60,7 +60,7 @@ class Model:
     def answers(self, crowns: Array) -> Known:
         """Answers for crowns (n, 3), z_m = 0 for none.
 
-        NoLockError where one does not lock, another ArithmeticError where one is not solved.
+        NoLockError if one does not lock, another ArithmeticError if one is not solved.
         """
         return self._known(crowns, self._engaged(crowns))
 
@@ -144,7 +144,7 @@ def key(task: Task) -> str:
 
 
 def load(store: Store, task: Task) -> list[One] | None:
-    """The stored answers of a chunk; None where there are none, or none that can be read."""
+    """The stored answers of a chunk; None if there are none, or none that can be read."""
     content = store.one(KIND, key(task))
     if content is None:
         return None
@@ -156,7 +156,7 @@ def load(store: Store, task: Task) -> list[One] | None:
 
 
 def keep(store: Store, task: Task, answer: list[One]) -> bool:
-    """Store a chunk; False where the store takes none."""
+    """Store a chunk; False if the store takes none."""
     N, p = (np.array(part) for part in zip(*answer, strict=True))
     with suppress(OSError):
         store.store(KIND, CASE, {key(task): packed({"N": N, "p": p})})

@@ -69,7 +69,7 @@ class Search:
         return p
 
     def prepare(self) -> None:
-        """The factorial, and kriging that has stood its test; PoorSurrogateError where none does.
+        """The factorial, and kriging that has stood its test; PoorSurrogateError if none does.
 
         Random crowns that were not known judge it; then they are known, too.
         """

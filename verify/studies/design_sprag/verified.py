@@ -71,7 +71,7 @@ class Check:
     def agrees(self) -> bool:
         """Whether the contacts that the crown was chosen by are within the limit, its ends free.
 
-        Where the ends carry, the pressure there grows with ever narrower cells: a largest one
+        If the ends carry, the pressure there grows with ever narrower cells: a largest one
         that happens to agree says nothing.
         """
         return self.end == 0 and abs(self.off(self.judged)) <= LIMIT

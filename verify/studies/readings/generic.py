@@ -43,7 +43,7 @@ def readings(inputs: Inputs) -> tuple[Reading, ...]:
 
 
 def value_of(case: Case, inputs: Inputs, changed: Mapping[str, Any], key: str) -> float:
-    """A formula value [SI] with some inputs changed; ValueError where they make no sense."""
+    """A formula value [SI] with some inputs changed; ValueError if they make no sense."""
     try:
         model = type(inputs)(**{**dict(inputs), **changed})
     except ValidationError as error:

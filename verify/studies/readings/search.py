@@ -58,7 +58,7 @@ class Tried:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:
-    """Result of a search. `as_it_stands` is None where the formula has no value.
+    """Result of a search. `as_it_stands` is None if the formula has no value.
 
     `hits` have the fewest changes first, of those what leaves least open; `chance[k]` is how many
     combinations of at most k changes would meet a number that is anywhere within a factor of 2 of
@@ -108,7 +108,7 @@ def search(
     inputs may be, half their last printed digit. With `digits` one misprinted digit of what the
     formula gives as it stands counts as a reading too, where three or more are printed: of fewer
     any number is a misprint. `progress` gets how many combinations of all are done. ValueError
-    where the printed text is no number, or zero.
+    if the printed text is no number, or zero.
     """
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
@@ -265,7 +265,7 @@ class _Evaluated:
     def tried(
         self, inputs: Inputs, chosen: Sequence[Reading], rounding: Mapping[str, float]
     ) -> Tried | None:
-        """Value of a combination, None where it is not finite."""
+        """Value of a combination, None if it is not finite."""
         half = dict(rounding)
         for reading in chosen:
             half |= reading.rounding
@@ -279,7 +279,7 @@ class _Evaluated:
         return Tried(readings=tuple(r.name for r in chosen), value=middle, off=off)
 
     def _value(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
-        """The finite result with all readings, None where there is none."""
+        """The finite result with all readings, None if there is none."""
         try:
             value = self._read(inputs, chosen)
         except (ValueError, ArithmeticError, TypeError):  # a root of less than zero, a division

@@ -62,7 +62,7 @@ class Tolerance:
 
 
 def axis(inputs: Inputs, text: str) -> Axis:
-    """The axis that a text such as "z=3:12:10" describes; InputError where it doesn't."""
+    """The axis that a text such as "z=3:12:10" describes; InputError if it doesn't."""
     where = f"--vary {text}"
     name, _, given = text.partition("=")
     field, nominal = _field(inputs, name.strip(), where)
@@ -83,7 +83,7 @@ def axis(inputs: Inputs, text: str) -> Axis:
 
 
 def tolerance(inputs: Inputs, text: str) -> Tolerance:
-    """The tolerance that a text such as "b=±0.05mm" describes; InputError where it doesn't."""
+    """The tolerance that a text such as "b=±0.05mm" describes; InputError if it doesn't."""
     where = f"--tolerance {text}"
     name, _, given = text.partition("=")
     field, nominal = _field(inputs, name.strip(), where)
@@ -121,7 +121,7 @@ def _symbol(name: str, symbol: str) -> str:
 
 
 def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> Inputs:
-    """The inputs with other values [SI] by name; InputError where they then make no sense.
+    """The inputs with other values [SI] by name; InputError if they then make no sense.
 
     `at` says in its message where the inputs stand.
     """

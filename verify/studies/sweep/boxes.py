@@ -21,7 +21,7 @@ class Box:
 
 
 def largest_box(inside: Flags) -> Box | None:
-    """The box with the most points, all inside, in a grid of any dimension; None where none is.
+    """The box with the most points, all inside, in a grid of any dimension; None if none is.
 
     Of equal boxes, the one that begins first on the first axis where they differ. Grids with more
     than MOST_BOXES boxes give one that cannot be widened, which another may exceed.

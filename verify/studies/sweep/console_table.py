@@ -84,7 +84,7 @@ def _gapped(words: Sequence[str], kept: Set[int]) -> str:
 
 
 def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
-    """Shares of the solved points inside each limit, NaN where none is."""
+    """Shares of the solved points inside each limit, NaN if none is."""
     of: Sequence[Within | Region]
     of = indices(plan, course).within if plan.base else regions(plan, course)
     return [
@@ -101,7 +101,7 @@ def worst(found: Outcome) -> list[Course]:
 
 
 def _percent(share: float) -> str:
-    """Whole percent, 100 only for all, nothing where none is known."""
+    """Whole percent, 100 only for all, nothing if none is known."""
     if math.isnan(share):
         return ""
     return f"{min(100 * share, 99) if share < 1 else 100:.0f} %"

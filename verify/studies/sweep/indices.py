@@ -57,7 +57,7 @@ class Index:
 class Scatter:
     """Scatter of one quantity over the sample, and the inputs that cause it.
 
-    `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN where n is 0.
+    `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN if n is 0.
     `noise` is the mean square of the finite elements' standard uncertainty, of the variance.
     `indices` are in the order of the plan's tolerances, or empty for the reason `why`.
     """

@@ -17,7 +17,7 @@ class Course:
     """One pair over all points of the plan, in its order.
 
     `formula`, `fe`, `U` [SI], `error` = (formula - FE)/scale and its expanded uncertainty
-    `U_error` are (m,), NaN where there is none; `problems` say why, "" where there is one.
+    `U_error` are (m,), NaN if there is none; `problems` say why, "" where there is one.
     """
 
     pair: Pair

@@ -62,11 +62,11 @@ class Break:
 class Region:
     """The points of a sweep inside one `limit`, for one formula.
 
-    `box` is the largest box, with `held` points, empty where no point is inside; of a star, whose
+    `box` is the largest box, with `held` points, empty if no point is inside; of a star, whose
     axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
     from which `breaks` is looked for: the nominal inputs (`nominal`), or the grid point next
     to them, where they are inside, else the middle of the box. `at_nominal` is the verdict at the
-    nominal inputs, None where the grid doesn't hold them.
+    nominal inputs, None if the grid doesn't hold them.
     """
 
     limit: float

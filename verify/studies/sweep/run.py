@@ -71,8 +71,8 @@ def solve(
 ) -> Solved:
     """Every point of the plan, solved by the given engine, each stored at once.
 
-    `again` repeats what failed before. OSError where points cannot be stored or gmsh not started,
-    GoneError where the engine answers no more, KeyboardInterrupt: both state what is stored.
+    `again` repeats what failed before. OSError if points cannot be stored or gmsh not started,
+    GoneError if the engine answers no more, KeyboardInterrupt: both state what is stored.
     """
     part = portion(plan.case, plan.chosen)
     store = Store(folder or cache.default_folder())
@@ -181,7 +181,7 @@ class _Batches:
         )  # fmt: skip
 
     def solve(self, where: Where) -> None:
-        """Solve all; GoneError where the engine's processes cannot, as with other code."""
+        """Solve all; GoneError if the engine's processes cannot, as with other code."""
         self.dispatch.run(where.entered(), solve_batch, self._take, self._receive)
 
     def _take(self) -> tuple[Task, ...] | None:

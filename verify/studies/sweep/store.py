@@ -76,7 +76,7 @@ def _hash(*parts: str) -> str:
 
 
 def _formulas(one: Solution) -> dict[str, Any]:
-    """The side of the formulas as JSON; empty where it was not solved."""
+    """The side of the formulas as JSON; empty if it was not solved."""
     if not (one.formulas or one.problem_formulas):
         return {}
     return {"formulas": dict(one.formulas), "problem_formulas": one.problem_formulas}

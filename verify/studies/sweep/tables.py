@@ -42,7 +42,7 @@ def reasons(found: Outcome) -> tuple[str, ...]:
 
 
 def largest(course: Course) -> int | None:
-    """The point with the largest error, the first of equal ones; None where no point has one."""
+    """The point with the largest error, the first of equal ones; None if no point has one."""
     size = np.abs(course.error)
     if not np.isfinite(size).any():
         return None
@@ -173,7 +173,7 @@ def _written(heads: Sequence[str], lines: Iterable[Sequence[Cell]]) -> str:
 
 
 def _text(cell: Cell) -> str:
-    """Ten digits of a number, nothing where there is none."""
+    """Ten digits of a number, nothing if there is none."""
     if isinstance(cell, float):  # numpy's are such
         return f"{cell + 0.0:.10g}" if np.isfinite(cell) else ""  # -0 is 0
     return "" if cell is None else str(cell)

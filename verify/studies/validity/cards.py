@@ -22,7 +22,7 @@ STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 
 def of_result(case: Case, result: CaseResult) -> Validity | None:
-    """Validity cards of a case; None where it compares no formula with finite elements."""
+    """Validity cards of a case; None if it compares no formula with finite elements."""
     return of_case(case, result) if pairs(case) else None
 
 
@@ -65,7 +65,7 @@ def _card(
 
 
 def _at_paper(row: Row | None) -> tuple[float | None, float | None]:
-    """The row's relative error against FE or its partner, and its bar; None where not solved."""
+    """The row's relative error against FE or its partner, and its bar; None if not solved."""
     if row is None or row.analytic is None or row.reference is None or not row.scale:
         return None, None
     error = (row.analytic - row.reference) / row.scale

@@ -32,7 +32,7 @@ def place(case: Case, pair: Pair) -> str:
 
 
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
-    """The formula of an approximation as the case writes it; empty where that is not certain.
+    """The formula of an approximation as the case writes it; empty if that is not certain.
 
     An equation counts whose left side is the row's symbol. Of several formulas with one symbol it
     is that of the row which names the same equation of the paper.

@@ -16,7 +16,7 @@ from verify.studies.validity import store
 def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
     """Solve the scans of each case, store their errors and print how many points there were.
 
-    An interrupted run continues where it was. False where processes died or the machine failed:
+    An interrupted run continues where it was. False if processes died or the machine failed:
     such a case is not stored. Points that finite elements do not solve are results, and counted.
     """
     good = True

@@ -36,7 +36,7 @@ def between(axis: Axis, last: float, first: float) -> str:
 
 
 def near(axis: Axis, last: float, first: float, at: float) -> str:
-    """An interpolated value [SI], two digits of it; nothing where these are no longer between."""
+    """An interpolated value [SI], two digits of it; nothing if these are no longer between."""
     low, high = sorted(axis.in_unit(v) for v in (last, first))
     about = float(f"{axis.in_unit(at):.2g}")
     return f" (about {number(about)})" if low < about < high else ""

@@ -53,7 +53,7 @@ def key(ratio: float) -> str:
 
 
 def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
-    """Standard uncertainty of the finest value over itself; infinite where it does not converge."""
+    """Standard uncertainty of the finest value over itself; infinite if it does not converge."""
     h, v = [r.h for r in levels], [r.values[key] for r in levels]
     u_it = max(r.u_it.get(key, 0.0) for r in levels)
     grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)

@@ -161,7 +161,7 @@ class ClutchInputs(Case):
 
     @property
     def clutch(self) -> RollerClutch:
-        """The whole clutch; ValueError where a part has no wall."""
+        """The whole clutch; ValueError if a part has no wall."""
         return RollerClutch(
             cam=self.cam, L=self.L, r_b=self.r_b, R_a=self.R_a, roller=self._material("r"),
             inner=self._material("i"), outer=self._material("o"),

@@ -124,7 +124,7 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Slope at the end of the third stage over k_2; NaN where the curve ends early."""
+    """Slope at the end of the third stage over k_2; NaN if the curve ends early."""
     U, F, _ = curve(context)
     if ends_early(context):
         return np.nan, 0.0, f"no result, no equilibrium was found beyond {U[-1] / mm:.4g} mm"

@@ -58,7 +58,7 @@ class ContactDeck:
     """The successive states of a contact problem, as calculix is given them.
 
     `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
-    drawn that the project takes off its gaps. ValueError where there are such and no shift, for
+    drawn that the project takes off its gaps. ValueError if there are such and no shift, for
     In calculix, a clearance replaces the gap and is not added to it. `given` are the forces
     along mean motions, by number, that act in place of them.
     """

@@ -20,7 +20,7 @@ def nodal(frd: Path, name: str) -> Array:
 
 
 def fields(frd: Path, name: str) -> list[Array]:
-    """Fields of every increment; LookupError where there is none."""
+    """Fields of every increment; LookupError if there is none."""
     found: list[list[list[float]]] = []
     inside = False
     for line in frd.read_text("ascii").splitlines():
@@ -40,7 +40,7 @@ def fields(frd: Path, name: str) -> list[Array]:
 def blocks(dat: Path, title: str) -> list[Array]:
     """Rows of numbers (rows, columns) under each heading that begins with `title`.
 
-    LookupError where there is none.
+    LookupError if there is none.
     """
     said = dat.read_text("ascii")
     heads = re.findall(rf" {title}[^\n]*\n\s*\n((?:[ ]+[-+.\dE]+[^\n]*\n)+)", said)

@@ -30,7 +30,7 @@ class Run:
 
 
 def executable() -> str | None:
-    """Path of the calculix solver, or None where there is none."""
+    """Path of the calculix solver, or None if there is none."""
     return shutil.which("ccx")
 
 

@@ -61,7 +61,7 @@ class Touched:
 
     @cached_property
     def pressures(self) -> Array:
-        """Contact pressures (nodes,) at the end, zero where nothing touches."""
+        """Contact pressures (nodes,) at the end, zero if nothing touches."""
         from verify.studies.crosscheck.calculix.reading import nodal
 
         return nodal(self.path.with_suffix(".frd"), "CONTACT")[:, 3]
