@@ -1,8 +1,8 @@
 """Factors L L' of symmetric, positive definite matrices: CHOLMOD's supernodal method, from cvxopt.
 
-CHOLMOD hands out its factor as a capsule round its structure `cholmod_factor`. What cvxopt makes of
-that (`cholmod.getfactor`) destroys it, so that the last block of L is read from the structure,
-whose members have been the same from CHOLMOD 1.7 to 5.
+CHOLMOD returns its factor in a capsule with its structure `cholmod_factor`. The conversion by
+cvxopt (`cholmod.getfactor`) destroys this structure. Therefore, the last block of L is read from
+the structure, whose members are the same in CHOLMOD 1.7 to 5.
 """
 
 import ctypes
@@ -26,9 +26,9 @@ _pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char
 class Cholesky:
     """A = L L' of a symmetric, positive definite `A` (n, n).
 
-    Its lower triangle is read, the upper one of a csr_array. Unknowns are eliminated in their
-    order; with `ordered` False in one that CHOLMOD finds. ArithmeticError if `A` is not positive
-    definite.
+    Only the lower triangle is used (of a csr_array, the upper triangle). Unknowns are eliminated in
+    their order; with `ordered` False, in an order that CHOLMOD chooses. ArithmeticError if `A` is
+    not positive definite.
 
     >>> factor = Cholesky(csc_array([[4.0, 2.0, 0.0], [2.0, 3.0, 1.0], [0.0, 1.0, 2.0]]))
     >>> factor.solve(np.array([8.0, 11.0, 8.0])).round(12)
@@ -70,7 +70,7 @@ class Cholesky:
 
     @property
     def entries(self) -> int:
-        """Numbers that L takes, some of them zero."""
+        """Number of stored entries of L, including zeros."""
         return int(self._stored.xsize)
 
     def last_block(self, count: int) -> Array:

@@ -1,4 +1,4 @@
-"""Small displacements of unloaded frames, free of the round-off of thin strips."""
+"""Small displacements of unloaded frames, without the round-off of thin strips."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,12 +12,12 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 
 @dataclass(frozen=True)
 class AtRest:
-    """Small displacements of an unloaded frame, as accurate as its nodes' places.
+    """Small displacements of an unloaded frame, as accurate as the positions of its nodes.
 
     `strain`, `stretch` and `tangent` describe its `elements` at rest; `free` are the unknowns
-    that can move. Strains and residuals are taken in extended precision, since the strains of a
-    thin strip are differences of nearly equal displacements: with those in double precision the
-    axial force of a spring of L/b = 250 has four digits.
+    that can move. Strains and residuals are computed in extended precision, because the strains of
+    a thin strip are differences of nearly equal displacements: in double precision, the axial force
+    of a spring with L/b = 250 has four digits.
     """
 
     elements: Any

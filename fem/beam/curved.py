@@ -60,15 +60,15 @@ def solve_curved_frame(
     points, elements
         Nodes (n, 2) and (m, 3): two ends and the middle node of each element.
     sections, supports, loads, bodies, links
-        As in `fem.beam.straight.solve_frame`; middle nodes may be supported, loaded and linked
-        too, points between nodes may not.
+        As in `fem.beam.straight.solve_frame`. Middle nodes may also be supported, loaded and
+        linked, but not points between nodes.
 
     Raises
     ------
     ValueError
         For unknown names, missing shear stiffness, folded elements, rigid motions.
     ArithmeticError
-        If the linear solve leaves a residual above 1e-6.
+        If the linear solution leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)
@@ -134,10 +134,10 @@ def _strains(slope, phi, tangent):
 
 
 def _basis(points: Array, elements: Array) -> tuple[Basis, Array]:
-    """P2 basis whose coordinate only numbers the vertices, and the node of each of its unknowns.
+    """P2 basis whose coordinate is the number of a vertex, and the node of each of its unknowns.
 
-    scikit-fem's line lives in one dimension; the geometry enters through `_geometry` alone, so
-    that members may branch and close.
+    The line element of scikit-fem has one dimension; the geometry enters through `_geometry` only.
+    Therefore, members may branch and close.
     """
     ends = np.unique(elements[:, :2])
     number = np.full(len(points), -1)

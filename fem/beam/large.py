@@ -51,7 +51,7 @@ class LargeFrame:
     supports
         Node to the components "x", "y", "r" (rotation) that are held at zero.
     terms
-        Contact and the like, see `fem.beam.terms`.
+        Additional terms such as contact, see `fem.beam.terms`.
 
     Raises
     ------
@@ -119,19 +119,19 @@ class LargeFrame:
         distributed: Forces | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States under loads times each of the factors.
+        """States under the loads multiplied by each of the factors.
 
-        `loads`: node to dead force (x, y) and couple; `follower`: node to a force that turns
-        with it, as it points at rest; `distributed`: element to dead force (x, y) per reference
-        length. With `since` (a state of another path) they add to the loads of that state; terms
-        store the last state of the last path only.
+        `loads`: node to dead force (x, y) and couple. `follower`: node to a force, stated in the
+        reference state, that rotates with the node. `distributed`: element to dead force (x, y) per
+        reference length. With `since` (a state of another path), they are added to the loads of
+        that state. Terms store the last state of the last path only.
 
         Raises
         ------
         ValueError
             For unknown nodes and elements, rigid motions, loads that are not finite.
         ArithmeticError
-            If no equilibrium is found, naming factor and residual.
+            If no equilibrium is found; the message states factor and residual.
         """
         pattern = loading(self.elements, loads, follower, distributed)
         return self._reach(pattern, self.held, factors, since)
@@ -144,10 +144,10 @@ class LargeFrame:
         loads: Loads | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States with nodes moved by components "x", "y", "r" times each of the factors.
+        """States for displacements of nodes ("x", "y", "r") multiplied by each of the factors.
 
-        `reactions` hold the force that the movement takes. `loads` act in full all the time,
-        from before the movement begins. With `since` movement and loads add to that state.
+        `reactions` contain the force that the displacement requires. `loads` act in full from the
+        start. With `since`, displacements and loads are added to that state.
 
         Raises
         ------
@@ -173,19 +173,19 @@ class LargeFrame:
         moved: Movements | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States along the path of equilibrium, with loads or movement that grow or fall.
+        """States along the path of equilibrium, with increasing or decreasing load or displacement.
 
-        `first` is the first change of the factor, which sets size and direction. Steps adapt
-        to Newton's effort and grow up to `largest`, the root mean square over the nodes of
+        `first` is the first change of the factor; it defines size and direction. Steps adapt to the
+        number of Newton iterations, up to `largest`, the root mean square over the nodes of
         displacement (by the diagonal of the frame) and rotation [rad]. The path ends after
         `steps`, or with the first state that `until` accepts.
 
         Raises
         ------
         ValueError
-            As `under_loads`, and where nothing moves the frame.
+            As `under_loads`, and if neither load nor displacement acts.
         ArithmeticError
-            If no step goes on, or `until` isn't met within `steps`.
+            If a step does not converge, or no state meets `until` within `steps`.
         """
         moving, held = movement(len(self.points), moved or {})
         pattern = loading(self.elements, loads, follower, distributed).plus(1.0, moving)

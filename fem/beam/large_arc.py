@@ -1,9 +1,9 @@
-"""Arc length along a path of equilibrium: past limit points and snap-backs.
+"""Arc length along a path of equilibrium: it passes limit points and snap-backs.
 
 The arc is the root mean square over the nodes of displacement (by the frame's size) and rotation
-(Crisfield's cylinder: the factor takes no part). Its equation is linearised in each iteration
-(Ramm, Wriggers & Simo), so there are no two roots to choose from; a step that turns by more
-than 60 deg from the tangent, 90 deg where terms have kinks, is repeated in smaller ones.
+(Crisfield's cylinder: the factor is not included). Its equation is linearised in each iteration
+(Ramm, Wriggers & Simo); therefore, no choice between two roots is necessary. A step whose direction
+differs by more than 60° from the tangent (90° if terms have kinks) is repeated with smaller steps.
 """
 
 import math
@@ -42,7 +42,7 @@ class Arc:
 def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
     """States along the arc; the `first` change of the factor sets direction and step size.
 
-    Steps grow up to `largest`, measured as the arc is. ArithmeticError if no step goes on.
+    Steps grow up to `largest`, measured like the arc. ArithmeticError if a step does not converge.
     """
     weights = march.balance.weights
     push = march.tangent.push
@@ -74,7 +74,7 @@ def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
 def collect(
     states: Iterator[BeamState], steps: int, until: Callable[[BeamState], bool] | None
 ) -> tuple[BeamState, ...]:
-    """The first `steps` states, or those up to the first that `until` accepts."""
+    """The first `steps` states, or all states up to the first that meets `until`."""
     found: list[BeamState] = []
     for state in states:
         found.append(state)

@@ -43,7 +43,7 @@ class Response:
 
 @dataclass(frozen=True)
 class Balance:
-    """Equilibrium of a frame under base + factor x pattern with held components."""
+    """Equilibrium of a frame under base + factor x pattern, with prescribed components."""
 
     points: Array
     elements: Elements
@@ -59,7 +59,7 @@ class Balance:
 
     @property
     def weights(self) -> Array:
-        """Of displacements (3n,) where they are compared: lengths by the frame's, and per node."""
+        """Weights (3n,) for comparing displacements: lengths relative to the frame, per node."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:
@@ -68,7 +68,7 @@ class Balance:
         return x
 
     def respond(self, u: Extended, factor: float, stress: Array | None = None) -> Response:
-        """Residual and tangent; `stress` stands in the geometric stiffness."""
+        """Residual and tangent; `stress` are the section forces in the geometric stiffness."""
         e = self.elements
         strain, _, t = e.strains(u)
         S, true = e.increments(strain, t), e.moduli * strain
@@ -95,7 +95,7 @@ class Balance:
         return Response(energy, stored, internal, residual, math.sqrt(size), K, predict)
 
     def factorise(self, u: Extended, K: csc_array) -> Tangent:
-        """Tangent at held components; ConvergenceError if it is singular."""
+        """Tangent with prescribed components; ConvergenceError if it is singular."""
         free = ~self.held
         try:
             factor = splu(

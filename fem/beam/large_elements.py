@@ -6,8 +6,8 @@ the true curve turned by phi, r the current position:
 .. math:: \varepsilon = t\cdot r' - 1, \quad \gamma = n\cdot r', \quad \kappa = \phi', \qquad
    U = \tfrac12\int EA\,\varepsilon^2 + GA\,\gamma^2 + EI\,\kappa^2\; ds
 
-Rotations add in the plane, so interpolated rotations carry a rigid turn without strain.
-Reduced integration (one Gauss point for two nodes, two for three) keeps the elements from locking.
+Rotations are additive in the plane: interpolated rotations represent a rigid rotation without
+strain. Reduced integration (one Gauss point for two nodes, two for three) prevents locking.
 """
 
 from dataclasses import dataclass, field
@@ -65,7 +65,7 @@ class Elements:
 
     @property
     def noise(self) -> float:
-        """Nodal force by round-off of the strains, per size of the displacements."""
+        """Nodal force due to round-off of the strains, per size of the displacements."""
         steepest = self.moduli.max(axis=2) * abs(self.slope).sum(axis=2).astype(float)
         return float(np.finfo(np.longdouble).eps * np.linalg.norm(steepest))
 
@@ -148,8 +148,8 @@ class Elements:
     def initial_stress_stiffness(self, stress: Array) -> csc_array:
         """Geometric stiffness at rest (3n, 3n) of N, V, M (m, q, 3).
 
-        The turn of the stiff axial direction is left out: its first order without the second
-        would soften any bent member of large EA.
+        The rotation of the stiff axial direction is omitted: its first-order term without the
+        second would make a bent member with large EA too flexible.
         """
         return self._assemble(
             self.geometric(np.zeros_like(stress), self.tangent.astype(float), stress)
@@ -167,7 +167,7 @@ class Elements:
 
 
 def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
-    """Add the stiffness by N and V as the section turns on."""
+    """Add the stiffness by N and V due to the rotation of the section."""
     N, V = stress[..., 0], stress[..., 1]
     turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
     A[..., 2, :2] += turn

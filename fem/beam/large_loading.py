@@ -24,7 +24,7 @@ class Loading:
     moved: Array
 
     def plus(self, factor: float, other: "Loading") -> "Loading":
-        """Sum of itself and `factor` times another."""
+        """Sum of this load and `factor` times another load."""
         return Loading(
             self.dead + factor * other.dead,
             self.follower + factor * other.follower,
@@ -38,7 +38,7 @@ class Loading:
         return f.ravel()
 
     def slope(self, u: Extended) -> csc_array | None:
-        """Change of the forces by u: follower forces turn with their node; None without them."""
+        """Derivative of follower forces by u (they rotate with their node); None without them."""
         if not self.follower.any():
             return None
         x, y = self._turned(u).T

@@ -30,7 +30,7 @@ class Given:
 
 
 class March:
-    """Goes from one state in equilibrium to the next; nothing changes where a step fails."""
+    """Proceeds from one state of equilibrium to the next; a failed step changes nothing."""
 
     def __init__(self, balance: Balance, start: BeamState) -> None:
         self.balance = balance
@@ -44,7 +44,7 @@ class March:
     def step(self, change: float, control: Control, *, crossing: bool = True) -> BeamState:
         """The state after a predicted `change` of the factor.
 
-        ConvergenceError leaves everything as it was; also where the sign of a pivot changes
+        ConvergenceError leaves the state unchanged; it is also raised if a pivot changes its sign
         and `crossing` is false.
         """
         balance, before = self.balance, self.state

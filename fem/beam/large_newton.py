@@ -1,8 +1,9 @@
 """Newton's method for a geometrically exact frame with one load factor.
 
-The geometric stiffness takes the section forces that the last step predicted, not the forces of the
-new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017): the root is the
-same, and stiff members, whose axial force a finite rotation upsets, converge with large steps.
+The geometric stiffness uses the section forces predicted by the last step, not the forces of the
+new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017). The root is the
+same, and stiff members, whose axial force is sensitive to finite rotations, converge in large
+steps.
 """
 
 import math
@@ -24,24 +25,24 @@ MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent is no
 
 
 class Control(Protocol):
-    """Equation besides equilibrium: a given factor, a given arc.
+    """Equation in addition to equilibrium: a given factor, or a given arc length.
 
-    `kink` is how far a step may leave its prediction where terms have kinks, relative to the
-    length of the prediction, squared.
+    `kink` is the permitted deviation of a step from its prediction if terms have kinks, relative to
+    the length of the prediction, squared.
     """
 
     kink: float
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:
-        """Change of the factor; all arrays (3n,).
+        """Change of the factor; all arrays have the shape (3n,).
 
-        `moved` is the displacement since the start, `step` the next one at constant factor
-        and `push` the displacement per factor.
+        `moved` is the displacement since the start, `step` the next displacement at constant
+        factor, and `push` the displacement per factor.
         """
         ...
 
     def speed(self, push: Array, moved: Array) -> float:
-        """Change of the factor over the whole step at the rate of the place of `push`."""
+        """Change of the factor over the whole step, at the rate at the position of `push`."""
         ...
 
 
@@ -89,7 +90,7 @@ def _unsettled(balance: Balance, u: Extended) -> bool:
 
 
 def _stalled(history: list[float]) -> bool:
-    """Whether a small residual stopped falling: places that touch without force come and go."""
+    """Whether a small residual has stopped decreasing, as with points that touch without force."""
     before, late = history[:-STALL], history[-STALL:]
     return bool(before) and history[-1] < FLICKER and min(late) > min(before) / 2
 

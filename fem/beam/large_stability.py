@@ -77,7 +77,7 @@ def critical_points(balance: Balance, path: Path) -> Iterator[CriticalPoint]:
 
 
 def _section(balance: Balance, low: _Place, high: _Place, normal: Array) -> tuple[_Place, _Place]:
-    """Neighbours on both sides of the first change of the number of negative pivots."""
+    """States before and after the first change of the number of negative pivots."""
     whole = float(normal @ _moved(low.state, high.state))
     for k in range(MAX_SECTIONS):
         gap = float(normal @ _moved(low.state, high.state))
@@ -169,7 +169,7 @@ def _moved(before: BeamState, after: BeamState) -> Array:
 
 
 def _scaled(mode: Array) -> Array:
-    """The mode (n, 3) with its largest displacement 1, and positive there."""
+    """The mode (n, 3), scaled so that its largest displacement is +1."""
     shape = mode.reshape(-1, 3)
     at = abs(shape[:, :2]).argmax()
     return shape / shape[:, :2].ravel()[at]

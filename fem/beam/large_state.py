@@ -13,11 +13,11 @@ from fem.beam.section import Array
 class BeamState:
     """One state in equilibrium.
 
-    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) the loads
-    that balance elements and terms. `work` is the work of loads and moved supports along
-    the path, a fourth-order integral over its steps; `residuals` the relative residual of each
-    Newton iteration of the last step, `negative` the number of negative pivots of its tangent at
-    held supports: 0 where the state is stable under the path's control.
+    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) are the
+    loads in balance with elements and terms. `work` is the work of loads and moved supports along
+    the path, a fourth-order integral over its steps. `residuals` are the relative residuals of the
+    Newton iterations of the last step. `negative` is the number of negative pivots of its tangent
+    with prescribed supports: 0 if the state is stable under the control of the path.
     """
 
     factor: float

@@ -1,4 +1,4 @@
-"""Stages of a frame whose tips come to touch, one after the other: linear theory, rigid links."""
+"""Stages of a frame whose tips touch one after the other, by linear theory with rigid links."""
 
 import math
 from collections.abc import Sequence
@@ -64,7 +64,7 @@ class LinkedFrame:
         }  # fmt: skip
 
     def respond(self, touching: tuple[int, ...]) -> tuple[float, list[float]]:
-        """Stiffness, and how fast both gaps close per force, while pairs are `touching`."""
+        """Stiffness, and closing of both gaps per force, while the pairs `touching` touch."""
         solved = self.solve(1.0, [replace(self.links[i], value=0.0) for i in touching])
         closing = [
             float((solved.u[tip, :2] - solved.u[leaf, :2]) @ link.direction)

@@ -1,8 +1,8 @@
 """Rigid links without friction between two points of a frame, such as parts that touch.
 
-A link prescribes how far its second point moves from its first along a direction and leaves the
-rest free. Its force is part of the solution; nothing keeps it from pulling, so whoever takes a
-link for a contact looks at its sign.
+A link prescribes the displacement of its second point relative to its first in one direction; other
+directions are free. Its force is part of the solution and can also be a tension: if a link
+represents a contact, check the sign of its force.
 """
 
 import itertools
@@ -50,8 +50,8 @@ class Link:
 class Divided:
     """A mesh of straight elements with a node at every linked point.
 
-    New nodes and elements follow the given ones; an element that was cut keeps its first part.
-    `parent` (m,) is the element that each came from, `ends` (k, 2) the nodes of every link.
+    New nodes and elements follow the given ones; a divided element keeps its first part. `parent`
+    (m,) is the original element of each element, `ends` (k, 2) are the nodes of every link.
     """
 
     points: Array
@@ -61,7 +61,7 @@ class Divided:
 
 
 def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
-    """Cut straight elements where links hold them; ValueError for places that don't exist."""
+    """Divide straight elements at linked points; ValueError for points outside the elements."""
     cuts: dict[int, dict[float, int]] = {}
     count = len(points)
     added: list[Array] = []
@@ -92,7 +92,7 @@ def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
 
 
 def _at_end(place: Place, elements: Indices) -> Place:
-    """A place as a node if it is one."""
+    """A point as a node, if it is a node."""
     if not isinstance(place, tuple):
         return place
     e, share = place
@@ -159,7 +159,7 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
 
 
 def _holds(rows: Array) -> bool:
-    """Whether the supports leave no motion of (rows, motions)."""
+    """Whether the supports prevent all motions (rows, motions)."""
     s = np.linalg.svd(rows, compute_uv=False)
     return bool(s.size == rows.shape[1] and s[-1] > DEPENDENT)
 
@@ -170,8 +170,8 @@ Solver = Callable[[Array, Array], tuple[Array, Array]]
 def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
     """Solve K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
 
-    K is positive definite if the frame stands `alone`, without its links; else s B^T B makes it
-    so and changes nothing, since B u is g. RuntimeError if even that is singular.
+    K is positive definite if the frame is supported `alone`, without its links. Otherwise, adding s
+    B^T B makes it so without an effect, because B u is g. RuntimeError if this is also singular.
     """
     s = 0.0 if alone else float(abs(K.diagonal()).mean())
     factor = positive_factor(csc_array(K + s * (B.T @ B)) if s else K)

@@ -11,10 +11,11 @@ Point = tuple[float, float]
 def part_stiffness(
     points: Array, elements: Indices, section: Section, start: Point, end: Point
 ) -> dict[str, float]:
-    """Against unit loads at the centre between `start`, clamped, and `end`, along its arm.
+    """Stiffness against unit loads at the centre between `start` (clamped) and `end`, by rigid arm.
 
-    A couple ("turn"), a force along x ("axial") and one along y ("lateral"), carried from the
-    centre to the `end` by a rigid arm. `elements` (m, 3) are the elements of the part only.
+    The loads are a couple ("turn"), a force along x ("axial") and a force along y ("lateral"). A
+    rigid arm transmits them from the centre to the `end`. `elements` (m, 3) are those of the part
+    only.
     """
     nodes, own = np.unique(elements, return_inverse=True)
     places = points[nodes]

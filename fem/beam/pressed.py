@@ -1,7 +1,7 @@
-"""A frame whose end is pressed far along x: its path, and the reaction that guides the end.
+"""A frame with its end displaced far along x: its path, and the reaction that guides the end.
 
-Springs of thin strips, for which this is made, have stiff and soft directions that differ by many
-powers of ten: strains come from differences in extended precision, stiffnesses from strains.
+For springs of thin strip, whose stiff and soft directions differ by many powers of ten: strains are
+differences in extended precision, and stiffnesses follow from strains.
 """
 
 from collections.abc import Iterable
@@ -41,7 +41,7 @@ class PressedFrame:
         return -1 / (2 * solved.potential_energy)
 
     def frame(self, head: str) -> LargeFrame:
-        """A frame whose head's components in `head` are held ("yr": guided along x)."""
+        """A frame with the components `held` of its head prescribed ("yr": guided along x)."""
         supports = {self.tail: "xyr", self.head: head}
         return LargeFrame(self.points, self.elements, sections=self.section, supports=supports)
 
@@ -59,12 +59,12 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
-        """Force and couple (3, 3) on the head per small movement of it, released from a state.
+        """Force and couple (3, 3) on the head per small displacement, after release in a state.
 
-        And its rounding (3, 3), from its asymmetry and the change by the last correction.
-        Only the rest of the frame is solved for, so that nothing is singular where the frame
-        buckles; the remainder comes from strains in extended precision, since K u would round in
-        thin strips.
+        Also its rounding error (3, 3), from its asymmetry and the change by the last correction.
+        Only the rest of the frame is solved, so that the system is regular at the buckling load of
+        the frame; the remainder is computed from strains in extended precision, because K u has
+        large round-off for thin strips.
         """
         e = self.guided.elements
         strain, _, t = e.strains(state.exact)
@@ -93,7 +93,7 @@ class PressedFrame:
             moved[:, free] += step
 
     def _rounded(self, S: Array, before: Array) -> tuple[Array, Array]:
-        """A stiffness (3, 3) and its rounding, the worst of its parts in every one."""
+        """A stiffness (3, 3) and its rounding error, for all entries that of the worst entry."""
         size = np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))
         worst = float((np.maximum(abs(S - S.T), abs(S - before)) / size).max())
         return (S + S.T) / 2, worst * size
@@ -110,9 +110,9 @@ class PressedFrame:
     def critical_displacement(self, until: float, first: float) -> float | None:
         """First critical point of the guided frame up to `until` [length]; None if there is none.
 
-        Between two states that were found, the tangent stiffness ceases to be positive definite.
-        Control by the arc length passes limit points, where control by displacement finds no state.
-        The path begins with the displacement `first`.
+        It lies between two computed states; between them, the tangent stiffness ceases to be
+        positive definite. Arc-length control passes limit points, at which displacement control
+        fails. The path begins with the displacement `first`.
         """
         path = self.guided.along_arc(
             None, moved={self.head: {"x": 1.0}}, first=first,

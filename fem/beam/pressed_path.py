@@ -1,4 +1,4 @@
-"""Paths of a pressed frame: stable forces of a guided head, drift of a free one, a slanted path."""
+"""Paths of a compressed frame: forces of a guided head, drift of a free head, inclined path."""
 
 from collections.abc import Sequence
 
@@ -17,9 +17,9 @@ class UnstableError(ArithmeticError):
 
 
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:
-    """Forces of the guided head at ascending shares of the `length`, all of stable equilibria.
+    """Forces of the guided head at ascending shares of the `length`; all equilibria are stable.
 
-    UnstableError if there is a critical point before, ArithmeticError if nothing is found.
+    UnstableError if a critical point precedes, ArithmeticError if no equilibrium is found.
     """
     first = np.linspace(0, shares[0], CLOSER + 1)[1:]
     U = np.unique([*first, *shares]) * length
@@ -42,7 +42,7 @@ def free_force(one: PressedFrame, U: Array) -> float:
 
 
 def slanted_force(one: PressedFrame, x: float, y: float) -> tuple[float, float]:
-    """Force along and across of a head that moved by (x, y) without turning."""
+    """Longitudinal and transverse force of a head displaced by (x, y) without rotation."""
     moved = {one.head: {"x": x, "y": y}}
     state = one.frame("r").displaced(moved, np.linspace(0.25, 1, 4)).last
     F_x, F_y, _ = state.reactions[one.head]
@@ -62,7 +62,7 @@ def deflected(one: PressedFrame, u: Array) -> Array:
 
 
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
-    """A free head's path and the guided one over the `length`: force, drift, reactions.
+    """Paths of a free head and of a guided head over the `length`: force, drift, reactions.
 
     "free" (m, 4): force, movement along x and y, determinant over that at rest; "guided" (k, 4):
     displacement, force, lateral stiffness, determinant of a hinged head over that at rest;

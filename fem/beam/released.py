@@ -39,10 +39,11 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
 
 
 def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
-    """First buckling of a guided head that is released: displacement, rounding error, state.
+    """First buckling of a guided head after its release: displacement, rounding error, state.
 
-    NaN and None if it does not up to `until`. The search begins at the linear buckling load; a
-    lower point would be found, since from rest on the determinant changes its sign at the first.
+    NaN and None if it does not buckle up to `until`. The search begins at the linear buckling load.
+    A lower critical point would be found: the determinant changes its sign at the first point from
+    rest.
     """
     load, _ = linear_load(one)
     rest, at = one.guided.rest(), 0.0
@@ -57,7 +58,7 @@ def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState 
 
 
 def _held(one: PressedFrame, since: Held, step: float) -> Held:
-    """The state of the guided head that far from another, and the stiffness of its head."""
+    """State of the guided head at a distance from another state, and stiffness of the head."""
     state = one.compressed([step], since[0])[0]
     return state, one.head_stiffness(state)
 
@@ -65,9 +66,9 @@ def _held(one: PressedFrame, since: Held, step: float) -> Held:
 def _located(
     one: PressedFrame, before: Held, beyond: Held, at: float, u: float
 ) -> tuple[float, float, BeamState]:
-    """Between the displacement `at` of a state before and `u` of one beyond.
+    """Critical point between the displacement `at` of a state and `u` of a state beyond it.
 
-    The determinant is as good as round-off there, so that its root is one number.
+    The determinant has the accuracy of round-off there; therefore, its root is one number.
     """
     found = {0.0: before, u - at: beyond}
 

@@ -50,8 +50,8 @@ class FrameSolution:
     """A solved frame.
 
     `u` (nodes, 3): displacements and rotation; `reactions` (nodes, 3): force and couple that the
-    supports exert, round-off on free nodes; `f` the loads (3 nodes,). `residual` is the share of
-    energy in the solver's last correction, the square of a relative displacement.
+    supports exert, round-off on free nodes; `f` are the loads (3 nodes,). `residual` is the share
+    of the energy in the last correction of the solver, the square of a relative displacement.
     `section_forces` (elements, k, 3) are axial force, shear force and bending moment at the
     `stations` (elements, k, 2) of each element: both ends of a straight one, the Gauss points of
     a curved one. `link_forces` (links,) are positive where they separate the points of each link
@@ -75,8 +75,9 @@ class FrameSolution:
     def potential_energy(self) -> float:
         """Strain energy less the work of the loads [force x length].
 
-        Stationary at the solution, so that an error of u enters squared. Under loads alone (no
-        prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
+        Stationary at the solution: an error of u has a squared effect. Under loads without
+        prescribed displacements, it is minus half the work of the loads: compliance = -2 x this /
+        force^2.
         """
         # energy of elements between fixed ends is half of the work of their loads there
         return self.strain_energy - 2 * self.between_nodes - float(self.f @ self.u.ravel())
@@ -123,12 +124,12 @@ def solve_supported(
     forces: Callable[[Array], tuple[float, Array]],
     tied: Ties | None = None,
 ) -> tuple[FrameSolution, Array]:
-    """Add nodal `loads`, apply `supports` and links, and solve; three unknowns a node.
+    """Add nodal `loads`, apply `supports` and links, and solve; each node has three unknowns.
 
     `strains` is linear in the displacements (nodes, 3); `forces` gives the strain energy and the
-    internal forces (nodes, 3) of strains. Returns the solution and its strains. These add up from
-    the corrections, each resolved to its full precision: strains of the total displacement would
-    round by its large rigid motion, which a stiff member turns into large forces.
+    internal forces (nodes, 3) of strains. Returns the solution and its strains. The strains are
+    sums over the corrections, each with full precision: strains of the total displacement would
+    have the round-off of its large rigid motion, which gives large forces in a stiff member.
     """
     n = len(points)
     f, u = f.copy(), np.zeros(3 * n)
@@ -202,7 +203,7 @@ def _parts(count: int, elements: Indices) -> Indices:
 
 
 def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
-    """ValueError if the supports leave a connected part of the frame a rigid motion."""
+    """ValueError if a connected part of the frame can move rigidly."""
     part = _parts(len(points), elements)
     parts = int(part.max()) + 1
     for k in range(parts):

@@ -1,4 +1,4 @@
-"""A spring of strip compressed into contact with itself by finite elements, in one call."""
+"""A strip spring compressed until it touches itself, by finite elements, in one call."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,15 +15,15 @@ def compress_spring(
     line: Any, U: Sequence[float] | Array, *, b: float, h: float, E: float, nu: float,
     mu: float = 0.0, head: str = "free",
 ) -> Curve:  # fmt: skip
-    """An accordion spring with its head pressed to each of the displacements U [m] in turn.
+    """An accordion spring with its head displaced to each of the displacements U [m] in turn.
 
     `line` is its centre line with free tips, `meshes.spring.spring_centre_line(tips=True)`. The
     strip has the thickness `b` and the width `h` [m], E [Pa], nu and the coefficient `mu` of
     friction; the head is "free", "hinged" (no transverse movement) or "guided" (nor a rotation).
     The curve has forces `F` [N] over `U` [m], `press` [N] between neighbouring units and shapes.
 
-    Of a wide strip, E/(1 - nu^2) may stand for E. ValueError for another head, a line without
-    tips or a U that does not rise; ArithmeticError if no equilibrium is found at a U.
+    For a wide strip, E/(1 - nu^2) can be used for E. ValueError for an unknown head, a line without
+    tips, or U that does not increase; ArithmeticError if no equilibrium is found at a U.
 
     >>> from math import radians
     >>> from meshes.spring import spring_centre_line

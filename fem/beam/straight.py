@@ -52,7 +52,7 @@ def solve_frame(
     distributed
         Element to force per length (x, y), uniform along it.
     links
-        Rigid links between nodes or points inside elements. Such an element is cut there: new
+        Rigid links between nodes or points inside elements. A linked element is divided there: new
         nodes and elements follow the given ones in the solution.
 
     Raises
@@ -60,7 +60,7 @@ def solve_frame(
     ValueError
         For unknown nodes or bodies, elements without length and frames that can move rigidly.
     ArithmeticError
-        If the linear solve leaves a residual above 1e-6.
+        If the linear solution leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)
@@ -123,7 +123,7 @@ def solve_frame(
 
 
 def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
-    """N, V and bending moment (m, 2, 3) at both ends of elements that hold N and end couples.
+    """N, V and bending moment (m, 2, 3) at both ends of elements, from N and end couples.
 
     `fixed_end` are the loads along the element.
     """
@@ -134,7 +134,7 @@ def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
 
 
 def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> Array:
-    """Elongation and rotations of both ends against the turned chord, (3, m)."""
+    """Elongation, and rotations of both ends relative to the rotated chord, (3, m)."""
     step = u[elements[:, 1], :2] - u[elements[:, 0], :2]
     stretch = (step * tangent).sum(axis=1)
     chord = (tangent[:, 0] * step[:, 1] - tangent[:, 1] * step[:, 0]) / L

@@ -11,14 +11,14 @@ Positions = Array | Extended
 
 
 class Term(Protocol):
-    """Forces that depend on the positions of a frame's nodes, and perhaps on their history.
+    """Forces that depend on the positions of the nodes of a frame, and possibly on their history.
 
-    `fem.beam.large.LargeFrame` calls `start` once before a path begins in the reference state,
-    `evaluate` in every Newton iteration, `settle` when Newton converged, then `accept`, or
-    `reject` where the step is given up and a smaller one follows. Every x is an array (n, 3):
+    `fem.beam.large.LargeFrame` calls `start` before a path begins in the reference state,
+    `evaluate` in every Newton iteration, `settle` after convergence, and then `accept`; or
+    `reject`, if a smaller step replaces the step. Every x is an array (n, 3):
     current positions and the rotation of the nodes, zero in the reference state [length, rad],
-    after `start` with the extended precision of the frame's displacements: stiff contact loses
-    the last digits of its force otherwise.
+    after `start` with the extended precision of the displacements of the frame: otherwise, the
+    force of a stiff contact would lose its last digits.
 
     `dissipated` is the energy lost since `start`, up to the last `accept`.
     """
@@ -31,11 +31,11 @@ class Term(Protocol):
     def evaluate(self, x: Positions) -> tuple[float, Array, csc_array]:
         """Stored energy, internal force (3n,) = d energy/dx and tangent (3n, 3n) at `x`.
 
-        The internal force is the load that balances the term: a spring that pulls a node
-        back has it along the node's displacement. It represents the step from the last accepted
-        state to `x` and must change no history, since Newton may pass any x in any order. With
-        friction the force has no energy and the tangent need not be symmetric; the energy is
-        then what could be won back.
+        The internal force is the load in balance with the term: if a spring pulls a node back, the
+        force has the direction of the displacement. It represents the step from the last accepted
+        state to `x` and must not change the history, because Newton's method can evaluate any x in
+        any order. With friction, the force has no potential and the tangent may be asymmetric; the
+        energy is then the recoverable part.
         """
         ...
 
@@ -48,7 +48,7 @@ class Term(Protocol):
         return False
 
     def accept(self, x: Positions) -> None:
-        """Take `x` as the new accepted state: history, multipliers and `dissipated` stand."""
+        """Accept `x` as the new state: history, multipliers and `dissipated` become final."""
 
     def reject(self) -> None:
         """Return to the last accepted state (multipliers that `settle` changed, for instance)."""

@@ -1,6 +1,6 @@
-"""Contact of beams of some thickness: with each other and with rigid obstacles, with friction.
+"""Contact of beams with a thickness: with each other and with rigid obstacles, with friction.
 
-Terms of `fem.beam.large.LargeFrame`. Surfaces lie half a thickness off the centre line, the free
+Terms of `fem.beam.large.LargeFrame`. Surfaces are half a thickness from the centre line; the free
 end of a line is a half circle around its last node.
 """
 
@@ -32,10 +32,10 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 
 
 class Touching(Term, ABC):
-    """Probes of lines, the law of contact between them and something else.
+    """Probes of lines, and the law of contact with a partner.
 
-    `record` has the contacts of the accepted state, `records` all since the path's start
-    (the reference state first).
+    `record` contains the contacts of the accepted state, `records` those of all states since the
+    start of the path (the reference state first).
     """
 
     def __init__(
@@ -116,17 +116,17 @@ class SelfContact(Touching):
     thickness
         b [length]: two lines touch at the distance b.
     EA
-        Axial stiffness [force] of the lines, which sizes the contact's stiffness.
+        Axial stiffness [force] of the lines, which scales the contact stiffness.
     friction
         Coulomb's coefficient.
     apart : optional
-        Arc length [length] within which places of one line never touch, 3 b by default; elements
-        that share a node never do.
+        Arc length [length] within which points of one line never touch, by default 3 b; elements
+        with a common node never touch.
     share
-        Contact stiffness: a pressure of share x EA/b^2 x overlap per length, and at free ends a
-        force of share x EA/b x overlap. Results don't depend on it, iterations do.
+        Contact stiffness: pressure = share x EA/b^2 x overlap per length; at free ends, force =
+        share x EA/b x overlap. It has an effect on the iterations, but not on the results.
     per_element
-        Probes of an element: each seeks the least gap in its part of it.
+        Number of probes of an element; each searches for the least gap in its part of the element.
 
     Raises
     ------
@@ -192,10 +192,10 @@ class SelfContact(Touching):
 class BeamObstacle(Touching):
     """Contact of lines with a rigid `shape`, a `FlatObstacle` or `DiscObstacle`.
 
-    With a `carrier` the shape moves and turns with that node of the frame, whose supports or
-    prescribed movement then move it and whose reaction is the contact force: an end of a separate
-    stub, since every node belongs to an element. `elements` may be some of the frame's; for
-    other parameters see `SelfContact`.
+    With a `carrier`, the shape moves and rotates with this node of the frame. The supports or
+    prescribed displacements of the node then move the shape, and its reaction is the contact force.
+    The carrier is an end of a separate stub, because every node belongs to an element. `elements`
+    may be some of the elements of the frame; for other parameters see `SelfContact`.
 
     Raises
     ------

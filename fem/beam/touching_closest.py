@@ -13,10 +13,10 @@ SETTLED = 1e-11  # relative to a place: the distance there is stationary
 
 
 def closest(curve: Array, at: Array) -> Array:
-    """Place (k,) in 0..1 on each curve (`powers`, (k, 2, 3)) that is nearest to `at` (k, 2).
+    """Parameter (k,), 0 to 1, of the point nearest to `at` (k, 2) on curves (`powers`, (k, 2, 3)).
 
-    Newton's method on the distance, from the projection on the chord; where the distance isn't
-    convex (beyond the centre of curvature) a step of the length scale of the chord replaces it.
+    Newton's method for the distance, starting at the projection on the chord. If the distance is
+    not convex (beyond the centre of curvature), the step has the length scale of the chord.
     """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2
@@ -52,12 +52,12 @@ def least(
     rise: Callable[[Array, Indices], tuple[Array, Array]],
     below: float = np.inf,
 ) -> Array:
-    """Place (k,) between `lower` and `upper` where a function is least.
+    """Position (k,) of the minimum of a function between `lower` and `upper`.
 
-    `rise(places, rows)` are values and slopes at places of the functions of the given numbers.
-    Within a cell the function is taken to have one minimum, at an end where the slope doesn't
-    change from - to +. False position with halved weights (the Illinois method) finds the
-    others, roughly where by both ends' tangents they stay above `below`.
+    `rise(places, rows)` returns values and slopes of the functions `rows` at `places`. Each
+    function is assumed to have one minimum in a cell; it is at an end if the slope does not change
+    from - to +. Otherwise, the Illinois method (false position with halved weights) finds it; only
+    roughly, if the tangents at both ends show that it is above `below`.
     """
     every = np.arange(len(lower))
     low, first = rise(lower, every)

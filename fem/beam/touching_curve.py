@@ -1,4 +1,4 @@
-"""Force over displacement of a pressed line of beams that touch one another, state by state."""
+"""Force over displacement of a compressed line of beams with self-contact, state by state."""
 
 from collections.abc import Sequence
 from contextlib import suppress
@@ -21,9 +21,9 @@ STORED = ("U", "F", "side", "press", "depth", "work", "stored", "dissipated", "n
 class TouchingLine:
     """One line of quadratic `elements` (m, 3: ends and middle) of one `section` that may touch.
 
-    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts;
-    each part may touch the next. The curve begins at the node `start`, is clamped at `tail` and
-    pressed along x at `head`, whose components `held` ("yr") are fixed.
+    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts.
+    Each part may touch the next. The curve begins at the node `start`, which is clamped at `tail`
+    and displaced along x at `head`; the components `held` ("yr") of the head are fixed.
     """
 
     points: Array
@@ -89,13 +89,13 @@ def compress(
     line: TouchingLine, U: Sequence[float] | Array, *, times: float = 1.0,
     beyond: Sequence[float] | Array = (),
 ) -> Curve:  # fmt: skip
-    """The line with its head moved to each of the displacements U [m] in turn.
+    """The line with its head displaced to each of the displacements U [m] in turn.
 
-    `times` is how much stiffer the contact is than usual. Displacements `beyond` the last of U
-    follow until the force is TWICE that at the last of U. If no equilibrium is found before, the
-    curve ends early, which is no property of the line.
+    `times` is the factor on the usual contact stiffness. The displacements `beyond` the last U
+    follow until the force is TWICE that at the last U. If no equilibrium is found before, the curve
+    ends early; this is not a property of the line.
 
-    Raises ArithmeticError if a state at one of U is not found.
+    Raises ArithmeticError if no state is found at one of U.
     """
     contact = SelfContact(
         line.points, line.elements, thickness=line.thickness, EA=line.section.EA,

@@ -1,13 +1,14 @@
-r"""Normal force and friction of touching places: penalties with multipliers.
+r"""Normal force and friction of points in contact: penalties with multipliers.
 
-The normal force is the positive part of z = multiplier - stiffness x gap, rounded within the
-onset e = stiffness x `rounding` so that there is no kink for Newton's method:
+The normal force is the positive part of z = multiplier - stiffness x gap, rounded within the onset
+e = stiffness x `rounding`; therefore, Newton's method meets no kink:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
-Friction sticks by a tangential penalty and slides at |T| = friction x N. Which places stick and
-which slide in which direction is fixed during Newton's method; `settle` corrects it in between, and
-moves both forces into the multipliers until penetration and elastic slip are below `allowed`.
+Friction sticks with a tangential penalty and slides at |T| = friction x N. During Newton's method,
+the state of each point and its direction of sliding are fixed. Between iterations, `settle`
+corrects the states, and transfers both forces to the multipliers until penetration and elastic slip
+are below `allowed`.
 """
 
 from dataclasses import dataclass
@@ -89,7 +90,7 @@ class Law:
         return Answer(energy, force, K, N, T, stick)
 
     def settle(self, touch: Touch, answer: Answer) -> bool:
-        """Correct sticking, and multipliers where gaps or stick are off; True if anything was."""
+        """Correct friction states and multipliers; True if one of them was wrong."""
         off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
         crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
         mended = self.friction > 0 and self._mend(touch, answer)
@@ -100,7 +101,7 @@ class Law:
         return mended or max(off, crept) >= self.allowed
 
     def _mend(self, touch: Touch, answer: Answer) -> bool:
-        """Whether places stick beyond the friction's limit, slide back or have just come."""
+        """Whether points exceed the friction limit in stick, slide backwards, or are new."""
         before = self.way[touch.slot]
         trial, limit = self._trial(touch), self.friction * answer.normal
         over = np.abs(trial) > limit * (1 + SLACK)
@@ -116,7 +117,7 @@ class Law:
         return self.tangential[touch.slot] + self.sticking[touch.slot] * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
-        """The step's friction work; slip then counts from here and friction goes on from T."""
+        """Add the friction work of the step; slip is then measured from this state."""
         before = self.kept[1][touch.slot]
         slid = np.abs(self.kept[2][touch.slot]) == 1
         # places that begin to slide do so at the end's force: sticking was a small part of the slip

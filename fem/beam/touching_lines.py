@@ -1,13 +1,13 @@
-r"""Gap and slip between a probe on one line and the nearest place of another.
+r"""Gap and slip between a probe on one line and the nearest point of another line.
 
-With the probe x_s, the nearest place x_m(xi) and n from there to it, both surfaces half a
-thickness off their lines:
+With the probe x_s, the nearest point x_m(xi) and the unit vector n from x_m to x_s; both surfaces
+are half a thickness from their lines:
 
 .. math:: g = n\cdot(x_s - x_m) - b, \qquad
    \dot s = t\cdot(\dot x_s - \dot x_m) + \tfrac{l}{2}(\dot\phi_s + \dot\phi_m), \quad l = g + b
 
-The slip of a step is a measure without effect of rigid rotation: the arc length passed on the
-other line and the turns of both sections against n.
+The slip of a step does not include rigid rotations: it is the arc length travelled on the other
+line, and the rotations of both sections relative to n.
 """
 
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ def past(x: Array, met: Meeting, probes: Probes, arcs: Arcs) -> Past:
 
 
 def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: Past) -> Touch:
-    """Gap, slip and their slopes at the places `met`; sections are `b` thick."""
+    """Gap, slip and their derivatives at the points `met`; sections have the thickness b."""
     probe = met.slot // 2
     own = places(x, probes.nodes[probe], met.eta)
     other = places(x, arcs.elements[met.element], met.xi)
@@ -98,7 +98,7 @@ def _follow(
     H: tuple[Array, Array, Array], slopes: tuple[Array, Array],
     free: tuple[NDArray[np.bool_], NDArray[np.bool_]], a: Array,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """How eta and xi follow the unknowns, (k, m) each: 2 x 2 equations, 0 where not free."""
+    """Derivatives (k, m) of eta and xi by the unknowns: 2 x 2 equations, 0 if not free."""
     H_11, H_12, H_22 = H
     one, two = free
     # places of parallel lines diverge: there the tangent holds the probe in its place

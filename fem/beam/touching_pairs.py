@@ -21,12 +21,12 @@ TINY = 1e-300
 
 @dataclass(frozen=True)
 class Meeting:
-    """The nearest place of an element for k slots (a probe's right or left: 2 probe + side).
+    """The nearest point of an element for k slots (right or left of a probe: 2 probe + side).
 
-    `xi` on `element`, `eta` on the probe's; `n` (k, 2) from there towards the probe, across the
-    element except at an `end`; `distance` along n, negative where the lines crossed since the
-    last accepted state. `held`: eta is a bound of the probe's cell. `eased` is what the gap
-    counts more, `easing` its slope by eta.
+    `xi` on `element`, `eta` on the element of the probe. `n` (k, 2) is the direction from there to
+    the probe, normal to the element except at an `end`. `distance` along n is negative if the lines
+    have crossed since the last accepted state. `held`: eta is at a bound of the cell of the probe.
+    `eased` is the addition to the gap, `easing` its derivative by eta.
     """
 
     slot: Indices
@@ -52,7 +52,7 @@ class Meeting:
 
 
 class Pairs:
-    """Candidates: pairs of a probe and an element that may touch before the next look-round."""
+    """Candidates: pairs of a probe and an element that may touch before the next search."""
 
     def __init__(self, elements: Indices, probes: Probes, apart: Apart, touching: float) -> None:
         self.elements, self.probes, self.apart = elements, probes, apart
@@ -167,7 +167,7 @@ class Pairs:
 
 
 def _project(curve: Array, here: Array) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
-    """Place xi on curves, vector to `here`, unit tangent, offset to its left, whether at an end."""
+    """Parameter xi on curves, vector to `here`, unit tangent, offset to its left, and end marks."""
     xi = closest(curve, here)
     there, slope = on(curve, xi)
     d = here - there

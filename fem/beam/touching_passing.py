@@ -1,7 +1,7 @@
-"""Whether lines pass through each other on the straight path from one state to the next.
+"""Whether lines cross each other on the straight path from one state to the next.
 
-Contact has the side on which lines approach only while they are near: a long step may move one
-completely through another, into a state without any contact.
+A contact stores the side of approach only while the lines are near: a long step could move one line
+completely across another, into a state without contact.
 """
 
 import numpy as np
@@ -55,7 +55,7 @@ class Passing:
         return found
 
     def _near(self, chords: Array) -> tuple[Indices, Indices]:
-        """Pairs of elements whose paths come near each other."""
+        """Pairs of elements whose paths are near each other."""
         low, high = chords.min(axis=(0, 2)), chords.max(axis=(0, 2))
         near = (low[:, None, 0] <= high[:, 0]) & (low[:, None, 1] <= high[:, 1])
         one, other = np.nonzero(np.triu(near & near.T, 1))
@@ -75,7 +75,7 @@ def _cross(own: Array, their: Array) -> Indices:
 
 
 def _hit(corners: Array, chains: Array) -> bool:
-    """Whether a corner runs through a chord of its partner: both (2, k, s + 1, 2), then and now."""
+    """Whether a corner crosses a chord of its partner; (2, k, s + 1, 2) before and after."""
     p = corners[:, :, :, None]
     a, b = chains[:, :, None, :-1], chains[:, :, None, 1:]
     low, high = np.minimum(a, b).min(axis=0), np.maximum(a, b).max(axis=0)
@@ -109,6 +109,6 @@ def _on(along: Array, off: Array, time: Array) -> NDArray[np.bool_]:
 
 
 def _turn(a: Array, b: Array) -> Array:
-    """Cross products: positive where b points to the left of a."""
+    """Cross products: positive if b points to the left of a."""
     found: Array = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
     return found

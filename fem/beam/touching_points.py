@@ -1,4 +1,4 @@
-"""Places along line elements where their surface is probed for contact."""
+"""Positions along line elements at which contact of their surface is tested."""
 
 from dataclasses import dataclass
 from typing import TypeVar
@@ -58,11 +58,11 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 
 @dataclass(frozen=True)
 class Probes:
-    """A probe seeks the least gap within its cell `lower` to `upper` (k,) of `element` (k,).
+    """A probe searches for the least gap in its cell `lower` to `upper` (k,) of `element` (k,).
 
-    `length` (k,) is the line's length of each, the thickness at the free end of a line. Off
-    the middle of its cell a gap counts more, by `ease` (eta - middle)^2/2: where lines are
-    parallel the probe rests there.
+    `length` (k,) is the length of line for each probe; at the free end of a line, it is the
+    thickness. `ease` (eta - middle)^2/2 is added to the gap: between parallel lines, the probe then
+    remains in the middle of its cell.
     """
 
     element: Indices
@@ -79,7 +79,7 @@ class Probes:
 
 
 def probes(points: Array, elements: Indices, thickness: float, per_element: int) -> Probes:
-    """`per_element` probes, each in its part of an element, and one at each free end of a line."""
+    """`per_element` probes, each in a part of an element, and one at each free end of a line."""
     size = lengths(points, elements, np.ones(len(elements)))
     element = np.repeat(np.arange(len(elements)), per_element)
     lower = np.tile(np.arange(per_element) / per_element, len(elements))

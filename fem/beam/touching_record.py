@@ -14,11 +14,11 @@ OBSTACLE = -1
 
 @dataclass(frozen=True)
 class Record:
-    """The k places that press: the probes' `elements` and their `partners` (-1: an obstacle).
+    """The k points in contact: the `elements` of the probes and their `partners` (-1: an obstacle).
 
-    `at` (k, 2) is the touching surface, `n` (k, 2) points from the partner to the probe's
-    element, which `normal` (k,) pushes along n and friction `tangential` (k,) against its slip
-    along t, n turned by -90 deg. `gap` (k,) is negative where surfaces overlap.
+    `at` (k, 2) is the point on the surface; `n` (k, 2) points from the partner to the element of
+    the probe. The force on this element is `normal` (k,) along n, and `tangential` (k,) friction
+    against its slip along t (n rotated by -90°). `gap` (k,) is negative for overlapping surfaces.
     """
 
     elements: Indices
@@ -61,7 +61,7 @@ class Record:
     def _pairs(
         self, bodies: Bodies
     ) -> Iterator[tuple[tuple[str, str], NDArray[np.bool_], NDArray[np.bool_]]]:
-        """Pairs of bodies that touch, and where the first, and the second, has the probes."""
+        """Pairs of bodies in contact, with the contacts probed from the first and the second."""
         own = {name: np.isin(self.elements, body) for name, body in bodies.items()}
         their = {name: np.isin(self.partners, body) for name, body in bodies.items()}
         for one, other in combinations_with_replacement(bodies, 2):

@@ -1,12 +1,12 @@
 r"""Gap and slip between a probe and a rigid flat or disc that moves with a carrier node.
 
-In the frame of the obstacle, with the probe x_s, the surface's normal n at the nearest place and
-half a thickness b/2 between the line and its surface:
+In the frame of reference of the obstacle, with the probe x_s, the surface normal n at the nearest
+point, and the distance b/2 between the line and its surface:
 
 .. math:: g = n\cdot(x_s - P) - b/2, \qquad
    \dot s = t\cdot v + \tfrac{b}{2}(\dot\phi_s - \dot\phi_c)
 
-with v the velocity of x_s seen from the obstacle and phi_c the obstacle's rotation.
+with v the velocity of x_s relative to the obstacle, and phi_c the rotation of the obstacle.
 """
 
 import math
@@ -28,10 +28,10 @@ PIECES = 1000  # of a step's path at most, each no longer than the thickness
 
 @dataclass(frozen=True)
 class Surface:
-    """Nearest places to points (k, 2): `distance`, `n` (k, 2) and the arc length `arc` there.
+    """Nearest points to points (k, 2): `distance`, `n` (k, 2) and the arc length `arc`.
 
-    Per movement of the point along t (n turned by -90 deg): `turn` of n and `stretch` of arc.
-    `period` is the arc length once round.
+    Derivatives by a displacement of the point along t (n rotated by -90°): `turn` of n, `stretch`
+    of arc. `period` is the arc length of the circumference.
     """
 
     distance: Array
@@ -74,7 +74,7 @@ Flat = FlatObstacle  # its name in version 0.1
 
 @dataclass(frozen=True)
 class DiscObstacle:
-    """A disc of `radius` [length] around `centre`; with `inside` the beam lies in its bore."""
+    """A disc of `radius` [length] about `centre`; with `inside`, the beam is in the bore."""
 
     centre: tuple[float, float]
     radius: float
@@ -214,7 +214,7 @@ class Body:
     def _passed(
         self, x: Array, probe: Indices, eta: Array, own: Places, surface: Surface
     ) -> tuple[Array, Array]:
-        """Slip (k,) since the last accepted state, and how the section's turn varies by eta."""
+        """Slip (k,) since the last accepted state, and derivative of the section's angle by eta."""
         phi, before = self._pose(x)[2], self._pose(self.before)[2]
         passed = surface.arc[probe] - self.past.arc[probe]
         if math.isfinite(surface.period):

@@ -10,11 +10,11 @@ from fem.beam.section import Array, Indices
 
 @dataclass(frozen=True)
 class Touch:
-    """k places with m unknowns each: rows `dofs` (k, m) of the frame.
+    """k contacts with m unknowns each: rows `dofs` (k, m) of the frame.
 
-    `gap`, its slopes `opening` (k, m) and `turning` (k, m, m); `sliding` (k, m), the virtual
-    slip, and its slopes `swerving` (k, m, m); `slip` since the last accepted state and its
-    slopes `slipping` (k, m).
+    `gap`, with derivatives `opening` (k, m) and `turning` (k, m, m); virtual slip `sliding` (k, m),
+    with derivatives `swerving` (k, m, m); `slip` since the last accepted state, with derivatives
+    `slipping` (k, m).
     """
 
     slot: Indices

@@ -1,6 +1,6 @@
-"""Readings of a curve of force over displacement with a kink where parts begin to press.
+"""Evaluation of a force-displacement curve with a kink at the first contact of its parts.
 
-Curves are displacements U, forces F and sums of normal forces N (3, k), rising in U.
+Curves contain displacements U, forces F and sums of normal forces N (3, k), with increasing U.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ ROUNDING = 1e-9  # relative to a displacement
 class FittedLines:
     """Two straight lines fitted to a curve before and after its parts touch.
 
-    `k1`, `k2` [force/length], their constants `c1`, `c2` [force]; `U_A`, `F_A` where the parts
-    begin to press. NaN if the curve does not reach a value.
+    `k1`, `k2` [force/length] and constants `c1`, `c2` [force]; `U_A`, `F_A` at the first contact.
+    NaN if the curve does not reach a value.
     """
 
     k1: float
@@ -32,17 +32,17 @@ class FittedLines:
 
     @property
     def U(self) -> float:
-        """Displacement where the lines cross."""
+        """Displacement at the intersection of the lines."""
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     def apart(self, other: "FittedLines") -> float:
-        """Largest relative difference of the slopes that both have."""
+        """Largest relative difference of the slopes of both results."""
         off = [abs(other.k1 / self.k1 - 1), abs(other.k2 / self.k2 - 1)]
         return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
 
 
 def fitted(curve: Array, stroke: float) -> FittedLines:
-    """Least squares up to the stroke; NaN if nothing touches.
+    """Least squares up to the stroke; NaN without contact.
 
     >>> U = np.arange(1.0, 9.0)
     >>> pressing = np.maximum(U - 4.0, 0.0)
@@ -61,9 +61,9 @@ def fitted(curve: Array, stroke: float) -> FittedLines:
 
 
 def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """U_A, F_A and the slope beyond, from the two first states in which parts surely touch.
+    """U_A, F_A and the slope beyond, from the first two states that certainly have contact.
 
-    N begins at zero in A and grows linearly. NaN if nothing touches.
+    N begins at zero in A and increases linearly. NaN without contact.
     """
     i = int(np.argmax(N > TOUCH * F))
     if i == 0 or i + 1 == len(U):
