@@ -96,7 +96,7 @@ class Supports:
         return b
 
     def actions(self, displacements: Mapping[str, Support]) -> list[Action]:
-        """Responses to prescribed displacements, one component of one support after the other."""
+        """Responses to prescribed displacements, one for each component of a support."""
         b = self.values(displacements)
         if not np.any(b):
             return []

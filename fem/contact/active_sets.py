@@ -1,9 +1,10 @@
 """Primal-dual active sets: the fast method for the condensed contact problem.
 
-Every row is in one state (open, stick, slip to either side), the linear system of the states is
-solved, and rows that contradict their state change it: all together while their number falls,
-singly where it does not (block principal pivoting, Judice and Pires 1994; finite without
-friction). With friction the states may repeat in a cycle; the method then ends without a solution.
+Each row has a state (open, stick, or slip in one of two directions). The linear system of these
+states is solved, and rows that contradict their state change it: all rows together as long as their
+number decreases, otherwise one at a time (block principal pivoting, Judice and Pires 1994; finite
+without friction). With friction, the states may repeat in a cycle; the method then ends without a
+solution.
 """
 
 from dataclasses import dataclass
@@ -29,10 +30,10 @@ def exchanged(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int],
     finer: float = 1.0,
 ) -> Solution:  # fmt: skip
-    """Multipliers, motions and states that fit, on springs (k, k), from given `states` (m,).
+    """Consistent multipliers, motions and states, on springs (k, k), from given `states` (m,).
 
-    `changes` counts the rows of each exchange, in place. NotFoundError if the states repeat or
-    keep changing.
+    `changes` receives the number of rows of each exchange. NotFoundError if the states repeat or
+    continue to change.
     """
     rough, seen = bool(system.rough.size), set()
     fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
@@ -61,10 +62,10 @@ def exchanged(
 
 @dataclass(frozen=True)
 class StateEquations:
-    """The linear system A x = known that `states` imply, on springs (k, k).
+    """The linear system A x = known for given `states`, on springs (k, k).
 
-    x holds the multipliers of the closed rows, then the motions; slipping rows `slip` have `drag`
-    times the multiplier `at` as friction.
+    x contains the multipliers of the closed rows, then the motions. For slipping rows `slip`,
+    friction is `drag` times the multiplier `at`.
     """
 
     own: Indices
@@ -101,9 +102,9 @@ class StateEquations:
 def linear(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States
 ) -> tuple[Array, Array]:
-    """Multipliers (n,) and motions (k,) that `states` imply, on springs (k, k).
+    """Multipliers (n,) and motions (k,) for given `states`, on springs (k, k).
 
-    NotFoundError if the states leave them undetermined.
+    NotFoundError if they are not determined by the states.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

@@ -11,8 +11,8 @@ from fem.plane.supports import Prescribed
 class Along:
     """Supports of bodies along z.
 
-    `supports` prescribe u_z on boundaries, and on obstacles, which otherwise stay where they are;
-    those named in `free` move as forces have it. Ties of the plane hold along z as well.
+    `supports` prescribe u_z on boundaries and on obstacles, which are fixed by default. Obstacles
+    named in `free` move under forces. Ties of the plane also act along z.
     """
 
     supports: Mapping[str, Prescribed] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Pull:
     u_0: Array
 
     def after(self, before: "Pull | None", share: float) -> "Pull":
-        """The share of the new value, and the rest of the one `before`."""
+        """The new value times its share, plus the rest of the value `before`."""
         if before is None:
             return Pull(share * self.f, share * self.u_0)
         rest = 1 - share

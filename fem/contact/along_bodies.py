@@ -21,10 +21,11 @@ from fem.plane.supports import Prescribed
 
 
 class AlongBodies:
-    """Stiffness and shifts along z of all bodies, seen from their contact surfaces.
+    """Stiffness and shifts along z of all bodies, condensed to their contact surfaces.
 
-    `T` (nodes, n) spreads the free unknowns; the last s of them belong to surfaces, rigid bodies
-    and obstacles. `shifts` (s, k) are orthonormal shifts that supports leave, `words` names them.
+    `T` (nodes, n) maps the free unknowns to nodes; the last s unknowns are those of surfaces, rigid
+    bodies and obstacles. `shifts` (s, k) are the orthonormal shifts that supports permit; `words`
+    names them.
     """
 
     def __init__(self, bodies: Bodies, along: Along, surface: Indices) -> None:
@@ -48,7 +49,7 @@ class AlongBodies:
         return np.asarray(cho_solve(self._factor, forces, check_finite=False))
 
     def load(self, pull: Pull) -> tuple[Array, Array]:
-        """Forces (n,) on the free unknowns, and equivalent ones (s,) on the surface."""
+        """Forces (n,) on the free unknowns, and equivalent forces (s,) on the surface."""
         load = self.T.T @ (pull.f - self.internal_forces(pull.u_0))
         return load, self.condensed.load(load)
 
@@ -78,7 +79,7 @@ class AlongBodies:
     def reaction(self, boundary: str, u: Array, forces: Array) -> float:
         """Force along z that the support of `boundary` exerts at `u`, under `forces` (nodes,).
 
-        If several supports hold a node, the first one named has it.
+        If several supports prescribe a node, the reaction is that of the first.
         """
         nodes, known = self.nodes, self.nodes.supported
         if boundary not in known:

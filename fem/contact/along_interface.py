@@ -17,7 +17,7 @@ class AlongInterface:
     """Weighted slips along z, s_i = int phi_i (u_z,m - u_z,s), at the nodes that carry friction.
 
     `rows` (r, nodes) follow the tangential rows of the plane; `cone` is the system of all rows,
-    those of the plane included.
+    including those of the plane.
     """
 
     def __init__(self, bodies: AlongBodies, plane: Interface) -> None:
@@ -44,7 +44,7 @@ class AlongInterface:
         return self.C @ at_rest + self.rows @ pull.u_0, e
 
     def check_held(self) -> None:
-        """ValueError if neither supports nor friction could hold a body along z."""
+        """ValueError if neither supports nor friction can prevent a shift of a body along z."""
         felt = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
         own = np.abs(self.C).max(initial=0.0)
         if np.any(felt <= UNHELD * own):
@@ -52,7 +52,7 @@ class AlongInterface:
 
 
 def _slips(mortar: Mortar, columns: Indices) -> csr_array:
-    """Weighted u_z,m - u_z,s: a shift along x does to normal and tangent what one along z does."""
+    """Weighted u_z,m - u_z,s: normal and tangent act on a shift along x as one row along z."""
     n = mortar.points.n
     along_x = diags_array(n[0]) @ mortar.normal - diags_array(n[1]) @ mortar.tangential
     rows = mortar.weighted(along_x.tocsr()[:, columns])

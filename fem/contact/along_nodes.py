@@ -1,4 +1,4 @@
-"""Nodes of bodies that move along z: their numbers and names, and which of them move as one."""
+"""Nodes of bodies that move along z: numbers, names, and groups of equal displacement."""
 
 from collections.abc import Mapping
 
@@ -17,11 +17,11 @@ CONTRADICTION = 1e-9  # relative to the values prescribed along z
 
 
 class AlongNodes:
-    """Vertices, nodes on edges and in cells, and one for each obstacle.
+    """Vertices, nodes on edges and in cells, and one node for each obstacle.
 
-    `dofs` (2, meshed) are their unknowns x and y of the plane, `of_dof` (unknowns,) the nodes of
-    these, `cells` (cells, n) those of each cell. Nodes of a rigid body, and tied ones, have the
-    same `group` (count,); `held` (groups,) is true where supports hold.
+    `dofs` (2, meshed) are the unknowns x and y of the nodes, `of_dof` (unknowns,) the node of each
+    unknown, `cells` (cells, n) the nodes of each cell. Nodes of a rigid body, and tied nodes, have
+    the same `group` (count,). `held` (groups,) is true for groups with a support.
     """
 
     def __init__(self, bodies: Bodies, along: Along) -> None:
@@ -60,7 +60,7 @@ class AlongNodes:
         return np.asarray(self.of_dof[nodes_on(basis, named_facets(basis.mesh, name))[0]])
 
     def prescribed(self, values: Mapping[str, Prescribed]) -> Array:
-        """Displacements (count,) of held nodes; ValueError if supports contradict each other."""
+        """Displacements (count,) of supported nodes; ValueError if supports contradict."""
         given = np.full(self.held.size, np.nan)
         largest = 0.0
         for name, value in values.items():

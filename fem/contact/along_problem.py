@@ -85,7 +85,7 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """The solution of the cone; NoEquilibriumError if loads leave it, NotFoundError."""
+        """The solution of the cone; NoEquilibriumError if the cone excludes the loads; NotFoundError."""
         missed = missing(descent.cone, descent.e)
         if np.any(missed):
             raise NoEquilibriumError(
@@ -109,7 +109,7 @@ class AlongProblem:
         self, interface: AlongInterface, w_z: Array, slips: Array, before: Before | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips along z of surfaces with an open gap, on from `slips`, until their gap closes."""
+        """Slips along z of surfaces with an open gap, from `slips` until the gap closes."""
         cone, r = interface.cone, slips.size
         B, D = cone.B[-r:, -r:] if r else cone.B[:0, :0], interface.C @ self.bodies.shifts
         trial = w_z - slips
@@ -129,9 +129,9 @@ class AlongProblem:
         return self.bodies.bodies.named(plane)
 
     def _check_small(self, plane: Interface, rest: Rest, step: AlongStep) -> None:
-        """NotFoundError if bodies slide along z by far more than they deform.
+        """NotFoundError if bodies slide along z by much more than they deform.
 
-        That is a state of rest, but beyond small displacements.
+        Such a state is in equilibrium, but outside the range of small displacements.
         """
         if not step.shift.size:
             return

@@ -15,9 +15,9 @@ from fem.plane.discretisation import Array
 class AlongStep:
     """Displacements and forces along z in equilibrium.
 
-    Of the nodes with friction: `traction` (r,) [stress] on the master, `w` (r,) weighted slips of
-    this step, `slips_before` (r,) those before it; `shift` (k,) of bodies that only friction holds;
-    `residual` is the violation of the laws by the whole step.
+    For nodes with friction: `traction` (r,) [stress] on the master, `w` (r,) weighted slips of this
+    step, `slips_before` (r,) weighted slips before it. `shift` (k,) are shifts of bodies supported
+    by friction only. `residual` is the violation of the laws by the whole step.
     """
 
     interface: AlongInterface

@@ -1,4 +1,4 @@
-"""Bodies with an initial gap: where their surfaces are once they have come together."""
+"""Bodies with an initial gap: positions of their surfaces after a rigid approach."""
 
 import numpy as np
 
@@ -12,11 +12,10 @@ LARGEST_GAP = 1e-4  # initial distance times curvature: below, gaps are linear i
 
 
 def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | None] | None:
-    """Rigid displacements (all,) of the surfaces of each pair from the mesh to where they touch.
+    """Rigid displacements (all,) of the surfaces of each pair from the mesh to first contact.
 
-    None for a pair that does not need them, and None altogether where no pair does: where those
-    parts of the surfaces that touch were paired no farther from each other than a linear gap
-    allows.
+    None for a pair that needs no displacement, and None if no pair needs one: the surfaces in
+    contact were then paired at distances for which the gap is linear.
     """
     sides = list(zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True))
     obstacles = solution.bodies.obstacles
@@ -37,7 +36,7 @@ def _is_far(touch: Touch, bend: float) -> bool:
 
 
 def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:
-    """The motions of the touching parts of both sides, extended to all of the two surfaces."""
+    """The motions of the parts in contact on both sides, extended to the complete surfaces."""
     base = np.zeros(u.size)
     base[count:] = u[count:]
     points, loaded = touch.mortar.points, touch.p > 0

@@ -1,4 +1,4 @@
-"""The bodies of a contact problem: elastic and rigid ones, condensed to their contact surfaces."""
+"""The bodies of a contact problem, elastic and rigid, condensed to their contact surfaces."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
@@ -30,9 +30,9 @@ UNHELD = 1e-9  # relative to a rigid motion: below, the surface does not resist 
 class Response:
     """Response to loads `f` (all,) and prescribed displacements `u_0` (all,), linear in them.
 
-    `load` (n,) acts on the free unknowns, as `on_surface` (s,) would on the surface alone; without
-    contact it leaves the surface `at_rest` (s,) but for the rigid motions, on which it exerts `e`
-    (k,).
+    `load` (n,) acts on the free unknowns; it is equivalent to `on_surface` (s,) on the surface.
+    Without contact, the displacement of the surface is `at_rest` (s,), except for rigid motions; on
+    these, the load exerts the forces `e` (k,).
     """
 
     f: Array
@@ -49,9 +49,9 @@ class Response:
 
 
 class Bodies:
-    """Stiffness and rigid motions of all bodies, seen from the contact surfaces.
+    """Stiffness and rigid motions of all bodies, condensed to the contact surfaces.
 
-    `motions` (s, k) are orthonormal rigid motions that supports leave, `words` names them.
+    `motions` (s, k) are the orthonormal rigid motions that supports permit; `words` names them.
     """
 
     def __init__(
@@ -85,7 +85,7 @@ class Bodies:
 
     @property
     def free_obstacles(self) -> int:
-        """Unknowns of obstacles, the very last of the free ones."""
+        """Unknowns of obstacles, the last of the free unknowns."""
         return sum(len(o.free) for o in self.obstacles.values())
 
     @property
@@ -94,7 +94,7 @@ class Bodies:
         return int(self.basis.N) + 3 * len(self.obstacles)
 
     def plane_modulus(self, cells: Indices) -> float:
-        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite if rigid."""
+        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite for a rigid body."""
         lam, mu = self.lam[cells], self.mu[cells]
         if np.any(mu == 0):
             return np.inf
@@ -113,7 +113,7 @@ class Bodies:
         self.condensed: Condensed = condense(self._stiffness(), self.unknowns.surface)
 
     def _stiffness(self) -> csr_array:
-        """T' K T (n, n); where T only selects unknowns, K is assembled in that order at once."""
+        """T' K T (n, n); if T only selects unknowns, K is assembled in this order at once."""
         T = self.unknowns.T
         if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self.rigid:
             place = np.full(self.count, -1)

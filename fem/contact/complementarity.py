@@ -1,8 +1,8 @@
-"""One kernel for every plane contact problem: unilateral contact with Coulomb friction, condensed.
+"""Solver of all plane contact problems: unilateral contact with Coulomb friction, condensed.
 
 Active sets are the fast method. If they end without a solution, Lemke's method follows, and for
-bodies without loads a linear programme that separates them. A solution is accepted by its
-residual alone.
+bodies without loads a linear programme for a motion that separates them. A solution is accepted
+only by its residual.
 """
 
 from collections.abc import Iterator
@@ -34,8 +34,8 @@ AWAY = "; bodies may slide or roll away under these loads, unless held or presse
 class Rest:
     """A solved contact: `multipliers` (n,), `motion` (k,), `states` (normal rows,).
 
-    `changes` lists how many rows changed their state, iteration by iteration; `method` names the
-    method that found it.
+    `changes` lists the number of rows that changed their state in each iteration; `method` is the
+    name of the method that found the solution.
     """
 
     multipliers: Array
@@ -49,18 +49,18 @@ class Complementarity(ContactSystem):
     """A condensed contact problem and its solutions."""
 
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
-        """Multipliers and motions under `w_0` (n,), `e` (k,), from given states, if any.
+        """Multipliers and motions under `w_0` (n,), `e` (k,), optionally from given states.
 
-        Every residual of the result is below 1e-9 of its scale: the largest contact force, and the
-        approach that it makes. Loads of which facets alone balance the last 1e-6, or less than
-        round-off of the gaps makes of them, leave the body where it is.
+        Each residual of the result is below 1e-9 of its scale: the largest contact force, and the
+        approach by this force. Loads cause no motion if facets alone balance the last 1e-6 of them,
+        or if they are smaller than the effect of round-off of the gaps.
 
         Raises
         ------
         NoEquilibriumError
             If no admissible contact forces balance `e`.
         NotFoundError
-            Where neither active sets nor Lemke's method find a solution.
+            If neither active sets nor Lemke's method find a solution.
         """
         changes: list[int] = []
         least, neutral = np.inf, None
@@ -92,7 +92,7 @@ class Complementarity(ContactSystem):
     def _candidates(
         self, w_0: Array, e: Array, start: NDArray[np.int8] | None, changes: list[int]
     ) -> Iterator[Rest]:
-        """Results of the methods, the fast ones first."""
+        """Results of the methods, the fast methods first."""
         release = Release(self, w_0, e, changes)
         if start is None:
             start = self._start(w_0, e)
@@ -115,11 +115,11 @@ class Complementarity(ContactSystem):
     def is_proven_non_unique(self, rest: Rest, w_0: Array, e: Array) -> bool:
         """Whether the problem of `rest`, under `w_0` (n,) and `e` (k,), has further solutions.
 
-        Proven by the index of the solution, the sign of the determinant of its states: where loads
-        can be balanced without friction, all indices sum to +1, so that -1 has company; no row may
-        lie at the limit between two states. And where
-        no load acts, by a motion that parts all surfaces: zero force is a solution then, too. False
-        proves nothing.
+        The proof uses the index of the solution, the sign of the determinant of its states. If
+        loads can be balanced without friction, the sum of all indices is +1; a solution with index
+        -1 is therefore not the only one. No row may be at the limit between two states. If no load
+        acts, a motion that separates all surfaces is also a proof, because zero force is then a
+        solution. False proves nothing.
         """
         if np.any(self.smooth().missing(e)):
             return False
@@ -147,12 +147,12 @@ class Complementarity(ContactSystem):
         return bool(min(margins.min(initial=np.inf), along.min(initial=np.inf)) > STRICT)
 
     def _is_balanced_to_round_off(self, w_0: Array, e: Array, rest: Rest) -> bool:
-        """Whether loads are balanced but for round-off of the gaps."""
+        """Whether loads are balanced to the round-off of the gaps."""
         missed, _ = self.missed(e, rest.multipliers)
         return missed <= self.loads_at_round_off(w_0) and not self.is_unloaded(w_0, e)
 
     def _polished(self, w_0: Array, e: Array, rest: Rest) -> Rest:
-        """The solution of the linear system of the states of `rest` if it misses less, else `rest`.
+        """Solution of the linear system of the states of `rest`, if its residual is smaller.
 
         The linear system contains no stabilising springs and no round-off from pivoting.
         """
@@ -164,9 +164,9 @@ class Complementarity(ContactSystem):
         return replace(rest, multipliers=found[0], motion=found[1]) if missed < before else rest
 
     def _parting(self, w_0: Array) -> Array | None:
-        """The motion (k,) that opens all gaps most evenly without any force; None without one.
+        """The motion (k,) that opens all gaps as uniformly as possible without force, or None.
 
-        By a linear programme for the least gap, in units of the elastic approach of its row.
+        A linear programme maximises the least gap, in units of the elastic approach of its row.
         """
         m, k = self.friction.size, self.D.shape[1]
         scale = np.sqrt(self.compliance[:m])
@@ -180,10 +180,11 @@ class Complementarity(ContactSystem):
         return np.asarray(size * self.scales[1] * found.x[:k]) if is_open else None
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
-        """Start from the contact without friction; None if that contact is not found.
+        """Start from the contact without friction; None if this contact is not found.
 
-        If there is none, groups of rows are taken in one: from there a few exchanges are left at
-        the edges, instead of one for every row that the contact shrinks by.
+        Without given states, groups of rows are first treated as one row. Then only a few exchanges
+        are needed at the edges of the contact, instead of one exchange for each row by which it
+        shrinks.
         """
         m, rough = self.friction.size, bool(self.rough.size)
         if not rough and m <= FEW:

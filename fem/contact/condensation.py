@@ -1,9 +1,9 @@
-"""Bodies condensed to their contact surfaces: a dense stiffness, found in one factorisation.
+"""Bodies condensed to their contact surfaces: a dense stiffness from one factorisation.
 
-The surface's unknowns come last in the order of elimination, so that the last block of the
-factors is the Schur complement S = K_ss - K_si K_ii^-1 K_is. Bodies that only contact holds have a
-singular S but a regular K_ii: K is factorised with springs M on the surface, which are taken off
-S exactly afterwards.
+The unknowns of the surface are eliminated last; therefore, the last block of the factors gives the
+Schur complement S = K_ss - K_si K_ii^-1 K_is. For bodies supported by contact only, S is singular,
+but K_ii is regular: K is factorised with springs M on the surface, which are then subtracted from S
+exactly.
 """
 
 from dataclasses import dataclass
@@ -28,14 +28,14 @@ class Condensed:
         return slice(self.factor.n - self.springs.size, None)
 
     def load(self, f: Array) -> Array:
-        """The forces (s,) on the surface that replace `f` (unknowns,) on everything."""
+        """Forces (s,) on the surface that are equivalent to `f` (unknowns,) on all unknowns."""
         at_rest = self.factor.solve(f)[self.surface]
         return self.S @ at_rest + self.springs * at_rest
 
     def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
-        """All unknowns under `f` (unknowns,), from the known ones of the `surface` (s,).
+        """All unknowns under `f` (unknowns,), from the known displacements of the `surface` (s,).
 
-        `on_surface` (s,) is `load` applied to `f`.
+        `on_surface` (s,) is the result of `load` for `f`.
         """
         f = f.copy()
         # with these forces on the sprung surface the factorised matrix moves it to `surface`

@@ -1,18 +1,18 @@
-"""Coulomb's circular cone: contact whose friction acts along the surface and along z at once.
+"""Coulomb's circular cone: contact with friction along the surface and along z at the same time.
 
-Unknown are the multipliers l = (normal, tangential, along z) and amplitudes a of rigid motions and
-of shifts along z, as in `complementarity`:
+The unknowns are the multipliers l = (normal, tangential, along z) and the amplitudes a of rigid
+motions and of shifts along z, as in `complementarity`:
 
     w = w_0 + B l + D a,    e + D' l = 0.
 
-Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. At nodes with friction the vector (l_t, l_z) is no
-longer than mu l_n, and opposes (w_t, w_z) where it reaches that bound. Equivalent is
+Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. At nodes with friction, the length of (l_t, l_z) is at
+most mu l_n; at this bound, it opposes (w_t, w_z). These conditions are equivalent to
 
     l_n = max(0, l_n - c_n w_n),   (l_t, l_z) = P((l_t, l_z) - c (w_t, w_z)),
 
 with P the projection on the disc of radius mu max(0, l_n - c_n w_n). Newton's method solves these
-with each node open, sticking or slipping as its projection is (Alart and Curnier 1991). The
-direction of slip changes with the solution.
+equations; each node is open, sticking or slipping according to its projection (Alart and Curnier
+1991). The direction of slip changes with the solution.
 """
 
 from dataclasses import dataclass

@@ -1,17 +1,19 @@
-"""Solutions of a cone's equations under given loads.
+"""Solutions of the equations of a friction cone under given loads.
 
-Newton's method from each start first. If it fails from all of them, paths of solutions are
-followed through their turns: from no friction to the friction there is, on springs that hold the
-motions, then to weaker and weaker springs; and from friction at which everything sticks downwards.
+Newton's method is tried from each start. If it fails for all of them, paths of solutions are
+followed past their turning points: from zero friction to the given friction, on springs that resist
+the motions, and then to ever weaker springs; also from a friction at which everything sticks to the
+given friction.
 
-What that proves: on springs a solution exists for every friction and is bounded, so the first path
-cannot end before it arrives. As the springs weaken it stays bounded where pressures alone can
-balance the loads, -e = D_n' l_n with l_n >= 0 (without loads on motions always). There a state of
-rest exists for every friction, and the path leads to it but for rounding and for events that
-coincide. If only friction balances the loads there may be no rest, or several: that none is
-found proves nothing, nor do bodies that move on as the springs weaken. `cone_reach` proves that
-there is none; between its cone and the loads at which the contact really slips lies what elasticity
-makes of the pressures, which nothing here bounds.
+A path proves the following. On springs, a bounded solution exists for every friction; the first
+path therefore cannot end before it arrives. With ever weaker springs, the solution remains bounded
+if pressures alone can balance the loads, -e = D_n' l_n with l_n >= 0 (without loads on motions:
+always). Then a state of rest exists for every friction, and the path leads to it, except for
+rounding and coincident events. If only friction balances the loads, there may be no state of rest,
+or several: a failed search proves nothing, and neither do bodies that continue to move as the
+springs become weaker. `cone_reach` proves that no state of rest exists. Between the limit of its
+cone and the loads of real slip, the elastic distribution of pressures matters; no bound is given
+here.
 """
 
 from collections.abc import Callable
@@ -44,10 +46,10 @@ class Descent:
     e: Array
 
     def solve(self, starts: list[State]) -> State:
-        """The solution from the first start that leads to one, else along a path.
+        """The solution from the first start that converges, otherwise along a path.
 
-        SlidingError if a search ends with bodies that move on, else NotFoundError with the
-        reasons of all searches.
+        SlidingError if a search ends with bodies that continue to move; otherwise, NotFoundError
+        with the reasons of all searches.
         """
         reasons: list[str] = []
         carried: Array | None = None
@@ -89,7 +91,7 @@ class Descent:
         return Path(cone, weaker).follow(at, 0.0)
 
     def _from_stuck(self) -> State:
-        """The end of the path from where everything sticks, on weak springs about that rest."""
+        """End of the path that starts with all nodes sticking, on weak springs about this state."""
         cone, mu, K = self.cone, self.cone.friction, self.cone.springs(SPRING)
         at = self._newton.at_rest(self._smooth(cone.springs(STIFF)), MOST_FRICTION * mu)
         share = min(BEYOND * float(cone.utilisation(at.multipliers).max(initial=0)), MOST_FRICTION)
@@ -104,7 +106,7 @@ class Descent:
         return Path(cone, smoother).follow(self._newton.solve(at, smoother(0.0)[0]), 0.0)
 
     def _smooth(self, K: Array) -> State:
-        """The solution without friction on springs `K`: the least energy of pressures alone."""
+        """The solution without friction on springs `K`: least energy of pressures alone."""
         m = self.cone.friction.size
         D = self.cone.D[:m]
         yields = np.linalg.solve(K, np.column_stack([D.T, self.e]))

@@ -139,7 +139,7 @@ class Linearised:
 
     @cached_property
     def scale(self) -> Array:
-        """Units of the unknowns, in which the system is about one."""
+        """Units of the unknowns, in which the entries of the system are about one."""
         (x, (t, z), _), own, yields = self._places, self.cone.stiffness, self.cone.yields
         across = self._d[1] ** 2 * yields[t] + self._d[0] ** 2 * yields[z]
         stiff = np.concatenate([yields[x], across])

@@ -25,7 +25,7 @@ MAX_RELEASES = 60
 class SlidingError(NotFoundError):
     """No state of rest was found: springs still carry the loads `carried` (k,) on motions.
 
-    That is no proof: another solution at rest may exist.
+    This is no proof: another solution at rest may exist.
     """
 
     def __init__(self, carried: Array, reasons: Sequence[str] = ()) -> None:
@@ -42,9 +42,9 @@ class Newton:
     e: Array
 
     def at_rest(self, at: State, friction: Array) -> State:
-        """The solution on springs that follow the motions until they carry no loads.
+        """The solution on springs that follow the motions until the springs carry no loads.
 
-        SlidingError if they carry loads permanently, NotFoundError if a step fails.
+        SlidingError if they always carry loads, NotFoundError if a step fails.
         """
         spring, imbalance = SPRING, np.inf
         for _ in range(MAX_RELEASES):
@@ -81,7 +81,7 @@ class Newton:
     def _step(
         self, task: Task, at: State, states: NDArray[np.int8], errors: list[float]
     ) -> tuple[State, float, NDArray[np.int8]]:
-        """Newton's step, or the part of it that misses no more than those before; else the best."""
+        """Newton's step, or a part of it that does not increase the residual; otherwise the best."""
         goal, share = Linearised(self.cone, task, at, states).newton(), 1.0
         found: list[tuple[float, State, NDArray[np.int8]]] = []
         while share >= SHORTEST:

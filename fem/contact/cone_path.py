@@ -1,9 +1,10 @@
-"""A path of solutions of a cone's equations, followed through its turns by its arc length.
+"""A path of solutions of the equations of a cone, followed past turning points by its arc length.
 
-The task changes with a parameter t. Each step goes along the tangent and returns to the path by
-Newton's method within a plane across it, where t is unknown as well. The path is smooth but where
-a node changes its state. There it may turn back: the determinant of the equations and the tangent
-keeps its sign along the path, which gives its direction (Allgower and Georg 1990).
+The problem changes with a parameter t. Each step follows the tangent and returns to the path by
+Newton's method in a plane normal to the tangent, in which t is also unknown. The path is smooth
+except where a node changes its state; there, it may reverse its direction. The determinant of the
+equations and the tangent has a constant sign along the path, which gives the direction (Allgower
+and Georg 1990).
 """
 
 from collections.abc import Callable
@@ -134,7 +135,7 @@ class Path:
         return State(z[:n], z[n:-1])
 
     def _weight(self, z: Array) -> Array:
-        """Weights (n + k + 1,) of squares, in which forces and motions of now are about one."""
+        """Weights (n + k + 1,) of squares that make the present forces and motions about one."""
         weight = np.append(np.diag(self.cone.B), self.cone.stiffness)
         size = float(weight @ z[:-1] ** 2)
         return np.append(weight / (size or 1.0), 1.0)

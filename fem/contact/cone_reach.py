@@ -1,7 +1,8 @@
-"""Whether friction within its cone can balance loads on rigid bodies.
+"""Whether friction in its cone can balance loads on rigid bodies.
 
-Pressures may take any values here. So loads that are out of reach have no equilibrium, which is
-proven; loads within reach may have none, for want of pressures that elasticity does not supply.
+Pressures may have any non-negative values here. Loads outside this range therefore have no
+equilibrium, which is a proof. Loads in the range may also have none, if elasticity does not give
+the necessary pressures.
 """
 
 import numpy as np
@@ -18,8 +19,8 @@ MAX_ROUNDS = 60
 def missing(cone: Cone, e: Array) -> Array:
     """Part of the loads `e` (k,) on motions and shifts that no contact forces can balance.
 
-    Zero if they can. Forces are sums of edges of the cones; edges are added where what is
-    missing still pulls along them, until none does.
+    Zero if all loads can be balanced. Forces are sums of edges of the cones; edges are added as
+    long as the unbalanced loads have a component along an edge.
     """
     if not np.any(e):
         return np.zeros_like(e)

@@ -37,8 +37,8 @@ class Task:
 class System:
     """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
 
-    `friction` (m,) is mu of each normal row; `rough` (r,) are the normal rows with friction, and
-    the rows m to m + r and m + r to m + 2 r are theirs, tangential and along z.
+    `friction` (m,) is mu of each normal row; `rough` (r,) are the normal rows with friction. The
+    rows m to m + r are their tangential rows, and m + r to m + 2 r their rows along z.
     """
 
     B: Array
@@ -94,7 +94,7 @@ class System:
 
     @cached_property
     def _resisted(self) -> Array:
-        """The part (k, k) of motions that the contact resists; facets alone resist the others."""
+        """The part (k, k) of motions that the contact resists; only facets resist the others."""
         rows = directions(self.D)
         size, motions = np.linalg.eigh(rows.T @ rows)
         resisted = motions[:, size > RESISTED * size.max(initial=0.0)]

@@ -23,7 +23,7 @@ SUPERLU = {
 
 @dataclass(frozen=True, kw_only=True)
 class Piecewise:
-    """J(v) = v A v / 2 - f v + sum_i w_i Psi_i(Z_i v + z_i), where Psi_i' cuts to an interval.
+    """J(v) = v A v / 2 - f v + sum_i w_i Psi_i(Z_i v + z_i); Psi_i' limits a value to an interval.
 
     `A` (n, n) is symmetric, `f` (n,), `Z` (rows, n), `z`, `weight` w, `low` and `high` (rows,);
     `stiffness` (n,) is a positive measure of A and Z.
@@ -43,10 +43,10 @@ class Piecewise:
         return np.clip(self.z + self.Z @ v, self.low, self.high)
 
     def least(self, v: Array) -> tuple[Array, int]:
-        """Place (n,) of the minimum of J, from `v` (n,), and the number of steps.
+        """Point (n,) of the minimum of J, from `v` (n,), and the number of steps.
 
-        Springs to the place before steer the steps, not the result. ArithmeticError if J is
-        not convex, falls without end, or the steps do not converge.
+        Springs to the previous point affect the steps, but not the result. ArithmeticError if J is
+        not convex or has no minimum, or if the steps do not converge.
         """
         for step in range(MAX_STEPS):
             push = self.Z.T @ (self.weight * self.cut(v))

@@ -18,11 +18,12 @@ GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure'
 
 @dataclass(frozen=True)
 class DrivenSector:
-    """Half a sector in balance with the hub, whose force is kappa times that N of the roller.
+    """Half a sector in balance with the hub, whose force is kappa times the force N of the roller.
 
-    The hub's force leans by `phi_1` [rad] from the flat's normal to its middle. `mesh` makes the
-    sector, coarse or fine, with cells for the contacts under a pressure and a hub's force. N is
-    the roller's force under the pressure p, infinite if the hub's lift locks.
+    The force of the hub is inclined by `phi_1` [rad] from the normal of the flat to its middle.
+    `mesh` generates the sector, coarse or fine, with cells for the contacts under a pressure and a
+    force of the hub. N is the force of the roller under the pressure p; it is infinite if the lift
+    of the hub locks.
     """
 
     mesh: Callable[[bool, float, Force], LockedSector]
@@ -37,7 +38,7 @@ class DrivenSector:
 
     @cached_property
     def fine(self) -> LockedSector:
-        """The sector on a mesh for the N of a coarse one; the coarse one if the fine one locks."""
+        """The sector on a mesh for the N of a coarse mesh; the coarse one if the fine one locks."""
         N = self.force_on(self.coarse, self.p)
         return self.mesh(True, self.p, self.push(N)) if isfinite(N) else self.coarse
 
@@ -56,7 +57,7 @@ class DrivenSector:
         return self.fine.at(p, self.push(N))
 
     def force_on(self, sector: LockedSector, p: float) -> float:
-        """Force N of a roller under the pressure `p`, infinite if the hub's lift locks."""
+        """Force N of a roller under the pressure `p`; infinite if the lift of the hub locks."""
 
         def excess(N: float) -> float:
             """Excess of the roller's force over the N that belongs to the hub's force."""
@@ -70,10 +71,11 @@ class DrivenSector:
         return float(brentq(excess, low, high, xtol=CLOSE * high, rtol=CLOSE))
 
     def pressure(self, N: float) -> float:
-        """Pressure under which a roller carries N.
+        """Pressure under which the force of a roller is N.
 
-        On a separate mesh, for which a coarse pressure is enough: on that for another force
-        contacts end anywhere within a cell, which moves the pressure by 1e-6 to 1e-5 at random.
+        On a separate mesh, for which an approximate pressure is sufficient: on the mesh for another
+        force, the contacts would end anywhere in a cell, which changes the pressure by 1e-6 to 1e-5
+        at random.
         """
         p = self._pressure(self.coarse, N)
         return self._pressure(self.mesh(True, p, self.push(N)), N)

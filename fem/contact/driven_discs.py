@@ -1,4 +1,4 @@
-"""Two bodies under given forces: the upper one's cut is moved until the contact carries them."""
+"""Two bodies under given forces: the section of the upper body is displaced until they are met."""
 
 import numpy as np
 
@@ -11,10 +11,10 @@ HIT = 1e-12  # relative to P, within which loads are met
 
 
 class DrivenDiscs:
-    """Two bodies with friction whose cuts move as rigid lines; loads are met by a secant method.
+    """Two bodies with friction whose sections move as rigid lines; a secant method meets the loads.
 
-    `problem` has the boundary "upper.middle", whose motion is prescribed, and one pair of surfaces.
-    P [N/m] presses along -y, and `approach` [m] is about how far it moves the cut.
+    `problem` has the boundary "upper.middle" with prescribed motion, and one pair of surfaces. P
+    [N/m] acts along -y; `approach` [m] is the approximate displacement of the section by P.
     """
 
     def __init__(self, problem: ContactProblem, *, P: float, approach: float) -> None:
@@ -27,10 +27,9 @@ class DrivenDiscs:
         return self.problem.solve(displacements=moved, after=after)
 
     def loaded(self, Q: float, cut: Array, after: ContactSolution) -> tuple[ContactSolution, Array]:
-        """The state under Q and P [N/m], one step on from `after`, and the cut's place.
+        """The state under Q and P [N/m], one step after `after`, and the position of the section.
 
-        `cut` is where to start looking (Broyden's method). NotFoundError if the loads are not
-        met.
+        `cut` is the start of the search (Broyden's method). NotFoundError if the loads are not met.
         """
         target, flexibility = np.array([Q, -self.P]), self.flexibility
         state = self.at(cut, after)
@@ -51,7 +50,7 @@ class DrivenDiscs:
         )
 
     def _press(self, y: float) -> tuple[tuple[ContactSolution, Array], Array]:
-        """The state under P alone, with x held, and a first guess of the flexibility."""
+        """The state under P alone, with x fixed, and an initial estimate of the flexibility."""
         touched = self.at(np.array([0.0, -y]), None)
         y *= self.P / touched.touches[0].normal_force  # secant from the origin
         self.flexibility = np.eye(2) * y / self.P

@@ -10,4 +10,4 @@ class NoEquilibriumError(ArithmeticError, ValueError):
 
 
 class NotFoundError(ArithmeticError):
-    """No equilibrium was found; that does not prove that there is none."""
+    """No equilibrium was found; this does not prove that none exists."""

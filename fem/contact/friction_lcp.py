@@ -23,7 +23,7 @@ SPREAD = 0.5  # relative to the covering vector's entries: breaks ties of symmet
 
 @dataclass(frozen=True)
 class FrictionLcp:
-    """One system under `w_0` (n,), `e` (k,) on springs (k, k), in units of about one."""
+    """A system under `w_0` (n,), `e` (k,) on springs (k, k), scaled to entries of about one."""
 
     system: ContactSystem
     w_0: Array
@@ -66,7 +66,7 @@ class FrictionLcp:
 
     @cached_property
     def vector(self) -> Array:
-        """Q (N,); loads within round-off are none."""
+        """Q (N,); loads at round-off are zero."""
         own, motions = self.system.scales
         e = self.e if np.abs(self.e).max(initial=0.0) > self._round_off else 0 * self.e
         free = motions * e
@@ -79,7 +79,7 @@ class FrictionLcp:
 
     @property
     def _rows(self) -> Array:
-        """Rows of the system: normal ones, then the tangential ones of rough rows."""
+        """Rows of the system: normal rows, then the tangential rows of rows with friction."""
         system = self.system
         return np.concatenate([np.arange(system.friction.size), system.partner[system.rough]])
 

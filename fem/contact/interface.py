@@ -1,4 +1,4 @@
-"""All contact pairs of a problem as one system: gaps, slips and the compliance behind them."""
+"""All contact pairs of a problem as one system: gaps, slips and their compliance."""
 
 from collections.abc import Sequence
 
@@ -48,12 +48,12 @@ class Surfaces:
 
 
 class Interface:
-    """The pairs, where surfaces have moved rigidly by `bases` (all,) from their places in the mesh.
+    """The pairs; surfaces are displaced rigidly by `bases` (all,) from their positions in the mesh.
 
     `rows` (r, all) are the weighted gaps of all pairs, one after the other, then the weighted slips
-    of those with friction; `gaps` (m,) the first without displacement, and `sizes`
-    (m,) the integrals of their hats; `starts` where each pair's
-    rows begin; `kernel` the compliance of all rows.
+    of those with friction. `gaps` (m,) are the weighted gaps without displacement, `sizes` (m,) the
+    integrals of their hat functions, `starts` the first rows of the pairs, and `kernel` the
+    compliance of all rows.
     """
 
     def __init__(
@@ -98,9 +98,9 @@ class Interface:
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 
     def check_held(self, surfaces: Surfaces) -> None:
-        """ValueError if neither supports nor any contact could hold a body.
+        """ValueError if neither supports nor a contact can prevent a motion of a body.
 
-        A round body may spin in a round one: that moves nothing against anything.
+        A round body may rotate in a round hole: this changes no gap.
         """
         k = self.bodies.motions.shape[1]
         if not k:
@@ -155,7 +155,7 @@ class Interface:
         return mortar(slave, master, points, unknowns=bodies.count, depth=depth, obstacle=obstacle)
 
     def _share(self, slave: Trace, master: Trace) -> float:
-        """The slave's part of both plane moduli, 0 where the master is rigid."""
+        """The share of the slave in both plane moduli, 0 if the master is rigid."""
         own = self.bodies.plane_modulus(slave.cells)
         other = self.bodies.plane_modulus(master.cells)
         return own / (own + other)

@@ -1,9 +1,9 @@
 """Lemke's method for linear complementarity problems: w = q + M z, w >= 0, z >= 0, w'z = 0.
 
 An artificial variable z_0 with a positive covering vector d makes q + d z_0 non-negative. Pivots
-exchange complementary variables until z_0 leaves the basis (a solution) or nothing blocks the
-entering variable (a ray). A ray alone does not prove that there is no solution. Source: Cottle,
-Pang and Stone, The Linear Complementarity Problem (1992), algorithm 4.4.5.
+exchange complementary variables until z_0 leaves the basis (a solution) or no variable limits the
+entering variable (a ray). A ray alone does not prove that no solution exists. Source: Cottle, Pang
+and Stone, The Linear Complementarity Problem (1992), algorithm 4.4.5.
 """
 
 import numpy as np
@@ -20,8 +20,8 @@ PIVOTS_PER_ROW = 4
 def lemke(M: Array, q: Array, d: Array) -> Array | None:
     """A solution z (N,) for `M` (N, N), `q` (N,); None after a ray or too many pivots.
 
-    `d` (N,) is the covering vector, positive. The round-off of all pivots is in z: a caller solves
-    the linear system of its basis once more.
+    `d` (N,) is the positive covering vector. z contains the round-off of all pivots; the caller
+    therefore solves the linear system of its basis once more.
     """
     N, size = q.size, float(np.abs(q).max(initial=0.0))
     if np.all(q >= 0):
@@ -46,7 +46,7 @@ def lemke(M: Array, q: Array, d: Array) -> Array | None:
 
 
 def _exchange(tableau: Array, row: int, column: int) -> None:
-    """Exchange the basic variable of `row` with the nonbasic one of `column`, in place."""
+    """Exchange the basic variable of `row` with the nonbasic variable of `column`, in place."""
     pivot, entries = tableau[row, column], tableau[row] / tableau[row, column]
     rates = tableau[:, column].copy()
     rates[row] = 0.0
@@ -58,9 +58,9 @@ def _exchange(tableau: Array, row: int, column: int) -> None:
 
 
 def _blocking(rates: Array, values: Array, artificial: int) -> int:
-    """The row whose basic variable reaches zero first as the entering one grows; -1 for a ray.
+    """The row whose basic variable reaches zero first as the entering one grows; -1: a ray.
 
-    Of rows that reach zero together z_0 leaves first, else the row with the largest pivot.
+    If several reach zero together, z_0 leaves first, otherwise the row with the largest pivot.
     """
     falling = (rates < -PIVOT_TOLERANCE * max(rates.max(), -rates.min())).nonzero()[0]
     if not falling.size:

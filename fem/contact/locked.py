@@ -1,8 +1,8 @@
-"""A pressed sector of a ring with flats, locked against rollers that sit above its flats.
+"""A sector of a ring with flats under pressure, locked against rollers above its flats.
 
-Half a sector between the middle of a flat on the x axis and a corner, in plane stress. The mesh
-touches; the roller's support then moves outward by the clearance, so that gaps stay linear in
-the loads. Forces are per unit width, of the whole roller or hub.
+Half a sector between the middle of a flat on the x axis and a corner, in plane stress. In the mesh,
+the bodies touch; the support of the roller then moves outwards by the clearance, so that gaps are
+linear in the loads. Forces are per unit width, of the whole roller or hub.
 """
 
 from dataclasses import dataclass
@@ -94,10 +94,10 @@ class LockedSector:
         return 2 * self.at(p, hub).touches[0].force[0]
 
     def efficiency(self, p: float) -> tuple[float, float]:
-        """Share of the force of a further pressure on the flat that reaches the roller, its u.
+        """Share of an additional pressure force on the flat that reaches the roller, and its u.
 
-        A cubic over some pressures smooths the steps by which nodes come to touch; the standard
-        uncertainty is the uncertainty of its slope.
+        A cubic polynomial over several pressures smooths the steps by which nodes come into
+        contact; the standard uncertainty is that of its slope.
         """
         side = self.sector.d_i * np.sin(self.sector.half_angle)
         reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)

@@ -1,8 +1,8 @@
-"""Mortar operators of one pair of surfaces: weighted gaps, slips and the forces conjugate to them.
+"""Mortar operators of a pair of surfaces: weighted gaps, slips and the conjugate forces.
 
-The contact traction is piecewise linear on the slave's vertices i, with hat functions phi_i along
-its facets. Normal and tangential weighted gap and the work that they do with the traction use the
-same integrals, over segments that no facet of either side interrupts:
+The contact traction is piecewise linear between the vertices i of the slave, with hat functions
+phi_i along its facets. The weighted gaps, normal and tangential, and the work of the traction use
+the same integrals, over segments within one facet of each side:
 
     g_i = int phi_i (gap + n . (u_m - u_s)),    s_i = int phi_i t . (u_m - u_s),
 
@@ -26,10 +26,10 @@ BARE = 1e-9  # over the integral of a hat: less than that over the segments carr
 class Mortar:
     """Operators of a pair; m slave vertices carry its traction.
 
-    `x` (2, m): their places; `arc` (m,): how far
-    along the surface; `hats` (points, m): phi_i; `normal`, `tangential`
-    (points, unknowns): n . (u_m - u_s) and t . (u_m - u_s) of displacements; `weight` (points,)
-    [area]; `size` (m,): the integrals of the hats.
+    `x` (2, m) are their positions, `arc` (m,) the arc lengths along the surface, `hats` (points, m)
+    the phi_i. `normal` and `tangential` (points, unknowns) are n . (u_m - u_s) and t . (u_m - u_s)
+    of displacements, `weight` (points,) [area] the weights, `size` (m,) the integrals of the hat
+    functions.
     """
 
     points: Points
@@ -62,10 +62,10 @@ def mortar(
     depth: Array,
     obstacle: tuple[int, tuple[float, float]] = (0, (0.0, 0.0)),
 ) -> Mortar:
-    """Operators at `points` with `depth` (points,), thickness or circumference, of each.
+    """Operators at `points`, with the `depth` (points,) of each: thickness or circumference.
 
-    Without a master mesh, `obstacle` gives the first of the rigid shape's three unknowns (shift
-    x, y, rotation) and the point it turns about.
+    Without a master mesh, `obstacle` gives the first of the three unknowns of the rigid shape
+    (shift x, y, rotation) and its centre of rotation.
     """
     count = points.s.size
     rows = np.arange(count)

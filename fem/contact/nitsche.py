@@ -1,18 +1,18 @@
-"""Contact by Nitsche's method, for comparison: no multipliers, the stress of the bodies presses.
+"""Contact by Nitsche's method, for comparison: without multipliers, by the stress of the bodies.
 
-With P u the pressure that the slave's stresses exert along the direction of contact and g(u) the
-gap, contact is p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both hold where
+With P u the pressure by the stresses of the slave along the direction of contact, and g(u) the gap,
+the contact conditions are p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both are met if
 
     J(u) = a(u, u)/2 - f(u) + int gamma/2 ([P u - g(u)/gamma]_+^2 - (P u)^2)
 
-is least, so that gamma = alpha h/(lambda + 2 mu), h the depth of a cell, costs no order (Chouly and
-Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is convex unless alpha is too large.
-Coulomb's friction cuts P_t u - s(u)/gamma, s the slip, to +-mu p, with the pressure p of the
-iteration before, so that each J is convex (Tresca's friction).
+is minimal; therefore, gamma = alpha h/(lambda + 2 mu) with the depth h of a cell does not reduce
+the order (Chouly and Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is convex unless alpha
+is too large. Coulomb's friction limits P_t u - s(u)/gamma, with the slip s, to +-mu p. Here p is
+the pressure of the previous iteration, so that each J is convex (Tresca's friction).
 
-Pairs, integration points and body stiffness are as in `ContactProblem.solve`. The space of the
-tractions, the condensed system and the active sets are not used: tractions are found at the
-points, from the sparse system of all unknowns.
+Pairs, integration points and body stiffness are those of `ContactProblem.solve`. The space of the
+tractions, the condensed system and the active sets are not used: tractions are computed at the
+integration points, from the sparse system of all unknowns.
 """
 
 from collections.abc import Iterable, Mapping
@@ -52,22 +52,23 @@ def solve_nitsche(
     Parameters
     ----------
     problem
-        What faces a master of a slave's surface belongs to one pair alone and carries no
-        other load. At the edge of contact the pressure is smoothest where the slave is the softer
-        body, or its facets are the shorter ones.
+        Each part of a slave's surface opposite a master must belong to one pair only and carry no
+        other load. At the edge of contact, the pressure is smoothest if the slave is the softer
+        body or has the shorter facets.
     alpha
-        The weight of the stress against the gap: 0.01 to 0.1. With less the pressure oscillates.
+        The weight of the stress against the gap, 0.01 to 0.1. If it is smaller, the pressure
+        oscillates.
     after
-        The step before, from which friction continues.
+        The previous step, from which friction continues.
 
     Raises
     ------
     ValueError
-        For slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and bodies
-        that start with too large a gap.
+        For invalid slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and
+        bodies with too large an initial gap.
     ArithmeticError
-        If `alpha` is too large, where loads move a body that nothing holds, and where the
-        iteration does not converge.
+        If `alpha` is too large, if loads move a body without supports, or if the iteration does not
+        converge.
     """
     if not 0 < alpha < np.inf:
         raise ValueError(f"alpha must be positive and finite, got {alpha:g}")
@@ -145,7 +146,7 @@ def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
 
 
 def _check_gap(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
-    """ValueError if surfaces that touch were paired too far from each other."""
+    """ValueError if surfaces in contact were paired at too large a distance."""
     s = problem.surfaces
     for pair, slave, master, touch in zip(s.pairs, s.slaves, s.masters, touches, strict=True):
         bend = slave.curvature() + (0.0 if master is None else master.curvature())

@@ -15,12 +15,12 @@ from fem.plane.geometry import jacobians
 
 @dataclass(frozen=True, kw_only=True)
 class Rows:
-    """Rows at the n integration points of all pairs, and again tangential ones of rough pairs.
+    """Rows at the n integration points of all pairs, then tangential rows of pairs with friction.
 
-    `stress`, `motion` (rows, unknowns): traction [stress] of the slave's stress, and gap or
-    slip [length] of displacements; `start` (rows,): gap or slip without displacement; `gamma`
-    (rows,) [length/stress], `weight` (rows,) [area]; `friction` (n,); `rough` (rows - n,): which
-    of the n points the tangential rows belong to.
+    `stress` and `motion` (rows, unknowns) give the traction [stress] by the slave's stress, and the
+    gap or slip [length], of displacements. `start` (rows,) is the gap or slip without displacement;
+    `gamma` (rows,) [length/stress], `weight` (rows,) [area], `friction` (n,). `rough` (rows - n,)
+    are the points of the tangential rows.
     """
 
     stress: csr_array

@@ -18,10 +18,10 @@ from fem.plane.solution import PlaneSolution
 
 @dataclass(frozen=True)
 class PointTouch(Touch):
-    """A touch whose tractions are found at the integration points.
+    """Contact of a pair with tractions at the integration points.
 
-    Those at the nodes are their best fit by the mortar's hat functions; a node is closed or sticks
-    where most of the surface about it does.
+    Tractions at the nodes are their best approximation by the hat functions of the mortar method. A
+    node is closed or sticks if most of the surface about it does.
     """
 
     @property

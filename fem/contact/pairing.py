@@ -1,9 +1,9 @@
-"""Pairing of surfaces: the segments of a slave surface, each opposite one facet of the master.
+"""Pairing of surfaces: segments of a slave surface, each opposite to one facet of the master.
 
-Both the gap and the contact traction run along one direction n, the normal of the surface on which
-the deformed bodies will meet: n ~ c_1 n_1 - c_2 n_2, with the outward normals of slave and master
-weighted by the bodies' plane moduli, for the stiffer body bends the softer one. With n_1 of a round
-slave alone, Hertz's pressure would be off by the order of a/R instead of its square.
+Gap and contact traction have the same direction n, the normal of the surface on which the deformed
+bodies meet: n ~ c_1 n_1 - c_2 n_2. The outward normals of slave and master are weighted by the
+plane moduli of the bodies, because the stiffer body bends the softer one. With n_1 of a round slave
+alone, the error of Hertz's pressure would be of the order a/R instead of (a/R)^2.
 """
 
 from dataclasses import dataclass
@@ -75,7 +75,7 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
 
 
 def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices, t: Array) -> Array:
-    """Whether points `s` on `k` see those at `t` on `opposite` only through the same body."""
+    """Whether rays from points `s` on `k` to `t` on `opposite` pass only through the same body."""
     x = slave.places(k, s)
     gap = ((ray.master.places(opposite, t) - x) * slave.normals(k, s)).sum(axis=0)
     behind = np.flatnonzero(gap < 0)
@@ -123,7 +123,7 @@ def _segments(ray: "_Ray") -> tuple[Indices, Array, Array]:
 
 
 class _Ray:
-    """Rays from the slave along the direction of contact, and where they meet the master."""
+    """Rays from the slave along the direction of contact, and intersections with the master."""
 
     def __init__(self, slave: Trace, master: Trace, share: float) -> None:
         self.slave, self.master, self.share = slave, master, share
@@ -139,7 +139,7 @@ class _Ray:
         return cross(self.direction(k, s, j, t), d)
 
     def refine(self, k: Indices, s: Array, j: Indices) -> Array:
-        """Parameters t (m,) at which the rays from `s` meet the facets `j`, prolonged."""
+        """Parameters t (m,) at which the rays from `s` intersect the extended facets `j`."""
         return self._root(lambda t: self.miss(k, s, j, t), k.size)
 
     def breaks(self) -> tuple[Indices, Array]:
@@ -157,7 +157,7 @@ class _Ray:
         return k[inside], s[inside]
 
     def cast(self, k: Indices, s: Array) -> tuple[Indices, Array]:
-        """The nearest master facet (m,) that the rays from `s` on `k` meet, -1 for none, and t."""
+        """The nearest master facet (m,) on the rays from `s` on `k`, -1 for none, and t."""
         facet, t = np.full(k.size, -1), np.zeros(k.size)
         x, n = self.slave.places(k, s), self.slave.normals(k, s)
         hit, point = self._between(self._ends(self.master), x, n, 1.0)
@@ -178,9 +178,9 @@ class _Ray:
         return np.array([a[0] for a in at]), np.array([a[1] for a in at])
 
     def _between(self, ends, x: Array, n: Array, side: float) -> tuple[Indices, Indices]:
-        """Facets with `ends`, and points `x`, `n` of the other surface on rays between these.
+        """Facets with `ends`, and points `x`, `n` of the other surface on rays between these ends.
 
-        `side` is 1 where the points are the slave's, -1 where the facets are.
+        `side` is 1 if the points belong to the slave, -1 if the facets do.
         """
         places, normals = ends
         own, other = (self.share, 1 - self.share) if side > 0 else (1 - self.share, self.share)

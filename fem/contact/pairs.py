@@ -33,21 +33,21 @@ class Obstacle:
 
     @property
     def centre(self) -> tuple[float, float]:
-        """The point that it turns about."""
+        """The centre of rotation."""
         return self.shape.centre if isinstance(self.shape, Circle) else self.shape.point
 
 
 @dataclass(frozen=True, kw_only=True)
 class Pair:
-    """Two surfaces that may touch, by boundary name; the master may be an obstacle's.
+    """Two surfaces that may touch, by boundary name; the master may be the surface of an obstacle.
 
-    The traction is carried by the slave's nodes: let the slave have the finer mesh or the smaller
-    surface. `friction` is Coulomb's coefficient. The shapes are exact ones of the meshed
-    boundaries, so that facets do not enter the gap. `interference` [length] is taken off the gap
-    everywhere; `press_fit` accepts surfaces that overlap in the mesh. `normal` is the direction of
-    gap and pressure: normal to the surface "between" the deformed bodies, on which they meet, or to
-    the "master", if a body slides along a flat with constant inclination. ValueError for negative
-    friction, infinite interference, or a surface paired with itself.
+    The nodes of the slave carry the traction; the slave should have the finer mesh or the smaller
+    surface. `friction` is Coulomb's coefficient. The shapes are exact shapes of the meshed
+    boundaries: facets then do not affect the gap. `interference` [length] is subtracted from the
+    whole gap; `press_fit` permits surfaces that overlap in the mesh. `normal` is the direction of
+    gap and pressure: the normal of the surface "between" the deformed bodies, on which they meet,
+    or of the "master", for a body that slides along a flat of constant inclination. ValueError for
+    negative friction, infinite interference, or a surface paired with itself.
     """
 
     slave: str

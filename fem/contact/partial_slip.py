@@ -23,10 +23,10 @@ def stick_share(touch: Touch) -> float:
 
 
 def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
-    """Value at k = `at` of a cubic through the samples around it, its uncertainty, and a sample's.
+    """Value at k = `at` of a cubic through nearby samples, its uncertainty, and a sample's.
 
-    As the slip strips grow, nodes start to slip one by one; the value jitters with the place of the
-    strip's end between two nodes.
+    As the slip zones grow, nodes start to slip one by one; the value therefore varies with the
+    position of the end of the zone between two nodes.
     """
     chosen = np.abs(k - at) <= window
     A = np.vander((k[chosen] - at) / window, 4)
@@ -63,10 +63,10 @@ def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
 
 
 def order_in_steps(x: Array, Q: Array, work: float) -> tuple[float, float]:
-    """Order in which straight lines between a loop's steps approach its area, and the finer error.
+    """Order of convergence of the area of a loop by straight steps, and its finer error.
 
-    Against friction's `work`, which is exact for any steps: a node slips under mu p alone, however
-    far.
+    The reference is the `work` of friction, which is exact for any steps: the friction force of a
+    slipping node is always mu p.
     """
     coarse, fine = (abs(abs(float(np.trapezoid(Q[::n], x[::n]))) - work) for n in (4, 2))
     return float(np.log2(coarse / fine)), float(fine)

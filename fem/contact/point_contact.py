@@ -1,4 +1,4 @@
-"""Point contacts of bodies of revolution: the load that is met, and stresses near the axis."""
+"""Point contacts of bodies of revolution: approach for a given load, and stresses near the axis."""
 
 import numpy as np
 
@@ -19,9 +19,9 @@ def push(state: ContactSolution) -> float:
 def at_load(
     problem: ContactProblem, P: float, approach: float, state: ContactSolution
 ) -> tuple[float, ContactSolution]:
-    """Approach [m] at which the force is `P`, by secants from a state at `approach`.
+    """Approach [m] at which the force is `P`, by the secant method from a state at `approach`.
 
-    The boundary "upper.middle" is moved along -y. NotFoundError if the load is not met.
+    The boundary "upper.middle" is displaced along -y. NotFoundError if the load is not met.
     """
     force, step = push(state), 0.6 * approach * (P / push(state) - 1)
     for _ in range(STEPS):
@@ -36,9 +36,9 @@ def at_load(
 
 
 def middle_pressure(r: Array, p: Array, a: float) -> float:
-    """Pressure in the middle: sqrt(1 - r²/a²) (b + c r²/a²) fitted to that on the inner half.
+    """Pressure in the middle: sqrt(1 - r²/a²) (b + c r²/a²), fitted on the inner half.
 
-    The one node on the axis carries next to no area, and its pressure scatters.
+    The pressure of the node on the axis is inaccurate, because its area is nearly zero.
     """
     s = r[r < a / 2] / a
     ellipse = np.sqrt(1 - s**2)
@@ -53,10 +53,10 @@ def axis_stresses(state: ContactSolution, y: Array) -> tuple[Array, Array]:
 
 
 def largest_axis_shear(x: Array, stress: Array, a: float) -> tuple[float, float]:
-    """Largest shear stress on the axis and its depth over `a`.
+    """Largest shear stress on the axis, and its depth over `a`.
 
-    Of a polynomial, even in r, through (sigma_r - sigma_z)/2 at the points `x` (2, m) about there:
-    single stresses jump from cell to cell.
+    It is that of a polynomial, even in r, through (sigma_r - sigma_z)/2 at the points `x` (2, m)
+    near the axis: single stresses are discontinuous between cells.
     """
     r, z = x[0] / a, np.abs(x[1]) / a
     near = (r < WIDE) & (z > ABOUT[0]) & (z < ABOUT[1])

@@ -1,8 +1,8 @@
-"""Two bodies of a line contact pushed together until the contact carries a given load.
+"""Two bodies of a line contact, pressed together until the contact carries a given load.
 
-The cut through a disc's centre that moves as a rigid line makes the quarter an exact part of a
-disc pressed from both sides. Plane problems without friction, symmetric about x = 0, that touch at
-the origin and are pushed along y. Any consistent units; docstrings state those of SI.
+The section through the centre of a disc moves as a rigid line; the quarter is therefore an exact
+part of a disc pressed from both sides. Plane problems without friction, symmetric about x = 0, with
+contact at the origin and displacement along y. Any consistent units; docstrings state SI units.
 """
 
 from collections.abc import Callable
@@ -34,12 +34,12 @@ class PressedLine:
         self, build: Build, level: int, *, P: float, guess: float, arc: float, softness: float,
         cut: str,
     ) -> None:  # fmt: skip
-        """`build(zone, cells, refine)` sets the problem up; `cut` is the boundary pushed down.
+        """`build(zone, cells, refine)` defines the problem; the boundary `cut` is displaced.
 
-        `guess` [m] is about the half-width, `arc` [m] the radius along which cells are even.
+        `guess` [m] is about the half-width; `arc` [m] is the radius along which cells are equal.
 
-        A coarse solution finds where the contact ends; the meshes have a vertex there, so that
-        the levels differ in nothing but their size.
+        A coarse solution finds the edge of the contact; the meshes have a vertex there, so that the
+        levels differ only in their size.
         """
         self.P, self.guess, self.cut = P, guess, cut
         self.start, self.softness, self.level = P * softness, softness, level
@@ -77,10 +77,11 @@ class PressedLine:
         return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:
-        """Round-off of one of the values [its unit].
+        """Round-off of one of the values [unit of the value].
 
-        Nodes on a circle are rounded on the scale of the largest coordinate x: over a cell of the
-        size h that is a strain x eps/h, and a pressure of that over the softness of both bodies.
+        Coordinates of nodes on a circle are rounded relative to the largest x. Over a cell of size
+        h, this is a strain x eps/h, and a pressure of this strain over the compliance of both
+        bodies.
         """
         largest = float(abs(self.solution.plane.basis.mesh.p).max())
         cell = ZONE * self.a / (CELLS * self.level)
@@ -114,7 +115,7 @@ class PressedLine:
         return float(fit(top)), top * self.a
 
     def _under_load(self) -> tuple[ContactSolution, float]:
-        """The state that carries P and how far the cut has moved, by a secant method."""
+        """The state under the load P and the displacement of the section, by the secant method."""
         before, now = self.start, 3 * self.start
         missing = self._missing(before)[1]
         for _ in range(MOST):

@@ -8,13 +8,13 @@
     pressed = problem.solve(forces={"disc.top": (0, -1e5)})
     pushed = problem.solve(forces={"disc.top": (1e4, -1e5)}, after=pressed)
 
-Strains and rotations are small. Bodies with an initial gap are first moved together rigidly; from
-there on surfaces slide by little against their radii. Pressures of nearly incompressible bodies
-(nu above 0.48) alternate from node to node, as displacements of any one degree have it; their
-resultants and half-widths do not suffer.
+Strains and rotations are small. Bodies with an initial gap are first moved together rigidly;
+afterwards, surfaces slide by small distances relative to their radii. For nearly incompressible
+bodies (nu above 0.48), pressures alternate from node to node, as for all displacements of one
+degree; their resultants and half-widths are not affected.
 
-With `along=Along(supports={"block.bottom": 0.0})` bodies in plane strain move along the third axis
-too, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`, and friction has one cone for both
+With `along=Along(supports={"block.bottom": 0.0})`, bodies in plane strain also move along the third
+axis, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`; friction then has one cone for both
 directions.
 """
 
@@ -93,7 +93,7 @@ class ContactProblem:
         Parameters
         ----------
         mesh
-            All bodies in one mesh, not joined where they touch; names in `mesh.boundaries` and
+            All bodies in one mesh, not joined at the contacts; names in `mesh.boundaries` and
             `mesh.subdomains`.
         materials
             One material, or one for each body named in `mesh.subdomains`, `Rigid()` among them.
@@ -102,15 +102,15 @@ class ContactProblem:
         contacts
             Pairs of boundaries; a boundary may appear in several.
         supports, anchors
-            As for `solve_plane`. Bodies may lack supports where contact and loads hold them.
+            As for `solve_plane`. Bodies supported by contact and loads need no supports.
         obstacles
             Rigid surfaces without a mesh, by name.
         ties, means
-            As for `solve_plane`: cuts of cyclic sectors; boundaries whose mean motion is prescribed
-            while they deform freely.
+            As for `solve_plane`: sections of cyclic sectors; boundaries with prescribed mean motion
+            that deform freely.
         along
-            What holds bodies along the third axis, z, where they may move along it: in plane
-            strain, u_z(x, y) and friction whose two components share one bound.
+            Supports along the third axis z, if bodies may move along it: u_z(x, y) in plane strain,
+            and friction with one limit for both components.
         thickness
             Out-of-plane length; forces refer to it.
         degree
@@ -119,8 +119,8 @@ class ContactProblem:
         Raises
         ------
         ValueError
-            For unknown names, wrong values, surfaces that overlap unasked or do not face each
-            other, folded cells, and bodies that neither supports nor contact hold.
+            For unknown names, wrong values, surfaces that overlap without `press_fit` or do not
+            face each other, folded cells, and bodies without sufficient supports or contacts.
         """
         if not contacts:
             raise ValueError("a contact problem needs a pair of surfaces, got none")
@@ -160,7 +160,7 @@ class ContactProblem:
         after: ContactSolution | None = None,
         steps: int = 1,
     ) -> ContactSolution:
-        """The equilibrium under these loads, which replace the loads of the step `after`.
+        """Equilibrium under these loads, which replace the loads of the step `after`.
 
         Parameters
         ----------
@@ -172,25 +172,27 @@ class ContactProblem:
         displacements
             New values of supports, by boundary, with components that these hold; motions of
             obstacles such as {"anvil": {"y": -1e-5}}, mean motions such as {"rim": {"r": 1e-3}}.
-            What is not named has its first value.
+            A name that is not given has its first value.
         axial_forces, axial_displacements
             Along the third axis, with `along`: total uniform forces on boundaries, or on
             obstacles that are free along it; new values of supports along it.
         after
-            The step before, from which friction continues.
+            The previous step, from which friction continues.
         steps
-            Even shares in which everything changes from `after`, or from nothing. Friction depends
-            on the path: pressing unlike bodies together takes some 20, or as many `solve`.
-            Within a share, slip counts from where a gap closes.
+            Number of equal shares in which all loads change from `after`, or from zero. Friction
+            depends on the path: pressing bodies of different materials together requires about 20
+            steps, or as many calls of `solve`. In each share, slip is counted from the closure of a
+            gap.
 
         Raises
         ------
         ValueError
             For unknown names and wrong values.
         NoEquilibriumError
-            For loads that no contact forces balance: proven, they move a body. Also a ValueError.
+            If it is proven that no contact forces balance the loads: they move a body. Also a
+            ValueError.
         NotFoundError
-            If no state of rest was found. That proves nothing about the bodies.
+            If no state of rest was found. This proves nothing about the bodies.
         """
         actions = [
             *self.loads.actions(
@@ -225,7 +227,7 @@ class ContactProblem:
     def _step(
         self, actions: list[Action], pull: Pull | None, after: ContactSolution | None
     ) -> ContactSolution:
-        """Equilibrium under `actions`, paired where bodies with an initial gap meet."""
+        """Equilibrium under `actions`, paired at the positions at which bodies with a gap meet."""
         interface = self.interface if after is None else after.interface
         found = self._equilibrium(actions, pull, interface, after)
         for _ in range(MAX_APPROACHES):
@@ -274,7 +276,7 @@ class ContactProblem:
         return found
 
     def _no_gap(self, interface: Interface) -> Array:
-        """Weighted gaps (m,) up to which surfaces touch, but for round-off."""
+        """Weighted gaps (m,) up to which surfaces touch, except for round-off."""
         extent = float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
         return GAP_TOLERANCE * extent * interface.sizes
 
@@ -289,11 +291,11 @@ class ContactProblem:
     def _closes(
         self, interface: Interface, w: Array, after: ContactSolution | None
     ) -> tuple[Indices, Array]:
-        """Normal rows with friction whose gaps close of themselves, and the share at which they do.
+        """Normal rows with friction whose gaps close under load, and the share of the load.
 
-        Other contact forces stay as they are for that, and the rest of `w` grows linearly. Nodes of
-        a pair that touches already stick or slip from where they are, and so do those of bodies
-        that only contact holds: how these move is not known beforehand.
+        It is assumed that other contact forces are constant and that the rest of `w` grows
+        linearly. Nodes of a pair that already touches stick or slip from their present positions,
+        and so do nodes of bodies supported by contact only: their motion is not known beforehand.
         """
         kernel, m = interface.kernel, interface.gaps.size
         gaps, touching = interface.gaps, interface.gaps <= self._no_gap(interface)
@@ -309,7 +311,7 @@ class ContactProblem:
         self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips of surfaces with an open gap, on from `slips`, until a gap closes at its share."""
+        """Slips of surfaces with an open gap, from `slips` until a gap closes at its share."""
         kernel, m, (closes, share) = interface.kernel, interface.gaps.size, closing
         rows = kernel.partner[closes]
         found = np.zeros(slips.size)
@@ -317,10 +319,10 @@ class ContactProblem:
         return found
 
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
-        """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought together.
+        """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought into contact.
 
-        Friction acts from this state; sliding before contact needs no force. Bodies that
-        overlap from the start, or that no load moves, stick from where they are.
+        Friction acts from this state on; sliding before contact requires no force. Bodies that
+        overlap from the start, or that no load moves, stick at their positions.
         """
         kernel, m, smooth = interface.kernel, interface.gaps.size, interface.kernel.smooth()
         slips = np.zeros(w.size - m)
@@ -350,10 +352,10 @@ class ContactProblem:
         return self._shifts[key]
 
     def _check_small(self, found: ContactSolution, after: ContactSolution | None) -> None:
-        """NotFoundError if bodies move by far more than they deform and gaps that they close.
+        """NotFoundError if bodies move by much more than their deformations and closed gaps.
 
-        Only the facets of the mesh stop such motions; the assumption of small motions has ended.
-        Motions count from the step before, and deformations of both steps.
+        Only the facets of the mesh stop such motions; the assumption of small motions is violated.
+        Motions are measured from the previous step, and deformations are those of both steps.
         """
         rest = found.rest
         if not (rest.motion.size and np.any(rest.multipliers)):

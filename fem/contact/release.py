@@ -1,7 +1,7 @@
-"""Contact of bodies that only contact holds: rigid motions on springs that are released.
+"""Contact of bodies supported by contact only: rigid motions on springs that are released.
 
-Springs hold the motions to where they are; on strong springs there is one solution. Ever weaker
-ones follow it, until nothing pulls at them.
+Springs resist the motions; on stiff springs, the solution is unique. A sequence of ever weaker
+springs follows this solution until they carry no load.
 """
 
 from dataclasses import dataclass, field
@@ -25,10 +25,10 @@ ACCEPTED_RESIDUAL = 1e-9
 
 @dataclass(frozen=True)
 class Release:
-    """The method for one system under `w_0` (n,), `e` (k,).
+    """The method of released springs for a system under `w_0` (n,), `e` (k,).
 
-    `changes` counts the rows that changed their state, exchange by exchange; `pivoted` the
-    solutions that Lemke's method found.
+    `changes` lists the number of rows that changed their state in each exchange; `pivoted` is the
+    number of solutions by Lemke's method.
     """
 
     system: ContactSystem
@@ -39,9 +39,9 @@ class Release:
     finer: float = 1.0  # factor of the tolerances of states
 
     def rest(self, states: States, springs: tuple[float, ...]) -> Solution:
-        """The solution from given states, on ever weaker springs, then on none.
+        """The solution from given states, on ever weaker springs, then without springs.
 
-        NotFoundError if none of the methods solves a step, or motions keep growing.
+        NotFoundError if none of the methods solves a step, or if motions continue to grow.
         """
         system, motion = self.system, np.zeros(self.system.D.shape[1])
         for share in springs if motion.size else (0.0,):

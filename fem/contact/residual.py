@@ -15,8 +15,8 @@ TRAVEL_SHARE = 1e-5  # round-off of a gap relative to gaps and travel
 class Residual:
     """Largest violation of each law, dimensionless.
 
-    Forces are measured against the largest contact force; where no load acts on the bodies, so that
-    they may separate, at least against a part of the forces that would close the overlaps.
+    Forces are relative to the largest contact force. If no load acts on the bodies, so that they
+    may separate, they are relative to at least a part of the forces that would close the overlaps.
     `gap`: overlap over the elastic approach of a row under the largest contact force.
     `complementarity`: pressure across an open gap, over the largest contact force.
     `friction`: tangential traction less its projection on Coulomb's bounds, over the same.

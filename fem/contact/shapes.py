@@ -48,8 +48,8 @@ class Motion:
     def displacement(self, x: Array) -> Array:
         """Displacements (2, m) of points `x` (2, m).
 
-        The turn is a true one: linear in the angle, a circle's centre would leave its surface by
-        half the square of the angle times its radius.
+        The rotation is exact, not linear in the angle: otherwise, points would leave the surface by
+        half the square of the angle times the radius.
         """
         arm = x - np.reshape(self.about, (2, 1))
         sine, versine = math.sin(self.angle), 2 * math.sin(self.angle / 2) ** 2
@@ -58,7 +58,7 @@ class Motion:
 
     @classmethod
     def fitted(cls, x: Array, u: Array) -> "Motion":
-        """The motion that comes nearest to displacements `u` (2, m) of points `x` (2, m)."""
+        """The rigid motion nearest to displacements `u` (2, m) of points `x` (2, m)."""
         about, shift = x.mean(axis=1), u.mean(axis=1)
         x, u = x - about[:, None], u - shift[:, None]
         sine, cosine = float((x[0] * u[1] - x[1] * u[0]).sum()), float((x * (x + u)).sum())
@@ -130,9 +130,9 @@ class Circle:
 
 @dataclass(frozen=True)
 class Spiral:
-    """The turn of rho = `radius` exp(`growth` (angle - `start`)) nearest to `start`, about `pole`.
+    """The spiral rho = `radius` exp(`growth` (angle - `start`)) about `pole`, near `start`.
 
-    Angles [rad] count anticlockwise from +x; the body is on the pole's side.
+    Angles [rad] are positive anticlockwise from +x; the body is on the side of the pole.
     """
 
     pole: tuple[float, float]

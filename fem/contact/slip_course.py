@@ -1,4 +1,4 @@
-"""Courses of two bodies driven sideways under a held load: a first push, and a swing to and fro."""
+"""Load paths of two bodies under a constant normal load: first tangential loading, and a cycle."""
 
 from dataclasses import dataclass
 

@@ -23,12 +23,12 @@ STICKING_TOLERANCE = 1e-9  # relative to the normal force: less on sticking node
 class Touch:
     """Contact state of the two surfaces of a pair.
 
-    At the slave's m nodes, one after the other along the surface: `x` (2, m), `arc` (m,) [length]
-    from its start, `pressure`, `traction` (m,) [stress] (along the normal
-    from slave to master turned by +90 deg, as it acts on the master), `gap`, `slip` (m,) [length]
-    (weighted means about each node; slip since the step before), `closed`, `sticks` (m,);
-    `traction_z`, `slip_z` (m,) along the third axis, zero in the plane.
-    At the integration points: `points`, `p`, `q`, `q_z` (n,) and `weight` (n,) [area].
+    At the m nodes of the slave, in order along the surface: `x` (2, m), `arc` (m,) [length] from
+    its start, `pressure`, `traction` (m,) [stress] on the master (along the normal from slave to
+    master rotated by +90°), `gap`, `slip` (m,) [length] (weighted means about each node; slip since
+    the previous step), `closed`, `sticks` (m,); `traction_z`, `slip_z` (m,) along the third axis,
+    zero for plane problems. At the integration points: `points`, `p`, `q`, `q_z` (n,) and `weight`
+    (n,) [area].
     """
 
     x: Array
@@ -166,7 +166,7 @@ class ContactSolution:
 
     @property
     def slides(self) -> bool:
-        """Whether some pair slides as a whole, or has lost its contact: no loaded node sticks."""
+        """Whether a pair slides as a whole or has lost its contact: no loaded node sticks."""
         return any(touch.sticking_share <= STICKING_TOLERANCE for touch in self.touches)
 
     @cached_property

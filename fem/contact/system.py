@@ -1,13 +1,13 @@
 """The condensed contact problem: weighted gaps and slips that depend linearly on tractions.
 
-Unknown are the multipliers l = (normal, tangential) and amplitudes a of the rigid motions that
-only contact holds. Weighted gaps and slips depend on them linearly, and the motions' equilibrium
-closes the system:
+The unknowns are the multipliers l = (normal, tangential) and the amplitudes a of rigid motions of
+bodies supported by contact only. Weighted gaps and slips are linear in them, and the equilibrium of
+the motions completes the system:
 
     w = w_0 + B l + D a,    e + D' l = 0.
 
-Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. Tangential rows, each beside a normal one:
-|l_t| <= mu l_n, and l_t opposes w_t where it reaches that bound.
+Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. Tangential rows, each with a normal row: |l_t| <= mu
+l_n; at this bound, l_t opposes w_t.
 """
 
 from dataclasses import dataclass
@@ -45,8 +45,8 @@ def directions(D: Array) -> Array:
 class ContactSystem:
     """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
 
-    `friction` (m,) is mu of each normal row; row `partner` (m,) is its tangential one, or -1.
-    `part` (m,) numbers the surface that a normal row belongs to; rows follow each other along it.
+    `friction` (m,) is mu of each normal row; `partner` (m,) is its tangential row, or -1. `part`
+    (m,) is the number of the surface of a normal row; rows follow each other along it.
     """
 
     B: Array
@@ -77,7 +77,7 @@ class ContactSystem:
 
     @cached_property
     def scales(self) -> tuple[Array, Array]:
-        """Units (n,) of multipliers and (k,) of motions, in which the system is about one."""
+        """Units (n,) of multipliers and (k,) of motions that make the system about one."""
         own = 1 / self.reach
         felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
         return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
@@ -90,9 +90,9 @@ class ContactSystem:
 
     @cached_property
     def motions(self) -> tuple[Array, Array]:
-        """Motions (k, .) that the contact resists, and neutral ones that it hardly resists.
+        """Motions (k, .) that the contact resists, and neutral motions with hardly any resistance.
 
-        A smooth pin in a hole may turn: facets alone resist that.
+        A smooth pin in a hole may rotate: only facets resist this motion.
         """
         rows = directions(self.D)
         size, motions = np.linalg.eigh(rows.T @ rows)
@@ -100,14 +100,14 @@ class ContactSystem:
         return motions[:, resisted], motions[:, ~resisted]
 
     def springs(self, share: float) -> Array:
-        """Springs (k, k) on rigid motions; those on neutral ones stay as they are."""
+        """Springs (k, k) on rigid motions; springs on neutral motions are unchanged."""
         resisted, neutral = self.motions
         return self.stiffness * (
             share * resisted @ resisted.T + STAYING * neutral @ neutral.T
         )  # fmt: skip
 
     def loads_at_round_off(self, w_0: Array) -> float:
-        """Loads on motions that round-off of `w_0` (n,) makes."""
+        """Loads on motions that are caused by the round-off of `w_0` (n,)."""
         closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
         return LOAD_TOLERANCE * closing * float(self.arms.max(initial=0.0))
 
@@ -116,13 +116,13 @@ class ContactSystem:
         return float(np.abs(e).max(initial=0.0)) <= self.loads_at_round_off(w_0)
 
     def without_round_off(self, w_0: Array) -> Array:
-        """`w_0` (n,) with zeros for gaps that round-off of all gaps and slips may make."""
+        """`w_0` (n,) with zero for each gap within the round-off of all gaps and slips."""
         size = self.scales[0] * np.abs(w_0)
         normal = np.arange(w_0.size) < self.friction.size
         return np.where(normal & (size <= GAP_TOLERANCE * size.max(initial=0.0)), 0.0, w_0)
 
     def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
-        """Unbalanced loads on the rigid motions, and the size of the forces there."""
+        """Unbalanced loads on the rigid motions, and the magnitude of the forces on them."""
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
         missed = np.abs(self.motions[0].T @ (e + self.D.T @ multipliers))
         return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
@@ -130,7 +130,7 @@ class ContactSystem:
     def missing(self, e: Array) -> Array:
         """Part of the loads `e` (k,) on rigid motions that no contact forces can balance.
 
-        Zero if they can, to round-off.
+        Zero if all can be balanced, to round-off.
         """
         m, (resisted, neutral) = self.friction.size, self.motions
         if not np.any(e):
@@ -161,7 +161,7 @@ class ContactSystem:
         return np.asarray(np.cumsum(along % group == 0) - 1)
 
     def smooth(self, group: int = 1) -> Self:
-        """System without friction, and with `group` rows of a surface at a time in one."""
+        """System without friction, with `group` rows of a surface combined into one row."""
         if group not in self._smoothed:
             start = np.flatnonzero(np.diff(self.groups(group), prepend=-1))
             m = self.friction.size

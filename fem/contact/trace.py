@@ -1,4 +1,4 @@
-"""The trace of a mesh on a named boundary: places, normals and displacements along its facets.
+"""The trace of a mesh on a named boundary: positions, normals, displacements along its facets.
 
 A facet's parameter s runs from 0 to 1 with the body on the left, so that the outward normal is
 the tangent turned by -90 deg.
@@ -21,10 +21,10 @@ SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
 class Trace:
     """Facets of a contact surface, in the order in which they follow each other.
 
-    `nodes` (2, 3, m): places of both ends and the middle; `ends` (2, m): vertex numbers;
-    `dofs` (2, k, m): unknowns x, y of the k = 2 or 3 nodes that carry displacements, ends first;
-    `facets` (m,) and `cells` (m,) as numbered in the mesh; `end_normals` (2, 2, m): outward unit
-    normals at both ends, common to the facets of a smooth wall.
+    `nodes` (2, 3, m) are the positions of both ends and the middle, `ends` (2, m) vertex numbers,
+    `dofs` (2, k, m) the unknowns x, y of the k = 2 or 3 nodes with displacements, ends first;
+    `facets` (m,) and `cells` (m,) are numbered as in the mesh; `end_normals` (2, 2, m) are outward
+    unit normals at both ends, common to the facets of a smooth wall.
     """
 
     nodes: Array
@@ -61,7 +61,7 @@ class Trace:
         return np.einsum("n...,in...->i...", slope, self.nodes[:, :, k])
 
     def normals(self, k: Indices, s: Array) -> Array:
-        """Outward unit normals (2, ...): of the shape, or between those at the facet's ends."""
+        """Outward unit normals (2, ...) of the shape, or between those at the ends of the facet."""
         if self.shape is not None:
             return self.shape.normal(self.places(k, s))
         n = self.end_normals[:, 0, k] * (1 - s) + self.end_normals[:, 1, k] * s
@@ -116,7 +116,7 @@ class Trace:
         return replace(self, nodes=nodes, end_normals=normals, shape=shape)
 
     def curvature(self) -> float:
-        """The largest turn of a facet's normals by its length [1/length]."""
+        """The largest change of the angle of a facet's normals, over its length [1/length]."""
         if self.shape is not None:
             return self.shape.curvature
         turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))
@@ -147,7 +147,7 @@ def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
 
 
 def _check_shape(trace: Trace, name: str, shape: Shape) -> None:
-    """ValueError unless `shape` runs through the vertices, with its normals on the same side."""
+    """ValueError unless `shape` contains the vertices, with its normals on the same side."""
     x = trace.nodes[:, :2]
     beside = np.hypot(*(shape.project(x) - x))
     astray = beside > BESIDE * trace.lengths()
@@ -162,7 +162,7 @@ def _check_shape(trace: Trace, name: str, shape: Shape) -> None:
 
 
 def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
-    """Start and end vertices (2, m) of `facets` with the body on their left."""
+    """Start and end vertices (2, m) of `facets`, with the body on their left."""
     ends = mesh.facets[:, facets]
     a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
     inside = mesh.p[:, mesh.t[:, mesh.f2t[0, facets]]].mean(axis=1)
@@ -170,7 +170,7 @@ def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
 
 
 def _chained(mesh: Mesh2D, facets: Indices) -> Indices:
-    """`facets` in the order in which they follow each other, one chain after the other."""
+    """`facets` in consecutive order, one chain after the other."""
     start, end = _oriented(mesh, facets)
     from_vertex = dict(zip(start.tolist(), range(facets.size), strict=True))
     heads = np.flatnonzero(~np.isin(start, end)).tolist()
@@ -190,7 +190,7 @@ def _quadratic(s: Array) -> Array:
 
 
 def _end_normals(nodes: Array, ends: Indices) -> Array:
-    """Normals (2, 2, m) at both ends of each facet, their mean where two make one smooth wall."""
+    """Normals (2, 2, m) at both ends of each facet; their mean if two facets form a smooth wall."""
     a, b, middle = nodes.swapaxes(0, 1)
     t = np.array([4 * middle - 3 * a - b, 3 * b + a - 4 * middle])  # dx/ds at s = 0 and 1
     n = np.array([t[:, 1], -t[:, 0]])

@@ -38,7 +38,7 @@ def traction_rows(bodies: Bodies, slave: Trace, points: Points, direction: Array
 
 
 def _cell_points(bodies: Bodies, slave: Trace, points: Points) -> Array:
-    """Where (2, m) the points lie in their reference cells."""
+    """Positions (2, m) of the points in their reference cells."""
     mesh, k = bodies.basis.mesh, points.slave
     corners, reference = mesh.t[:, slave.cells[k]], mesh.elem.refdom.p
     a, b = (reference[:, np.argmax(corners == end, axis=0)] for end in slave.ends[:, k])

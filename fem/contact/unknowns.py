@@ -1,7 +1,7 @@
 """Free unknowns of elastic bodies, rigid bodies and obstacles, in order of elimination.
 
-Displacements are u = T q + L b with free unknowns q and prescribed values b. Rigid bodies keep up
-to three unknowns, obstacles those that are free. Unknowns of the contact surfaces come last.
+Displacements are u = T q + L b with free unknowns q and prescribed values b. A rigid body has up to
+three unknowns, an obstacle its free ones. Unknowns of the contact surfaces are last.
 """
 
 from collections.abc import Sequence
@@ -26,11 +26,11 @@ CONTRADICTION = 1e-9
 class Unknowns:
     """Free and prescribed displacements.
 
-    Columns of `T` (all, n) are orthonormal, but for those of obstacles. All are the unknowns of the
-    mesh, then three for each obstacle. The last `surface` of the n free ones are those of contact
-    surfaces, rigid bodies and obstacles. `L` (all, m) turns the values of the m conditions, the
-    motions of obstacles and the mean motions into displacements; `rows` (conditions, all) reads
-    the first back.
+    Columns of `T` (all, n) are orthonormal, except those of obstacles. "all" are the unknowns of
+    the mesh, then three for each obstacle. The last `surface` of the n free unknowns are those of
+    contact surfaces, rigid bodies and obstacles. `L` (all, m) maps the values of the m conditions,
+    motions of obstacles and mean motions to displacements; `rows` (conditions, all) evaluate the
+    conditions.
     """
 
     T: csr_array
@@ -39,7 +39,7 @@ class Unknowns:
     rows: csr_array
 
     def displaced(self, values: Array) -> Array:
-        """L b; ValueError if the supports of one node, or of a rigid body, contradict."""
+        """L b; ValueError if the supports of a node, or of a rigid body, contradict each other."""
         u = np.asarray(self.L @ values)
         given = values[: self.rows.shape[0]]
         missed = np.abs(self.rows @ u - given)
@@ -62,11 +62,10 @@ def unknowns(
     means: csr_array,
     turn: bool,
 ) -> Unknowns:
-    """Unknowns of `basis` where `surface` are those on contact surfaces.
+    """Unknowns of `basis`; `surface` are the unknowns on contact surfaces.
 
     `rigid` lists the unknowns of each rigid body, in pairs x, y. The rows `means` (k, mesh
-    unknowns) read the mean motions that are prescribed. With `turn` bodies move along the axis y
-    only.
+    unknowns) give the prescribed mean motions. With `turn`, bodies only move along the axis y.
     """
     place = nested_dissection(basis)
     place[surface] += 2 * basis.N
@@ -110,9 +109,9 @@ def unknowns(
 
 
 def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> csr_array:
-    """Displacements (count, of) of least norm that meet unit values of `conditions`.
+    """Displacements (count, of) of least norm for unit values of `conditions`.
 
-    These are the `index` (m,) of all `of` conditions.
+    These conditions are number `index` (m,) of all `of` conditions.
     """
     number, dofs, direction = conditions.by_node()
     inverse = np.linalg.pinv(direction, rcond=INDEPENDENT).swapaxes(1, 2)
@@ -124,9 +123,9 @@ def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> 
 def _rigid(
     basis: Basis, conditions: Conditions, dofs: Indices, own: Indices, turn: bool
 ) -> tuple[Array, Array]:
-    """Orthonormal free motions (dofs, k) of a rigid body, and those that its supports prescribe.
+    """Orthonormal free motions (dofs, k) of a rigid body, and those prescribed by supports.
 
-    The columns of the second (dofs, conditions) take the values of these conditions.
+    The columns of the second result (dofs, conditions) belong to the values of the conditions.
     """
     x, y = basis.doflocs[:, dofs[::2]]
     x, y = x - x.mean(), y - y.mean()
@@ -146,7 +145,7 @@ def _rigid(
 
 
 def _moving(obstacles: Sequence[Obstacle], extent: float) -> tuple[csr_array, csr_array]:
-    """Free motions (3 obstacles, k), rotations as a shift at `extent`, and the prescribed ones."""
+    """Free motions (3 obstacles, k), rotations as a shift at `extent`, and prescribed motions."""
     free = [3 * i + MOTIONS.index(c) for i, o in enumerate(obstacles) for c in o.free]
     count = 3 * len(obstacles)
     scale = [1 / extent if k % 3 == 2 else 1.0 for k in free]

@@ -1,8 +1,8 @@
-"""Half a roller on an inclined race, driven to a normal force: free, caged, or released.
+"""Half a roller on an inclined race under a normal force: free, caged, or released.
 
-The bisector is the x axis; the wedge narrows towards +x. By symmetry the roller's cut y = 0 stays
-straight and carries no friction. The race comes down along its normal; its tangential movement and
-the push at the roller's middle are chosen by the caller.
+The bisector is the x axis; the wedge becomes narrower towards +x. By symmetry, the section y = 0 of
+the roller remains straight without friction. The race moves along its normal; the caller chooses
+its tangential displacement and the force at the middle of the roller.
 """
 
 import math
@@ -43,7 +43,7 @@ class Geometry(NamedTuple):
 
 
 class Wedge:
-    """A roller that only its contacts hold along the bisector, or one whose middle a cage holds."""
+    """A roller supported along the bisector by its contacts only, or by a cage at its middle."""
 
     def __init__(
         self, geometry: Geometry, mesh: Mesh2D, *, E: float, nu: float, mu: float,
@@ -56,9 +56,9 @@ class Wedge:
         self, down: float, *, along: float = 0.0, push: float = 0.0,
         after: ContactSolution | None = None, steps: int = 1,
     ) -> ContactSolution:  # fmt: skip
-        """The race moved `down` on the roller and `along` itself [m], its middle pushed [N/m].
+        """State with the race displaced `down` and `along` [m], and a force at the middle [N/m].
 
-        The push acts on half of the roller, into the wedge where positive.
+        The force acts on half of the roller; positive values point into the wedge.
         """
         x, y = along * self.geometry.tangent - down * self.geometry.normal
         forces = {"roller.inner": (push, 0.0)} if push else None
@@ -73,9 +73,9 @@ class Wedge:
     def pressed(
         self, N: float, *, along: float = 0.0, push: float = 0.0, near: float | None = None
     ) -> tuple[ContactSolution, float]:
-        """The state under the normal force N [N/m], and how far down the race came for it.
+        """The state under the normal force N [N/m], and the displacement of the race for it.
 
-        The search starts `near` a place [m], or at about half of where Hertz has it.
+        The search starts `near` a displacement [m], or at about half of Hertz's approach.
         """
         now = near or self.geometry.a**2 / self.geometry.R
         before = now / 2 if near is None else 0.99 * near
@@ -100,10 +100,10 @@ def wedge_problem(
     geometry: Geometry, mesh: Mesh2D, E: float, nu: float, mu: float, *, caged: bool,
     normal: Normal,
 ) -> ContactProblem:  # fmt: skip
-    """Cut and far side of the race on supports, friction between roller and race.
+    """Problem with supports on section and far side of the race, friction between roller and race.
 
-    Bodies "roller" (boundaries "surface", "inner", "outer" on its cut) and "race" ("surface",
-    "bottom"); the cut's inner part is where a cage holds.
+    Bodies "roller" (boundaries "surface", and "inner", "outer" on its section) and "race"
+    ("surface", "bottom"); a cage acts on the inner part of the section.
     """
     (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
     return ContactProblem(

@@ -17,9 +17,9 @@ HELD = 0.9  # relative to N: more is left of it, or the roller is being expelled
 
 
 def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
-    """T/(mu N) and (c/a)² (m,) of a roller as its push goes and T grows at the same N [N/m].
+    """T/(mu N) and (c/a)² (m,) of a roller as its force is removed and T grows; N is constant.
 
-    Pressed first without friction at work: the push at its middle balances the normal force alone.
+    It is first pressed without friction: the force at its middle balances the normal force alone.
     """
     half = wedge.geometry.half
     push = N * math.sin(half)
@@ -39,8 +39,8 @@ def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
 def share_stuck(touch: Touch) -> float:
     """(c/a)² from the second moment of the traction about the middle of the contact.
 
-    By Cattaneo's tractions 4 M_2/(M_0 a²) - 1; about a fixed place, where an odd part of the
-    traction drops out: a round body on a flat has one, which pressing alone leaves.
+    By Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1. The moment is about a fixed point, for which
+    an odd part of the traction has no effect: pressing a round body on a flat leaves such a part.
     """
     middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
     s, load = touch.along(middle), touch.q * touch.weight
@@ -62,9 +62,9 @@ def uneven(touch: Touch, slope: float) -> float:
 def least_friction(left: Callable[[float], float], share: float) -> tuple[float, float]:
     """The least friction that holds a roller, by bisection, and half of the last bracket.
 
-    `left` gives the part of the normal force that is left under a friction: about all, or next to
-    nothing. The first bracket lies about `share`, the T/N that friction must transmit. Not a number
-    where the roller is held at both its ends, or at none.
+    `left` returns the remaining part of the normal force for a friction coefficient: nearly all of
+    it, or nearly none. The first bracket is about `share`, the ratio T/N that friction must
+    transmit. NaN if the roller is held at both ends of the bracket, or at none.
 
     >>> value, half = least_friction(lambda mu: 1.0 if mu > 0.05 else 0.0, 0.05)
     >>> abs(value - 0.05) <= half
