@@ -181,7 +181,7 @@ class Screen:
             await self._after_step(case, self.session.undo)
 
     async def _after_step(self, case: str, back: Callable[[], bool]) -> None:
-        """Show the state of a step; it is taken `back` where its case cannot be shown."""
+        """Display the state of a step; if its case cannot be displayed, take the step `back`."""
         if self.session.state.case == case:
             self._refill()
             return
