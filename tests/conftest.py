@@ -28,7 +28,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
 pytest_plugins = ["tests.seconds"]
 
 KEEP = (*PROJECT, "tests")  # packages whose functions have caches
-LARGE = 1_000_000_000  # bytes of a worker, beyond which it keeps nothing for its next file
+LARGE = 700_000_000  # bytes of a worker; beyond them its caches are emptied before the next file
 
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
