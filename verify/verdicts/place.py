@@ -47,7 +47,8 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     ranges = sorted((_without(r, free) for r in found.ranges if r.case == case), key=_limit)
     apply = [r for r in ranges if _varies(r, _changed(r, mine, paper))]
     if not apply:
-        return Place(Where.NOT_COMPARED, _together(changed, ranges, inputs))
+        symbols = {one.name: one.symbol for one in inputs.display()}
+        return Place(Where.NOT_COMPARED, _together(changed, ranges, mine, symbols))
     compared = [r for r in apply if _is_within(r.studied, _placed(r, mine, paper), mine)]
     if not compared:
         return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, mine)}")
@@ -103,13 +104,17 @@ def _limit(one: VerdictRange) -> float:
     return one.limit
 
 
-def _together(changed: list[str], ranges: Sequence[VerdictRange], inputs: Inputs) -> str:
-    """The changed inputs that no study varies, else all, which none varies at once."""
-    symbols = {one.name: one.symbol for one in inputs.display()}
-    known = {side.name for r in ranges for side in (*r.studied, *r.held)}
+def _together(
+    changed: list[str], ranges: Sequence[VerdictRange], mine: Mapping[str, object],
+    symbols: Mapping[str, str],
+) -> str:  # fmt: skip
+    """The changed inputs that no study varies or has at this value, else all of them."""
+    known = {side.name for r in ranges for side in r.studied}
+    known |= {side.name for r in ranges for side in r.held if _inside(side, mine[side.name])}
     if other := [symbols[name] for name in changed if name not in known]:
         return f"not compared with another {_named(other)}"
-    return f"not compared with {_named([symbols[name] for name in changed])} changed at once"
+    both = _named([symbols[name] for name in changed])
+    return f"not compared with {both} changed {'at once' if len(changed) > 1 else 'alone'}"
 
 
 def _equal(one: object, other: object) -> bool:

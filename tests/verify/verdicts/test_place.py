@@ -108,6 +108,14 @@ def test_inputs_that_no_study_varies_are_named():
         ({}, DEFAULT),
     ):
         assert placed(star, inputs=inputs).words == says
+    at = study(NU, held=(replace(R_I, low=6.0, high=6.0),))
+    for inputs, says in (
+        ({"r_i": 7e-3}, "not compared with another r_i"),
+        ({"r_i": 7e-3, "nu": 0.2}, "not compared with another r_i"),
+        ({"r_i": 6e-3, "E": 1e11}, "not compared with another E"),
+        ({"nu": 0.2}, "not compared with ν changed alone"),
+    ):
+        assert placed(at, inputs=inputs).words == says
     assert placed(star, case="ring-rotation").words == "compared in ring-lame"
     for verdict in WITHOUT_RANGE:
         assert placed(star, verdict=verdict).where is Where.NONE
@@ -137,6 +145,7 @@ def test_an_input_that_changes_no_error_is_not_named():
     for name, says in (
         ("huang2022/Eq. 4, printed", DEFAULT),
         ("huang2022/Eq. 8, corrected", "not compared with another Δx"),
+        ("huang2022/Eq. 9, corrected", "inside the range with errors within 2 %"),
     ):
         assert place(of_record(name), "rotor-clutch", offset).words == says
 
