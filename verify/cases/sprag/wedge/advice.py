@@ -80,15 +80,16 @@ def refusal(q: WedgeFormulas) -> str:
     N = MOST * q.N_0
     at, (a_i, a_e) = wedged(q.clutch, N), map(float, q.bodies.half_widths(np.asarray(N)))
     column, without = q.bodies.column, "; check it without --fem"
+    load = f"{N:.4g} N ({MOST:g} N_0, the end of the compared forces)"
     if column is None:
         return f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round{without}"
     turned, alpha_b = float(at.turned), float(at.alpha_b)
     wide = max(a_i / q.r_i, a_i / q.R_i, a_e / float(q.sprag.r_e))
     if not math.isfinite(alpha_b):
-        return f"no equilibrium exists at {N:.4g} N{without}"
+        return f"no equilibrium exists at {load}{without}"
     if wide > WIDE:
         return (
-            f"contacts are {wide:.3g} r wide under {N:.4g} N, beyond {WIDE:g}: displacements are "
+            f"contacts are {wide:.3g} r wide under {load}, beyond {WIDE:g}: displacements are "
             f"not small{without}"
         )
     room_i = (column.turned - turned) * float(at.rho) / ZONES
@@ -96,7 +97,7 @@ def refusal(q: WedgeFormulas) -> str:
     near = min(column.nearest(turned=turned, alpha_b=alpha_b))
     if room_i < a_i or room_e < a_e or near < NEAREST or alpha_b > TURNED:
         return (
-            f"under {N:.4g} N the sprags turn by {math.degrees(alpha_b):.3g}°, their contacts come "
+            f"under {load} the sprags turn by {math.degrees(alpha_b):.3g}°, their contacts come "
             f"to the flanks{without}"
         )
     for name, wall, yields in (
@@ -104,7 +105,7 @@ def refusal(q: WedgeFormulas) -> str:
     ):  # fmt: skip
         if float(yields) > BENT * wall:
             return (
-                f"the {name} race deflects by {float(yields) * 1e6:.4g} µm under {N:.4g} N, more "
+                f"the {name} race deflects by {float(yields) * 1e6:.4g} µm under {load}, more "
                 f"than {BENT:g} of its wall: displacements are not small{without}"
             )
     return ""
