@@ -75,7 +75,7 @@ def _case(
     return {
         "id": one.case.id, "title": one.case.title,
         "studies": [
-            {"star": s.is_star, "held": s.held, "date": s.date,
+            {"star": s.is_star, "held": s.held, "at": dict(s.at), "date": s.date,
              "axes": [_axis(axis) for axis in s.axes], "points": s.points}
             for s in one.studies
         ],

@@ -23,7 +23,8 @@ const product = (axis, number) => axis.per.reduce((all, p) => all * number(p) **
 const larger = (axis) => product(axis, (p) => (sizes.some((s) => s.name === p.name) ? values[p.name] / p.nominal : 1));
 const position = (axis) => values[axis.name] / larger(axis);
 const divisor = (axis) => product(axis, (p) => values[p.name] ?? p.nominal) / axis.factor;
-const is_nominal = (axis) => Math.abs(position(axis) - axis.nominal) <= SAME * Math.abs(axis.nominal);
+const centre = (axis, study) => study.at[axis.name] ?? axis.nominal; // of a study: its constant inputs
+const is_central = (axis, study) => Math.abs(position(axis) - centre(axis, study)) <= SAME * Math.abs(centre(axis, study));
 const stored = (axis) => formula.at.flatMap(({ study }) =>
   one.studies[study].axes.flatMap((a, k) => (a.name === axis.name ? one.studies[study].ticks[k] : [])));
 const ends = (axis) => [Math.min(...stored(axis)), Math.max(...stored(axis))].map((x) => scaled(axis, x));
@@ -35,7 +36,7 @@ function described(axis) {
 
 // ---------- the answer
 function asked(course) { // of one study
-  const study = one.studies[course.study], moved = axes.filter((a) => !is_nominal(a));
+  const study = one.studies[course.study], moved = axes.filter((a) => !is_central(a, study));
   const broken = axes.find((a) => a.whole && !Number.isInteger(values[a.name]));
   if (broken) return { why: `${broken.symbol} takes whole numbers` };
   const held = moved.filter((a) => !study.axes.some((b) => b.name === a.name)), names = (list) => list.map((a) => a.symbol).join(" and ");

@@ -10,7 +10,7 @@ function heights() { // the errors that all charts of a formula have room for
 function curve(axis, q) { // answers over one input, the others as typed, or as in the case where these have none
   const has = (course) => course && one.studies[course.study].axes.some((a) => a.name === axis.name);
   const course = [q.course, ...formula.at].find(has), study = one.studies[course.study];
-  const k = study.axes.findIndex((a) => a.name === axis.name), others = axes.filter((a) => a.name !== axis.name && !is_nominal(a));
+  const k = study.axes.findIndex((a) => a.name === axis.name), others = axes.filter((a) => a.name !== axis.name && !is_central(a, study));
   const free = study.star ? !others.length : others.every((a) => study.axes.some((b) => b.name === a.name));
   return { t: study.ticks[k], free, at: (x) => between(study, course, study.axes.map((a, j) => (j === k ? x : free ? position(a) : a.nominal))) };
 }

@@ -390,7 +390,8 @@ class StoredStudy:
     """A stored study: `points` of values in the units of the axes, and formulas compared there.
 
     A star varies one input at a time, from the default values in its first point; a grid all
-    combinations. `held` names the other inputs that do not have default values, with their meaning.
+    combinations. `held` names the other inputs that do not have default values, with their meaning;
+    `at` states their names and values in the units of the case.
     """
 
     case: str
@@ -398,6 +399,7 @@ class StoredStudy:
     is_star: bool
     over: str
     held: str
+    at: tuple[tuple[str, float], ...]
     axes: tuple[StudyAxis, ...]
     points: tuple[tuple[float, ...], ...]
     formulas: tuple[StudiedFormula, ...]

@@ -20,7 +20,7 @@ from verify.core.verdicts import Safe
 from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
-from verify.studies.validity.messages import held_with_meaning, over
+from verify.studies.validity.messages import constant, held_with_meaning, over
 from verify.studies.validity.store import measured
 from verify.verdicts.declared import declared
 from verify.verdicts.design import Declared, ratio_of
@@ -53,6 +53,7 @@ def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course])
     return StoredStudy(
         case=result.id, date=date, is_star=plan.star, over=over(plan),
         held=held_with_meaning(plan),
+        at=tuple((one.name, float(one.value)) for one in constant(plan)),
         axes=tuple(_axis(plan, axis) for axis in plan.axes),
         points=tuple(shown[n] for n in kept),
         formulas=tuple(
