@@ -1,6 +1,5 @@
 """Position of a user's inputs relative to the ranges that a verdict compared."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -8,10 +7,10 @@ from enum import StrEnum
 from verify.core.inputs import Inputs
 from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
 from verify.verdicts.independent import independent
+from verify.verdicts.part import Part
 from verify.verdicts.rule import CLASSES
 from verify.verdicts.words import constant, percent, side_in_words
 
-SAME = 1e-9  # relative: inputs that differ by less are equal
 MOST_NAMED = 3  # inputs that a line names
 WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdict.NONE)
 
@@ -40,55 +39,22 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     if case not in found.cases:
         return Place(Where.NOT_COMPARED, f"compared in {', '.join(found.cases)}")
     free = independent(found, case)
-    mine, paper = _values(inputs, free), _values(type(inputs)(), free)
-    changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
-    if not changed:
+    part = Part.of(inputs, free)
+    if not part.changed():
         return Place(_at_default(found, case), "these are the default inputs of the case")
     ranges = sorted((_without(r, free) for r in found.ranges if r.case == case), key=_limit)
-    apply = [r for r in ranges if _varies(r, _changed(r, mine, paper))]
+    apply = [r for r in ranges if part.is_varied(r)]
     if not apply:
         symbols = {one.name: one.symbol for one in inputs.display()}
-        return Place(Where.NOT_COMPARED, _together(changed, ranges, mine, symbols))
-    compared = [r for r in apply if _is_within(r.studied, _placed(r, mine, paper), mine)]
+        return Place(Where.NOT_COMPARED, _together(part, ranges, symbols))
+    compared = [r for r in apply if part.is_within(r, r.studied)]
     if not compared:
-        return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, mine)}")
+        return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, part)}")
     for limit in dict.fromkeys(r.limit for r in compared):
         of_limit = [r for r in compared if r.limit == limit]
-        if all(_is_within(r.box, _placed(r, mine, paper), mine) for r in of_limit):
+        if all(part.is_within(r, r.box) for r in of_limit):
             return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
-    return Place(Where.OUTSIDE, _outside(of_limit, mine, paper))
-
-
-def _at_default(found: FormulaVerdict, case: str) -> Where:
-    """Outside if the largest error at default inputs is of this case and beyond all classes."""
-    size = abs(found.error or 0.0) + (found.U or 0.0)
-    is_here = found.worst_row.partition("/")[0] == case
-    return Where.OUTSIDE if is_here and size > CLASSES[-1] else Where.INSIDE
-
-
-def _outside(
-    ranges: Sequence[VerdictRange], mine: Mapping[str, object], paper: Mapping[str, object]
-) -> str:
-    """The sides of the ranges within the largest limit that the inputs exceed.
-
-    The range of a study is the largest one without an error beyond the limit: errors outside of it
-    can be within the limit, and are if the range of another study contains the inputs.
-    """
-    limit, placed = percent(ranges[0].limit), [(r, _placed(r, mine, paper)) for r in ranges]
-    sides = [
-        side for r, names in placed for side in r.box
-        if side.name in names and not _inside(side, mine[side.name])
-    ]  # fmt: skip
-    words = ", ".join(dict.fromkeys(side_in_words(replace(side, ratio="")) for side in sides))
-    if any(_is_within(r.box, names, mine) for r, names in placed):
-        return f"inside a range with errors within {limit}, outside that of another study: {words}"
-    if not sides:
-        return f"no compared error is within {limit}"
-    return f"outside the range with all errors within {limit}: {words}"
-
-
-def _values(inputs: Inputs, free: frozenset[str]) -> Mapping[str, object]:
-    return {one.name: one.value for one in inputs.display() if one.name not in free}
+    return Place(Where.OUTSIDE, _outside(of_limit, part))
 
 
 def _without(found: VerdictRange, free: frozenset[str]) -> VerdictRange:
@@ -104,72 +70,51 @@ def _limit(one: VerdictRange) -> float:
     return one.limit
 
 
-def _together(
-    changed: list[str], ranges: Sequence[VerdictRange], mine: Mapping[str, object],
-    symbols: Mapping[str, str],
-) -> str:  # fmt: skip
+def _at_default(found: FormulaVerdict, case: str) -> Where:
+    """Outside if the largest error at default inputs is of this case and beyond all classes."""
+    size = abs(found.error or 0.0) + (found.U or 0.0)
+    is_here = found.worst_row.partition("/")[0] == case
+    return Where.OUTSIDE if is_here and size > CLASSES[-1] else Where.INSIDE
+
+
+def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, str]) -> str:
     """The changed inputs that no study varies or has at this value, else all of them."""
+    changed = part.changed()
     known = {side.name for r in ranges for side in r.studied}
-    known |= {side.name for r in ranges for side in r.held if _inside(side, mine[side.name])}
+    known |= {side.name for r in ranges for side in r.held if part.is_inside(side)}
     if other := [symbols[name] for name in changed if name not in known]:
         return f"not compared with another {_named(other)}"
     both = _named([symbols[name] for name in changed])
     return f"not compared with {both} changed {'at once' if len(changed) > 1 else 'alone'}"
 
 
-def _equal(one: object, other: object) -> bool:
-    if isinstance(one, int | float) and isinstance(other, int | float):
-        return math.isclose(one, other, rel_tol=SAME)
-    return one == other
-
-
-def _changed(
-    found: VerdictRange, mine: Mapping[str, object], paper: Mapping[str, object]
-) -> list[str]:
-    """The inputs that differ from the centre of a study: its constant inputs, else the default."""
-    centre = {**paper, **{side.name: side.low for side in found.held}}
-    return [name for name, value in mine.items() if not _equal(value, centre.get(name))]
-
-
-def _varies(found: VerdictRange, changed: list[str]) -> bool:
-    """Whether a study varies these inputs, all of them at once."""
-    return set(changed) <= {s.name for s in found.studied} and not (
-        found.is_star and len(changed) > 1
-    )
-
-
-def _placed(
-    found: VerdictRange, mine: Mapping[str, object], paper: Mapping[str, object]
-) -> list[str]:
-    """The inputs that must lie between ends: of a line of a star one, else all that are varied.
-
-    The default of an input that a study varies may lie beyond the ends of the study.
-    """
-    changed = _changed(found, mine, paper)
-    return changed if found.is_star and changed else [side.name for side in found.studied]
-
-
-def _is_within(sides: Sequence[Side], names: list[str], mine: Mapping[str, object]) -> bool:
-    """Whether the inputs of these names lie between the ends."""
-    ends = {side.name: side for side in sides}
-    return all(name in ends and _inside(ends[name], mine[name]) for name in names)
-
-
-def _beyond(ranges: Sequence[VerdictRange], mine: Mapping[str, object]) -> str:
+def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:
     """The studied range of the first input that lies in none of them, and the constant inputs."""
     sides = [side for r in ranges for side in r.studied]
     for name in dict.fromkeys(side.name for side in sides):
         of_name = [side for side in sides if side.name == name]
-        if not any(_inside(side, mine[name]) for side in of_name):
+        if not any(map(part.is_inside, of_name)):
             return _spans(of_name) + _at(ranges)
     return "; ".join(dict.fromkeys(r.over for r in ranges))
 
 
-def _inside(side: Side, value: object) -> bool:
-    if not isinstance(value, int | float):
-        return False
-    room = SAME * max(abs(side.low), abs(side.high))
-    return side.low - room <= value <= side.high + room
+def _outside(ranges: Sequence[VerdictRange], part: Part) -> str:
+    """The sides of the ranges within the largest limit that the inputs exceed.
+
+    The range of a study is the largest one without an error beyond the limit: errors outside of it
+    can be within the limit, and are if the range of another study contains the inputs.
+    """
+    limit = percent(ranges[0].limit)
+    sides = [
+        side for r in ranges for side in r.box
+        if side.name in part.placed(r) and not part.is_inside(side)
+    ]  # fmt: skip
+    words = ", ".join(dict.fromkeys(side_in_words(replace(side, ratio="")) for side in sides))
+    if any(part.is_within(r, r.box) for r in ranges):
+        return f"inside a range with errors within {limit}, outside that of another study: {words}"
+    if not sides:
+        return f"no compared error is within {limit}"
+    return f"outside the range with all errors within {limit}: {words}"
 
 
 def _named(symbols: list[str]) -> str:
