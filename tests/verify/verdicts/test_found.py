@@ -31,6 +31,7 @@ def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
     for changes, says in (
         ({"status": Status.FAIL}, "ring-lame/x is FAIL"),
         ({"status": Status.CALIBRATED}, "ring-lame/x is CALIBRATED"),
+        ({"status": Status.NOTE}, "ring-lame/x is NOTE"),  # enough for a caution alone
         ({"status": Status.SHOWN}, "ring-lame/x is SHOWN"),  # no meshes that converge beside it
         ({"kind": Kind.FACT}, "compares no formula with a reference"),
         ({"tolerance": None}, "no error with an uncertainty"),
@@ -65,6 +66,9 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     assert got.words.startswith(
         "unsafe: up to 20 % below; −20 % at the default inputs, the only ones compared; a higher"
     )
+    same = row("x", -0.2, status=Status.SHOWN, kind=Kind.IDENTITY)  # an identity is predicted
+    got = verdict(formula(), same, row("x: convergence", 0.0, kind=Kind.FACT))
+    assert got.verdict is Verdict.NONE
 
 
 def test_an_identity_alone_is_exact_if_sharp_and_beside_the_part_a_second_statement(row):
@@ -73,6 +77,11 @@ def test_an_identity_alone_is_exact_if_sharp_and_beside_the_part_a_second_statem
     got = verdict(formula(model=("ring-lame/same",)), same, row("x", 0.3))
     assert got.verdict is Verdict.CONSERVATIVE
     assert got.model == "solves its idealisation to rounding error"
+    of_part = verdict(formula(part=("ring-lame/same",)), same)  # compared with the part itself
+    assert of_part.verdict is Verdict.PART
+    rows = same, row("x", 0.003)
+    got = verdict(formula(part=(), model=("ring-lame/same", ID)), *rows)
+    assert got.verdict is Verdict.PART
     blunt = row("same", 1e-6, kind=Kind.IDENTITY, detects=0.02)
     got = verdict(formula(part=(), model=("ring-lame/same",)), blunt)
     assert got.verdict is Verdict.PART

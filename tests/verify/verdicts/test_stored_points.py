@@ -9,6 +9,7 @@ from verify.cases.registry import CASES, find
 from verify.core import units
 from verify.core.inputs import meta
 from verify.core.verdicts import Safe
+from verify.studies.sweep.outcome import Course
 from verify.studies.validity.messages import over
 from verify.studies.validity.store import measured
 from verify.verdicts import evidence, regions
@@ -70,6 +71,21 @@ def test_a_part_of_another_size_all_in_proportion_has_the_same_errors(judged, of
         if row.difference is not None and row.scale:
             error = known.difference / known.scale
             assert row.difference / row.scale == pytest.approx(error, abs=1e-9)
+
+
+def test_at_each_point_of_two_studies_the_worse_error_counts():
+    """An error of larger size with its bar, and none before any other."""
+    plan = SimpleNamespace(case=SimpleNamespace(id="x"), names=("T",), points=np.arange(4.0))
+    none = np.full(4, np.nan)
+
+    def course(*error):
+        return Course(pair=None, formula=none, fe=none, U=none, error=np.array(error),
+                      U_error=np.array([0.1, 0.0, 0.0, 0.0]), problems=("",) * 4)  # fmt: skip
+
+    one, other = course(0.1, -0.3, np.nan, 0.1), course(-0.2, 0.2, 0.1, np.nan)
+    for both in ((one, other), (other, one)):
+        ((_, found),) = evidence.joined([(plan, course) for course in both])
+        np.testing.assert_array_equal(found.error, (-0.2, -0.3, np.nan, np.nan))
 
 
 def test_interpolation_is_tried_at_each_point_between_two_others(monkeypatch):
