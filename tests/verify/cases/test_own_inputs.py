@@ -65,3 +65,12 @@ def test_figures_of_odd_parts_are_drawn_by_formulas_alone(case_id, changes):
     for curve in (c for figure in figures for c in getattr(figure, "curves", ())):
         assert np.isfinite(curve.x).all()
         assert not np.isinf(curve.y).any()
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.2, 0.295])
+def test_a_wide_spring_is_drawn_for_any_poisson_s_ratio(nu):
+    case = find("spring-width")
+    drawn = case.sketch(own(case, nu=nu)).shapes
+    for one, other in zip(drawn, case.sketch(case.inputs()).shapes, strict=True):
+        assert one.label == other.label
+        assert np.array_equal(one.points, other.points)

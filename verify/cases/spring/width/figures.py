@@ -26,8 +26,8 @@ mm, MPa = 1e-3, 1e6
 
 
 def sketch(q: WidthInputs) -> Sketch:
-    """The spring with its whole end leaves and the supports of the inputs."""
-    return stages_sketch(StagesInputs(**q.model_dump()))
+    """The spring with its whole end leaves and the supports of the inputs; gaps have no factor."""
+    return stages_sketch(StagesInputs(**q.model_dump(), width_factor=None))
 
 
 def tables(_: WidthInputs, context: Context) -> Sequence[Table]:
