@@ -4,11 +4,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import numpy as np
 from markupsafe import Markup
 
 from reports.explorer import unit
-from reports.formats import MINUS, number, symbol
+from reports.formats import MINUS, decimal, number, symbol
 from verify.core.results import StoredStudy, StudyAxis
 
 LEAST = 0.001  # per cent: smallest value that is printed
@@ -77,12 +76,8 @@ def in_percent(error: float, U: float) -> str:
 
 
 def _digits(value: float, count: int) -> str:
-    """So many significant digits of a number, or all of its whole part; 0 far below LEAST."""
-    if value < LEAST / 10:
-        return "0"
-    if value >= 10**count:
-        return f"{value:.0f}"
-    return np.format_float_positional(value, precision=count, fractional=False, trim="-")
+    """So many significant digits of a number; 0 far below LEAST."""
+    return decimal(value, count) if value >= LEAST / 10 else "0"
 
 
 def _values(study: StoredStudy, axis: int) -> list[float]:

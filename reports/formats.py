@@ -4,6 +4,7 @@ import math
 import re
 from typing import NamedTuple
 
+import numpy as np
 from markupsafe import Markup, escape
 
 from reports.erratum_names import erratum_name
@@ -65,6 +66,13 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
     if isinstance(value, int):
         return str(value).replace("-", MINUS)
     return f"{value:.{digits}g}".replace("-", MINUS)
+
+
+def decimal(size: float, digits: int) -> str:
+    """So many significant digits of a size of zero or more, or its whole part, without an exponent."""
+    if size >= 10**digits:
+        return f"{size:.0f}"
+    return np.format_float_positional(size, precision=digits, fractional=False, trim="-")
 
 
 def written(value: float | int | str | None) -> str | Markup:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from markupsafe import Markup
 
-from reports.formats import MINUS
+from reports.formats import MINUS, decimal
 from reports.measured import Measured
 from reports.validity_map import validity_map
 from verify.core.results import Validity, ValidityAxis, ValidityLimit, ValidityRegion
@@ -86,24 +86,12 @@ def signed(error: float | None, U: float | None) -> str:
         return "–"
     size = abs(100 * error)
     floor = max(LEAST, 10.0 ** (math.floor(math.log10(size)) - 2) if size else 0.0)
-    text = f"<{_digits(LEAST)}" if 0 < size < LEAST else _percent(error)
+    sign = {True: MINUS, False: "+"}[error < 0] if error else ""
+    text = f"<{decimal(LEAST, 2)}" if 0 < size < LEAST else f"{sign}{decimal(size, 2)}"
     if U is None or (size < LEAST and 100 * U < LEAST):
         return f"{text} %"
-    bar = _digits(100 * U) if floor <= 100 * U else f"<{_digits(floor)}"
+    bar = decimal(100 * U, 2) if floor <= 100 * U else f"<{decimal(floor, 2)}"
     return f"{text} ± {bar} %"
-
-
-def _percent(error: float) -> str:
-    text = _digits(100 * error)
-    return text if text.startswith(MINUS) or not error else f"+{text}"
-
-
-def _digits(value: float) -> str:
-    """Two significant digits, all of a larger number's."""
-    text = f"{value:.0f}" if abs(value) >= 10 else np.format_float_positional(
-        value, precision=2, fractional=False, trim="-"
-    )  # fmt: skip
-    return text.replace("-", MINUS)
 
 
 def _label(axis: ValidityAxis) -> str:
