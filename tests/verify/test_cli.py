@@ -1,6 +1,7 @@
 """The command line: loaded modules, exit statuses, and one line for an error."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -107,3 +108,28 @@ def test_a_fault_of_the_program_is_one_line_and_a_file(monkeypatch, capsys, tmp_
     (file,) = tmp_path.iterdir()
     assert str(file) in line
     assert "Traceback" in file.read_text("utf-8")
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "none"))
+    assert run(["list"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith("the traceback cannot be written: No such file or directory")
+
+
+FAULT = """
+from verify.app import cli, commands
+def run_list():
+    raise RuntimeError("a file of \\u03bd \\udcff")
+commands.run_list = run_list
+cli.main(["list"])
+"""
+
+
+def test_a_fault_of_the_program_is_one_line_whatever_the_terminal_can_print(tmp_path):
+    environment = {**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0",
+                   "TMPDIR": str(tmp_path)}  # fmt: skip
+    done = subprocess.run([sys.executable, "-c", FAULT], env=environment, capture_output=True,
+                          text=True, check=False)  # fmt: skip
+    assert done.returncode == 2
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("freewheel: internal error: RuntimeError: a file of ")
+    (file,) = tmp_path.iterdir()
+    assert "a file of ν \\udcff" in file.read_text("utf-8")

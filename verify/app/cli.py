@@ -330,13 +330,20 @@ def run(arguments: list[str]) -> int:
             return _complain(f"standard output: {error.strerror}")
         return _complain(str(error))
     except Exception as error:  # an internal error: one line, and the traceback in a file
+        return _complain(f"internal error: {type(error).__name__}: {error}{_traced()}")
+
+
+def _traced() -> str:
+    """Write the traceback of the present error: its file in words, or why there is none."""
+    try:
         with tempfile.NamedTemporaryFile(
-            "w", prefix="freewheel-", suffix=".txt", delete=False
-        ) as file:
+            "w", prefix="freewheel-", suffix=".txt", delete=False, encoding="utf-8",
+            errors="backslashreplace",
+        ) as file:  # fmt: skip
             file.write(traceback.format_exc())
-        return _complain(
-            f"internal error: {type(error).__name__}: {error}; the traceback is in {file.name}"
-        )
+    except OSError as error:
+        return f"; the traceback cannot be written: {error.strerror}"
+    return f"; the traceback is in {file.name}"
 
 
 def _complain(message: str, status: int = BAD_INPUT) -> int:

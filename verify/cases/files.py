@@ -62,7 +62,7 @@ def of_package(name: str) -> Case:
         form = _form(point)
     except InputError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InputError(f"{point.value}: {type(error).__name__}: {error}") from error
     return _stated(form)
 

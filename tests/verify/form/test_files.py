@@ -196,7 +196,9 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     info = Path("curved_bars-1.0.dist-info")
     info.mkdir()
     (info / "METADATA").write_text("Name: curved-bars\nVersion: 1.0\n", "utf-8")
-    points = "curved-bar = curved_bars.bar:CurvedBar\nother = curved_bars.bar:ART_29\n"
+    (package / "exits.py").write_text("raise SystemExit(3)\n", "utf-8")
+    points = "curved-bar = curved_bars.bar:CurvedBar\nother = curved_bars.bar:ART_29\n" \
+        "exits = curved_bars.exits:Bar\n"  # fmt: skip
     (info / "entry_points.txt").write_text(f"[freewheel.cases]\n{points}", "utf-8")
     monkeypatch.syspath_prepend(str(Path.cwd()))
     files.of_package.cache_clear()
@@ -207,6 +209,8 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     assert source_code.source_of(registry.find("curved-bar").reference)
     assert verify("other") == 2
     assert "curved_bars.bar:ART_29: is no subclass of Case" in capsys.readouterr().err
+    assert verify("exits") == 2
+    assert capsys.readouterr().err == "freewheel: curved_bars.exits:Bar: SystemExit: 3\n"
 
 
 @pytest.mark.parametrize(
