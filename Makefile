@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: setup verify quick deep crosscheck mutants test soak check portable docs bench readme lock clean
+.PHONY: setup verify quick deep crosscheck mutants test soak check portable docs bench readme release lock clean
 
 setup: .venv/.ready
 
@@ -65,6 +65,12 @@ bench: .venv/.ready
 readme:
 	-$(MAKE) verify
 	$(BIN)/python tools/readme.py
+
+# `make release VERSION=1.0.2`: raises the version, stores the rows of a full run, commits and tags.
+release: .venv/.ready
+	@test -n "$(VERSION)" || { echo "make release needs a version: make release VERSION=1.0.2"; exit 2; }
+	$(MAKE) check test
+	$(BIN)/python tools/release.py $(VERSION)
 
 # System libraries, then packages, in groups: what an interrupted set-up had downloaded is not downloaded again.
 .venv/.ready: requirements.txt pyproject.toml

@@ -1,12 +1,15 @@
-"""Write a release: a full run without a failed row, of committed code."""
+"""Make a release: raise the version, store the rows of a full run, commit and tag."""
 
 import subprocess
 import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 from verify.app.report import make_report
+from verify.app.version_texts import raised
 from verify.audit.releases.changes import WITHOUT
-from verify.audit.releases.store import path_of, store, version
+from verify.audit.releases.store import FOLDER, ROOT, is_later, path_of, store, version
 from verify.cases.registry import CASES
 from verify.core.inputs import InputError
 from verify.core.results import Report, Status
@@ -15,32 +18,37 @@ from verify.jobs.level import Job
 from verify.jobs.session import solve
 
 
-def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:
-    """Run all cases and store their rows under the version of pyproject.toml; the file.
+def release(root: Path, name: str, *, jobs: int = 0) -> Path:
+    """Release the committed code as version `name`; the file with its rows.
 
-    InputError if the version is stored already, a file is not committed, or a row failed.
+    InputError if `name` is no later version, a file is not committed, a row failed, or git
+    fails; every file is then as it was.
     """
-    name = version(root)
-    path = path_of(name, folder)
-    if path.exists():
-        raise InputError(f"{path.name} exists already: raise the version in pyproject.toml")
-    refuse_uncommitted(root)
+    old = version(root)
+    if not is_later(name, old):
+        raise InputError(f"the version must be later than {old}, as 1.0.2 than 1.0.1, got {name!r}")
+    path = path_of(name, root / FOLDER.relative_to(ROOT))
+    head = _refuse_unready(root, path, name)
+    texts = raised(root, old, name, time.strftime("%Y-%m-%d", time.gmtime()))
+    report = solved(jobs)
+    refuse_red(report)
+    if _refuse_unready(root, path, name) != head:  # the run takes minutes
+        raise InputError("a release needs the code that was run, and another one is checked out")
+    with _whole(root, path, texts, head):
+        store(report.rows, name, report.provenance["commit"], path.parent)
+        for file, text in texts.items():
+            file.write_text(text, "utf-8")
+        _git(root, "add", "--", str(path), *map(str, texts))
+        _git(root, "commit", "--quiet", "-m", f"Version {name}")
+        _git(root, "tag", "-a", f"v{name}", "-m", f"Version {name}")
+    return path
+
+
+def solved(jobs: int) -> Report:
+    """All cases, judged."""
     start = time.perf_counter()
     results = solve([Job(case, case.inputs(), drawn=False) for case in CASES], Where(jobs), True)
-    report = make_report(results, CASES, time.perf_counter() - start)
-    refuse_red(report)
-    return store(report.rows, name, report.provenance["commit"], folder)
-
-
-def refuse_uncommitted(root: Path) -> None:
-    """InputError unless all files are as they were committed."""
-    run = ["git", "-C", str(root), "status", "--porcelain"]
-    try:
-        done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=True)  # noqa: S603
-    except (OSError, subprocess.SubprocessError) as error:
-        raise InputError("a release needs git, to check that all changes are committed") from error
-    if changed := done.stdout.splitlines():
-        raise InputError(f"a release needs all changes committed: {changed[0].strip()}")
+    return make_report(results, CASES, time.perf_counter() - start)
 
 
 def refuse_red(report: Report) -> None:
@@ -50,3 +58,41 @@ def refuse_red(report: Report) -> None:
             raise InputError(f"a release needs every row: {row.id}: {row.status}: {row.reason}")
     if report.drift and report.drift.unexplained:
         raise InputError(f"{WITHOUT}: {report.drift.unexplained[0].row}")
+
+
+def _refuse_unready(root: Path, path: Path, name: str) -> str:
+    """The commit that is checked out; InputError where it cannot become this release."""
+    if changed := _git(root, "status", "--porcelain"):
+        raise InputError(f"a release needs all changes committed: {changed.splitlines()[0]}")
+    if path.exists() or _git(root, "tag", "--list", f"v{name}"):
+        raise InputError(f"version {name} exists already: its rows are stored, or it has a tag")
+    _git(root, "var", "GIT_COMMITTER_IDENT")
+    return _git(root, "rev-parse", "HEAD")
+
+
+@contextmanager
+def _whole(root: Path, path: Path, texts: Mapping[Path, str], head: str) -> Iterator[None]:
+    """Whatever stops the body: the commit, the files and the index are as they were before."""
+    before = {file: file.read_bytes() for file in texts}
+    try:
+        yield
+    except BaseException:
+        _git(root, "reset", "--quiet", "--soft", head)
+        path.unlink(missing_ok=True)
+        for file, content in before.items():
+            file.write_bytes(content)
+        _git(root, "reset", "--quiet", "--", str(path), *map(str, texts))
+        raise
+
+
+def _git(root: Path, *words: str) -> str:
+    """Output of git in a folder; InputError with its first line where it fails."""
+    run = ["git", "-C", str(root), *words]
+    try:
+        done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=False)  # noqa: S603
+    except (OSError, subprocess.SubprocessError) as error:
+        raise InputError(f"a release needs git: {error}") from error
+    if done.returncode:
+        said = (done.stderr.strip() or done.stdout.strip() or "it failed").splitlines()[0]
+        raise InputError(f"a release needs git: git {words[0]}: {said}")
+    return done.stdout.strip()

@@ -78,7 +78,7 @@ def test_a_file_is_verified_with_a_separate_report(printed_bar, capsys):
     """In worker processes; the report has the title of the case, and nothing of the papers."""
     file = printed_bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
     assert verify(file, "--jobs", "2") == 0
-    assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
+    assert "since 0." not in capsys.readouterr().out  # no release has these rows
     data = json.loads(Path("out/results.json").read_text("utf-8"))
     assert {row["status"] for row in data["rows"]} == {"PASS"}
     assert [p["key"] for p in data["papers"]] == ["Timoshenko | Strength"]

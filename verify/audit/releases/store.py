@@ -178,5 +178,14 @@ def newest(folder: Path | None = None) -> Release | None:
     return load(found[max(found)]) if found else None
 
 
+def is_later(name: str, than: str) -> bool:
+    """Whether a name is that of a version, and of a later one.
+
+    >>> is_later("0.10.0", "0.9.1"), is_later("0.9.1", "0.9.1"), is_later("next", "0.9.1")
+    (True, False, False)
+    """
+    return _VERSION.fullmatch(name) is not None and _order(name) > _order(than)
+
+
 def _order(name: str) -> tuple[int, ...]:
     return tuple(map(int, name.split(".")))
