@@ -74,6 +74,15 @@ def test_without_the_token_nothing_is_served(path: str, query: str) -> None:
     assert answers(path=path, query=query, host=HOST)[0]["status"] == 403
 
 
+@pytest.mark.parametrize("cookie", [
+    f"freewheel-{PORT}=wrong", f"freewheel-{PORT}=", f"freewheel-{PORT}", f"freewheel-81={TOKEN}",
+    f"other={TOKEN}", f"freewheel-{PORT}={TOKEN}x", "\x00",
+])  # fmt: skip
+def test_a_cookie_without_the_token_opens_nothing(cookie: str) -> None:
+    assert answers(path="/x", host=HOST, cookie=cookie)[0]["status"] == 403
+    assert answers("websocket", host=HOST, origin=ORIGIN, cookie=cookie)[0]["code"] == 1008
+
+
 def test_the_page_that_asks_for_the_token_keeps_the_session_and_escapes_it() -> None:
     body = answers(host=HOST, query="s=%22%3E%3Cscript%3E")[1]["body"].decode()
     assert 'value="&quot;&gt;&lt;script&gt;"' in body

@@ -11,7 +11,7 @@ import pytest
 from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
 from verify.core.inputs import InputError
 
-ENDED = 30.0  # s within which each test has ended, also if a limit does not act
+ENDED = 20.0  # s within which each test has ended, also where a limit is not kept
 Tell = Callable[[Any], None]
 
 
@@ -36,8 +36,8 @@ def sleeping(_tell: Tell) -> None:
     time.sleep(ENDED)
 
 
-async def _all() -> None:
-    worker, told = Worker(), list[Any]()
+async def _all(worker: Worker) -> None:
+    told: list[Any] = []
     assert await worker.ask(doubled, 4, tell=told.append) == 8
     assert told == ["half"]
     with pytest.raises(InputError, match="needs a length"):
@@ -60,7 +60,11 @@ async def _all() -> None:
 
 
 def test_answers_errors_limit_of_time_and_end() -> None:
-    asyncio.run(asyncio.wait_for(_all(), ENDED))
+    worker = Worker()
+    try:
+        asyncio.run(asyncio.wait_for(_all(worker), ENDED))
+    finally:
+        worker.end()
 
 
 async def _limited() -> None:
