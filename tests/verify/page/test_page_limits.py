@@ -23,27 +23,44 @@ LONGEST = 60.0  # s of an answer, docs/app.md
 WRITES = 'open(__file__ + ".ran", "w").close()\n'
 
 
-def limits(state: State) -> list[float]:
-    """The limits of time with which an answer and its slow notes are asked."""
-    given: list[float] = []
+def recorded() -> tuple[Answering, list[Any], list[float]]:
+    """What answers a page, with the inputs that it asks for and their limits of time."""
+    asked: list[Any] = []
+    limits: list[float] = []
 
-    async def ask(*_: Any, seconds: float = 1e9, **__: Any) -> Shown:
-        given.append(seconds)
-        return Shown(verdict="holds", assumed={"E": ("E = 206 GPa", "steel")})
+    async def ask(_function: Any, raw: Any, *_: Any, seconds: float = 1e9) -> Shown:
+        asked.append(raw)
+        limits.append(seconds)
+        return Shown(verdict="holds", design=str(raw), assumed={"E": ("E = 206 GPa", "steel")})
 
     worker = SimpleNamespace(ask=ask)
     screen = SimpleNamespace(
-        place=SimpleNamespace(formulas=worker, details=worker), asked=lambda _: (),
+        place=SimpleNamespace(formulas=worker, details=worker), asked=lambda state: (state.raw,),
         session=SimpleNamespace(state=None),
     )  # fmt: skip
-    answering = Answering(screen)
-    answering.found = asyncio.run(answering._asked(state))
-    asyncio.run(answering._details(state))
-    return given
+    return Answering(screen), asked, limits
 
 
 def test_an_answer_and_its_slow_notes_have_a_limit_of_time() -> None:
-    assert limits(State("ring-lame", "my")) == [LONGEST, LONGEST]
+    answering, _, limits = recorded()
+    state = State("ring-lame", "my")
+    answering.found = asyncio.run(answering._asked(state))
+    asyncio.run(answering._details(state))
+    assert limits == [LONGEST, LONGEST]
+
+
+def test_variant_b_is_computed_again_only_where_it_has_changed() -> None:
+    answering, asked, _ = recorded()
+    one, two = {"x": "1"}, {"x": "2"}
+    states = [State("a", "my", {"x": k}, other) for k, other in (
+        ("1", None), ("1", one), ("3", one), ("4", two), ("4", two), ("4", None), ("4", one),
+    )]  # fmt: skip
+    found = [asyncio.run(answering._of_stored(state)) for state in states]
+    told = [None if one is None else one.design for one in found]
+    assert told == [None, str(one), str(one), str(two), str(two), None, str(one)]
+    assert asked == [one, two, one]
+    asyncio.run(answering._of_stored(State("b", "my", {"x": "4"}, one)))
+    assert asked[3:] == [one]  # of another case
 
 
 def fetched(server: Server, path: str, *, key: bool = True) -> tuple[int, str]:

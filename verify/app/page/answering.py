@@ -26,6 +26,7 @@ class Answering:
     def __init__(self, screen: Any) -> None:
         self.screen, self.found = screen, Shown()
         self._answering = False
+        self._stored: tuple[State, Shown] | None = None
 
     def changed(self) -> None:
         """Answer the present state; states that pass while an answer is computed are skipped."""
@@ -53,8 +54,7 @@ class Answering:
         busy = background_tasks.create(self._busy(), name="busy")
         try:
             found = await self._asked(state)
-            stored = None if state.other is None else replace(state, raw=state.other)
-            other = stored and await self._asked(stored)
+            other = await self._of_stored(state)
         except (InputError, FailedError, CancelledError) as error:
             found, other = Shown(fault=str(error)), None
         finally:
@@ -70,11 +70,21 @@ class Answering:
         found: Shown = await self.screen.place.formulas.ask(shown, *asked, False, seconds=FORMULAS)
         return found
 
+    async def _of_stored(self, state: State) -> Shown | None:
+        """The answer of variant B, which is the same while only the form is edited."""
+        if state.other is None:
+            return None
+        stored = replace(state, raw=state.other, other=None)
+        if self._stored is None or self._stored[0] != stored:
+            self._stored = stored, await self._asked(stored)
+        return self._stored[1]
+
     async def _busy(self) -> None:
         """State after a while that the answer is not yet that of the present inputs."""
         await asyncio.sleep(SLOW)
         with self.screen.client:
             self.screen.busy.set_content("computing; the answer below is that of the inputs before")
+            self.screen.brief.set_content("computing")
 
     async def _details(self, state: State) -> None:
         """The same with the slow notes, where inputs were assumed."""
