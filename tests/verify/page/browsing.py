@@ -9,6 +9,9 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
 
+from verify.app.page.link import from_link
+from verify.app.page.session import State
+
 LONGEST = 60.0  # s, on a machine that is busy
 
 
@@ -22,14 +25,26 @@ class Browser:
 
     def open(self, case: str = "ring-lame") -> None:
         self.driver.get(self.address)
-        self.until(lambda: self.verdict)
+        self.until(lambda: self.state and self.verdict)
         if case:
             self.choose(case)
 
     def choose(self, case: str) -> None:
-        before = self.all(".verdict")
         Select(self.one("#case")).select_by_value(case)
-        self.until(lambda: self.all(".verdict") and self.all(".verdict") != before)
+        self.until(lambda: self.state and self.state.case == case)
+
+    @property
+    def state(self) -> State | None:
+        """The state whose answer the page shows, which its address then holds."""
+        link = self.driver.current_url.partition("?s=")[2]
+        return from_link(link) if link else None
+
+    def drawn(self) -> None:
+        """Wait until what was changed before is laid out and painted."""
+        frames = (
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))"
+        )
+        self.driver.execute_async_script(frames)
 
     def until(self, holds: Callable[[], Any], seconds: float = LONGEST) -> Any:
         end = time.monotonic() + seconds
@@ -64,7 +79,7 @@ class Browser:
     def type(self, place: str, text: str) -> None:
         found = self.input(place)
         found.send_keys(Keys.CONTROL, "a")
-        found.send_keys(text)
+        found.send_keys(text or Keys.DELETE)
 
     def message(self, place: str) -> str:
         return str(self.one(f'.field[data-at="{place}"] .message').text)
@@ -77,9 +92,15 @@ class Browser:
     def unfold(self, name: str) -> None:
         self.driver.execute_script(f"document.getElementById('{name}').open = true")
 
+    def unfold_all(self) -> None:
+        self.driver.execute_script(
+            "for (const one of document.querySelectorAll('.answer details')) one.open = true"
+        )
+
     def size(self, width: int, height: int = 900) -> None:
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+        self.until(lambda: self.driver.execute_script("return innerWidth") == width)
 
     def scheme(self, name: str, media: str = "") -> None:
         features = [{"name": "prefers-color-scheme", "value": name}]

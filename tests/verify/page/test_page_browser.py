@@ -1,6 +1,7 @@
 """The page in a browser: form, answer, finite elements, sweep, files, tabs, keys."""
 
 import json
+import time
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,28 @@ from selenium.webdriver.support.ui import Select
 
 from tests.verify.page.browsing import Browser
 
+SLOW = """import time
+import verify.case as vc
+
+
+class Slow(vc.Case):
+    \"\"\"Twice a length.\"\"\"
+
+    title = "Twice a length"
+    source = "a test"
+    a: float = vc.given("10 mm", "mm", "a", "length", gt=0)
+
+    @vc.Quantity("b", "mm", "twice the length", equation="1")
+    def b(self) -> float:
+        time.sleep(2)
+        return 2 * self.a
+
+    def reference(self, level: int) -> vc.Level:
+        return vc.solved(1 / level, b=2 * self.a)
+
+    def comparisons(self):
+        yield vc.approximation(Slow.b, order=2, expected=vc.Expected(-0.1, 0.1, "a test"))
+"""
 pytestmark = pytest.mark.slow("a browser opens the page")
 
 
@@ -37,6 +60,19 @@ def test_the_answer_follows_what_is_typed_in_any_unit(page: Browser) -> None:
     page.until(lambda: "Fails" in page.verdict)
 
 
+def test_a_number_alone_is_in_the_unit_of_its_field_and_gets_it(page: Browser) -> None:
+    page.type("p_i", "600")
+    page.until(lambda: "Fails" in page.verdict)
+    page.until(lambda: page.message("p_i") == "read as 600 MPa")
+    page.type("r_i", "19")
+    assert page.value("p_i") == "600 MPa"
+    assert page.message("p_i") == ""
+    page.until(lambda: page.state and page.state.raw["r_i"] == "19 mm")
+    page.type("nu", "0.29")
+    page.until(lambda: page.state and page.state.raw["nu"] == "0.29")
+    assert (page.value("r_i"), page.value("nu")) == ("19 mm", "0.29")
+
+
 def test_an_error_stands_at_its_input_and_goes_when_it_is_mended(page: Browser) -> None:
     page.type("r_i", "19 kg")
     page.until(lambda: "is not a length" in page.message("r_i"))
@@ -53,9 +89,11 @@ def test_a_warning_stands_beside_the_input(page: Browser) -> None:
 
 
 def test_the_input_that_is_edited_is_marked_in_the_sketch(page: Browser) -> None:
-    page.input("r_o").click()
-    page.until(lambda: page.all('.sketch [data-input="r_o"].on'))
-    assert not page.all('.sketch [data-input="r_i"].on')
+    for place, symbol, other in (("r_o", "ro", "r_i"), ("r_i", "ri", "r_o")):
+        page.input(place).click()
+        page.until(lambda: page.all(f'.sketch [data-input="{place}"].on'))  # noqa: B023
+        assert page.text(".sketch .on text").startswith(symbol)
+        assert not page.all(f'.sketch [data-input="{other}"].on')
 
 
 def test_undo_and_redo_by_keys(page: Browser) -> None:
@@ -141,6 +179,39 @@ def test_a_file_outside_the_folder_is_not_written(page: Browser, server: Server)
     page.press("save")
     page.until(lambda: "only files in the folder" in page.text("#file-told"))
     assert not (server.folder.parent / "out.toml").exists()
+
+
+def test_a_file_outside_the_folder_is_not_opened(page: Browser, server: Server) -> None:
+    secret = server.folder.parent / "secret.toml"
+    secret.write_text('case = "ring-lame"\nname = "secret"\n[inputs]\nr_i = "1 mm"\n', "utf-8")
+    page.unfold("tool-file")
+    forged = """const list = document.getElementById("load-name");
+    list.add(new Option("x", "../secret.toml")); list.value = "../secret.toml";
+    list.dispatchEvent(new Event("change", { bubbles: true }))"""
+    page.driver.execute_script(forged)
+    page.press("load")
+    page.until(lambda: "only files in the folder" in page.text("#file-told"))
+    assert page.value("r_i") != "1 mm"
+
+
+def test_a_slow_answer_blocks_no_typing_and_marks_the_answer_before(
+    driver: Any, server: Server
+) -> None:
+    (server.folder / "slow.py").write_text(SLOW, "utf-8")
+    page = Browser(driver, server.address)
+    page.open("slow.py")
+    page.unfold_all()
+    page.until(lambda: "20" in page.text("#answer table"))
+    page.type("a", "30 mm")
+    page.until(lambda: "answer below is that of the inputs before" in page.text("#busy"))
+    start = time.monotonic()
+    page.type("a", "400 mm")
+    assert page.value("a") == "400 mm"
+    assert time.monotonic() - start < 2  # each answer takes longer
+    assert "800" not in page.text("#answer table")
+    page.until(lambda: "800" in page.text("#answer table"))
+    page.until(lambda: page.text("#busy") == "")
+    assert page.value("a") == "400 mm"
 
 
 def test_the_address_reproduces_the_session_in_another_tab(page: Browser) -> None:

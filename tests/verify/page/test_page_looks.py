@@ -32,6 +32,7 @@ def test_a_narrow_page_does_not_scroll_sideways(page: Browser, case: str) -> Non
     page.size(390)
     page.choose("contact-flat")
     page.choose(case)
+    page.drawn()
     wide = "return document.documentElement.scrollWidth"
     assert page.driver.execute_script(wide) <= 390
     assert page.all(".brief")[0].is_displayed()
