@@ -28,7 +28,8 @@ CASES = ("ring-lame", "freewheel-clutch", "freewheel-cup", "contact-flat", "roto
          "spring-accordion")  # fmt: skip
 EDITS = 10  # of each case
 TABLE = """return [...document.querySelectorAll("#answer details")]
-    .filter(one => one.textContent.startsWith("Values")).flatMap(one => [...one.querySelectorAll("tr")])
+    .filter(one => one.textContent.startsWith("Values"))
+    .flatMap(one => [...one.querySelectorAll("tr")])
     .map(row => [...row.children].map(cell => cell.textContent.replaceAll("\\u200b", "")))"""
 pytestmark = pytest.mark.slow("a browser opens the page")
 
