@@ -11,7 +11,7 @@ import pytest
 from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
 from verify.core.inputs import InputError
 
-ENDED = 20.0  # s within which each test has ended, also where a limit is not kept
+ENDED = 20.0  # s within which each test has ended, also where a limit is not observed
 Tell = Callable[[Any], None]
 
 

@@ -24,7 +24,7 @@ WRITES = 'open(__file__ + ".ran", "w").close()\n'
 
 
 def recorded() -> tuple[Answering, list[Any], list[float]]:
-    """What answers a page, with the inputs that it asks for and their limits of time."""
+    """What answers a page, with the inputs that it requests and their limits of time."""
     asked: list[Any] = []
     limits: list[float] = []
 
