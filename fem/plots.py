@@ -1,6 +1,7 @@
 """Pictures of solutions by matplotlib, which is imported when one is drawn.
 
-`plot` is a function and no method: the code of a solution decides which stored results hold.
+`plot` is a function, not a method: the code of solution classes determines which stored results are
+valid.
 """
 
 from collections.abc import Callable

@@ -85,7 +85,7 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """The solution of the cone; NoEquilibriumError if it excludes the loads; NotFoundError."""
+        """Solution of the cone; NoEquilibriumError if loads are outside the cone; NotFoundError."""
         missed = missing(descent.cone, descent.e)
         if np.any(missed):
             raise NoEquilibriumError(

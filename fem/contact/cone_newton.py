@@ -81,7 +81,7 @@ class Newton:
     def _step(
         self, task: Task, at: State, states: NDArray[np.int8], errors: list[float]
     ) -> tuple[State, float, NDArray[np.int8]]:
-        """Newton's step or a part of it that does not increase the residual; otherwise the best."""
+        """Newton's step, or a part of it that does not increase the residual; else the best."""
         goal, share = Linearised(self.cone, task, at, states).newton(), 1.0
         found: list[tuple[float, State, NDArray[np.int8]]] = []
         while share >= SHORTEST:

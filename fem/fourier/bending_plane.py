@@ -1,4 +1,4 @@
-"""The plane of a body of revolution in which one of its modes bends: both halves of its section."""
+"""The plane in which a mode of a body of revolution bends: both halves of its section."""
 
 from typing import NamedTuple
 
@@ -13,10 +13,10 @@ CUT = 0.98  # relative to the volume, whose stress a picture's colours span
 
 
 class BendingPlane(NamedTuple):
-    """Points (n, 2) along the axis and across, cells (m, 4), displacements (n, 2), stresses (m,).
+    """Points (n, 2) along and across the axis, cells (m, 4), displacements (n, 2), stresses (m,).
 
-    Displacements have the largest component 1, the axial stress of cells is cut at the magnitude
-    that CUT of the volume stays below, which is 1.
+    The largest displacement component is 1. The axial stress of the cells is scaled by, and limited
+    to, the magnitude that a share CUT of the volume does not exceed.
     """
 
     points: Array

@@ -1,9 +1,9 @@
 """Compliance of the surface of a body of revolution under pressure, harmonic by harmonic.
 
-A cylindrical surface, rim or bore, carries the tractions cos(n t) into the body or sin(n t) around
-on one of several cells along z. The displacements they make in these directions, times cos(n t) or
-sin(n t), integrated over each cell and one radian, are G_n, symmetric. n G_n tends to a limit for
-large n and is smooth in ln n before, so that few harmonics need a solution.
+A cylindrical surface (rim or bore) carries tractions cos(n t) into the body, or sin(n t) around it,
+on one of several cells along z. The displacements in these directions, times cos(n t) or sin(n t),
+integrated over each cell and one radian, are G_n, a symmetric matrix. n G_n has a limit for large n
+and is smooth in ln n; therefore, only a few harmonics are solved.
 """
 
 from collections.abc import Iterator, Sequence
@@ -27,9 +27,10 @@ ENOUGH = 60.0  # harmonic times the narrowest cell's angle, beyond which the sum
 class SurfaceCompliance:
     """`G` (orders, 2, cells, 2, cells) [length^4/force] of the harmonics `orders`.
 
-    Its directions are into the body and around. The cells lie between `stations` (cells + 1,) in z
-    on a surface of the `curvature` 1/R, negative for a bore; loads repeat `places` times around the
-    turn, so that all harmonics are multiples of it. `softness` is (1 - nu^2)/E there [1/stress].
+    Its directions are into the body and around it. The cells lie between `stations` (cells + 1,) in
+    z on a surface with the `curvature` 1/R, negative for a bore. Loads are repeated at `places`
+    positions on the circumference; all harmonics are multiples of this number. `softness` is (1 -
+    nu^2)/E of the surface [1/stress].
     """
 
     curvature: float
@@ -51,11 +52,12 @@ class SurfaceCompliance:
     def between(self, across: Array, tilt: float) -> Array:
         """Matrix (M, M, cells, cells) of a patch: mean displacements under pressure, times area.
 
-        Unknowns are pressures on |s| in M cells between the growing arc lengths `across` (M + 1,)
-        from 0 on. They act along the contact's normal, which leans by `tilt` s [rad] from the
-        surface's towards s = 0; displacements count along it too. Entry [k, l, i, j] is the
-        integral, over the cell (k, i) and its mirror image in s, of the displacement under
-        pressure 1 on the cell (l, j), its image and both's repetitions at the other places.
+        Unknowns are pressures on |s| in M cells between the growing arc lengths `across` (M + 1,),
+        from 0. They act along the contact normal, which is inclined to the surface normal by `tilt`
+        s [rad] towards s = 0; displacements are components along the contact normal. Entry [k, l,
+        i, j] is the integral, over the cell (k, i) and its mirror image in s, of the displacement
+        under the pressure 1 on the cell (l, j), its image, and the repetitions of both at the other
+        positions.
         """
         angle = np.asarray(across, float) / self.radius
         M = angle.size - 1
@@ -68,9 +70,9 @@ class SurfaceCompliance:
         return np.einsum("sakbl,saibj->klij", weight, self.G, optimize=True)
 
     def _harmonics(self, finest: float) -> Iterator[tuple[Indices, Array]]:
-        """Blocks of harmonics n (b,), and how each G_n is made of those solved (b, orders).
+        """Blocks of harmonics n (b,), and weights (b, orders) of the solved harmonics in G_n.
 
-        n G_n is the cubic in ln n through the four nearest of them, and constant after the last.
+        n G_n is the cubic in ln n through the four nearest harmonics, and constant after the last.
         """
         yield np.zeros(1, int), np.eye(1, self.orders.size)
         for k in range(1, self.orders.size):
@@ -98,9 +100,9 @@ def _lagrange(knots: Array, x: Array) -> Array:
 def surface_flexibility(
     solid: FourierSolid, boundary: str, *, stations: Array, n: int = 0
 ) -> Array:
-    """G_n (2, cells, 2, cells) of one harmonic alone: inwards and around, on cells in z.
+    """G_n (2, cells, 2, cells) of one harmonic: directions inwards and around, cells in z.
 
-    That of n = 0 is the compliance under pressures that are the same all around. ValueError as for
+    G_0 is the compliance under pressures that are constant around the axis. ValueError as for
     `surface_compliance`.
     """
     return _by_cells(n, solid.flexibility(n, _loaded(solid, boundary, stations)[2]))
@@ -128,8 +130,8 @@ def _by_cells(n: int, work: Array) -> Array:
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
     """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t) for the lean l = tilt t.
 
-    Those are cos^2 l and sin l cos l: the components of a pressure on the length cos l dt that lies
-    square to it. Cells and images are taken together.
+    These are cos^2 l and sin l cos l: the components of a pressure on the length cos l dt normal to
+    it. Cells and images are combined.
     """
     t, m = angle[:, None], np.maximum(n, 1)
     sine, cosine = np.sin(n * t) / m, np.cos(n * t) / m
@@ -153,11 +155,11 @@ def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
 def surface_compliance(
     solid: FourierSolid, boundary: str, *, stations: Array, orders: Indices, places: int = 2
 ) -> SurfaceCompliance:
-    """The compliance of the cylindrical `boundary` of `solid` on cells between `stations` in z.
+    """Compliance of the cylindrical `boundary` of `solid` for cells between `stations` in z.
 
-    `orders` are the harmonics to be solved: 0 and growing multiples of `places`, such as
-    `harmonics` gives; the last represents all higher ones. ValueError if the boundary is no
-    cylinder, or a station no node of it.
+    `orders` are the solved harmonics: 0 and growing multiples of `places`, such as `harmonics`
+    returns; the last represents all higher harmonics. ValueError if the boundary is no cylinder, or
+    if a station is no node.
     """
     orders = np.asarray(orders)
     if (

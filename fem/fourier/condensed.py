@@ -1,7 +1,7 @@
 """Harmonics of one body under loads on few unknowns, which are eliminated last.
 
-From n = 2 on all harmonics have the same free unknowns, so that one selection and one pattern serve
-them all.
+For n >= 2, all harmonics have the same free unknowns: one selection and one sparsity pattern are
+used for all.
 """
 
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ class Selected:
 
     @classmethod
     def of(cls, parts: tuple[csr_array, csr_array, csr_array], T: csr_array) -> Self:
-        """Of three matrices with one pattern, such as the parts of a stiffness; T holds ones."""
+        """The free part of three matrices with one pattern, such as the parts of a stiffness."""
         first = parts[0]
         number = np.arange(1.0, first.nnz + 1)
         chosen = tril(T.T @ csr_array((number, first.indices, first.indptr), first.shape) @ T)
@@ -39,7 +39,7 @@ class Selected:
         return cls(T, data, chosen.indices, chosen.indptr)
 
     def stiffness(self, n: int) -> csc_array:
-        """The lower triangle of harmonic `n`, for a turn of one radian."""
+        """The lower triangle of the stiffness of harmonic `n`, for one radian."""
         K_0, K_1, K_2 = self.data
         return csc_array(
             (K_0 + n * K_1 + n**2 * K_2, self.indices, self.indptr),
@@ -50,7 +50,7 @@ class Selected:
 def flexibility(factor: Cholesky, T: csr_array, f: Array) -> Array:
     """The work f_i . u_j (k, k) of loads `f` (unknowns, k) on u_j = T q, by the factors of K.
 
-    With K = L L' only the last rows of L, from the first force on, take part.
+    With K = L L', only the last rows of L, from the first loaded unknown, are used.
     """
     load = T.T @ f
     first = int(np.argmax(np.any(load, axis=1)))

@@ -1,10 +1,10 @@
 """Frictionless contact of two bodies of revolution with parallel axes, on a narrow patch.
 
-The patch is a grid of cells, across (arc length s from the line of centres) and along z, each with
-a uniform pressure, symmetric in s. The mean gap of a cell is the gap of the undeformed surfaces
-plus the deflection of both bodies, from their finite elements (`SurfaceCompliance`): nothing is
-a half-space. Both bodies carry the same load at each of their `places`, so that they are in
-balance without supports.
+The patch is a grid of cells, across (arc length s from the line of centres) and along z. Each cell
+has a uniform pressure, symmetric in s. The mean gap of a cell is the gap of the undeformed surfaces
+plus the deflections of both bodies by finite elements (`SurfaceCompliance`): no half-space is used.
+Both bodies carry the same load at each of their `places`; they are therefore in balance without
+supports.
 """
 
 from collections.abc import Callable
@@ -31,8 +31,8 @@ class NarrowPatchError(ValueError):
 class PatchContact:
     """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
 
-    `across` are distances from the plane through the axes, of what was at the arc lengths s.
-    `load` and `approach` refer to the modelled length.
+    `across` are distances from the plane through the axes, for points at the arc lengths s. `load`
+    and `approach` refer to the modelled length.
     """
 
     across: Array
@@ -86,10 +86,9 @@ def patch_contact(
 ) -> PatchContact:
     """The contact of `bodies` under `load` [force] on the modelled length.
 
-    Their undeformed gap is the gap of their circles, R - R cos(s/R) for a rim and minus this for a
-    bore, plus `crown` (z). ValueError if stations or places of the bodies differ, or where
-    their surfaces don't curve away from each other; NarrowPatchError if the contact is as wide
-    as the patch.
+    The undeformed gap is that of their circles, R - R cos(s/R) for a rim and minus this for a bore,
+    plus `crown` (z). ValueError if stations or places of the bodies differ, or if their surfaces do
+    not curve away from each other; NarrowPatchError if the contact is as wide as the patch.
     """
     across = _check(bodies, across, load)
     stations = bodies[0].stations

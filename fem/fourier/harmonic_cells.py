@@ -10,8 +10,8 @@ and the weak form is, with c = 2 pi for n = 0 and pi else,
 
     a(u, v) = c int (lambda tr eps(u) tr eps(v) + 2 mu eps(u) : eps(v)) r dr dz.
 
-The strains are linear in n, hence K = K_0 + n K_1 + n^2 K_2 with parts that no harmonic changes.
-The antisymmetric field (U sin n t, V cos n t, W sin n t) has the same strains with -n for n.
+The strains are linear in n; hence K = K_0 + n K_1 + n^2 K_2, with parts that are the same for all
+harmonics. The antisymmetric field (U sin n t, V cos n t, W sin n t) has the same strains for -n.
 """
 
 from collections.abc import Sequence
@@ -88,9 +88,9 @@ class HarmonicCells:
         )  # fmt: skip
 
     def stiffness_parts(self, powers: Sequence[int] = (0, 1, 2)) -> tuple[csr_array, ...]:
-        """K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for a turn of one radian, on one pattern.
+        """K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for one radian, with one sparsity pattern.
 
-        Or those of the `powers` of n.
+        Only those of the given `powers` of n, if stated.
         """
         m, k = self.dofs.shape
         K = np.empty((len(powers), m, k, k))

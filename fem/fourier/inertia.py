@@ -10,7 +10,7 @@ from fem.plane.discretisation import Array
 def rigid_inertia(body: RotatingSolid) -> Array:
     """Mass [kg], polar and diametral moment about z = 0 [kg m^2] (3,).
 
-    From moving across and tilting as a whole: v M v, and the gyroscopic w G w of the tilt.
+    From rigid translation across the axis and tilt: v M v, and the gyroscopic w G w of the tilt.
     """
     twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
     across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T

@@ -11,9 +11,9 @@ from fem.plane.discretisation import Array
 
 
 def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
-    """Pressure (cells,) between `stations` (cells + 1,) of two surfaces, of a unit interference.
+    """Pressure (cells,) between `stations` (cells + 1,) of two surfaces with unit interference.
 
-    Each body has the name of its surface; both deflect uniformly around.
+    Each body is given with the name of its surface; both deflect uniformly around the axis.
     """
     G = sum(surface_flexibility(solid, name, stations=stations)[0, :, 0] for solid, name in bodies)
     return np.asarray(np.linalg.solve(G, np.diff(stations)), dtype=np.float64)

@@ -33,10 +33,10 @@ RESIDUAL_LIMIT = 1e-8  # relative to the load's forces, after the correction
 class FourierSolid:
     """Linear elastic bodies on a `mesh` of their half-section: x the radius r >= 0, y the axis z.
 
-    `materials` is one material or one for each body named in `mesh.subdomains`; `supports` names
-    boundaries and the components "r", "t", "z" that vanish there in every harmonic. `degree` of
-    the displacements is 1 or 2, by default the degree of the mesh. ValueError for unknown names,
-    cells without material, of nu > 0.45, folded or beyond the axis.
+    `materials` is one material, or one for each body in `mesh.subdomains`; `supports` states for
+    each boundary the components "r", "t", "z" that vanish there in every harmonic. `degree` of the
+    displacements is 1 or 2, by default the degree of the mesh. ValueError for unknown names, and
+    for cells without material, with nu > 0.45, folded, or beyond the axis.
     """
 
     mesh: Mesh2D
@@ -67,7 +67,7 @@ class FourierSolid:
 
     @cached_property
     def _first(self) -> csr_array:
-        """K_0, all that the harmonic n = 0 needs."""
+        """K_0, the only part that the harmonic n = 0 needs."""
         return self.cells.stiffness_parts((0,))[0]
 
     @cached_property
@@ -93,21 +93,20 @@ class FourierSolid:
     def harmonic(self, n: int, *, antisymmetric: bool = False) -> "Harmonic":
         """The problem of (U cos n t, V sin n t, W cos n t), or (U sin, V cos, W sin), factorised.
 
-        ValueError unless n is a whole number >= 0, and where the supports leave a body free to move
-        rigidly.
+        ValueError unless n is a whole number >= 0, and if a body can move rigidly.
         """
         return Harmonic.of(self, _whole(n), antisymmetric)
 
     def flexibility(self, n: int, f: Array) -> Array:
         """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their displacements.
 
-        For forces on few unknowns, such as pressures on one surface: these are eliminated last,
-        and the others only factorised. Symmetric harmonics; errors as for `harmonic`.
+        For forces on few unknowns, such as pressures on one surface: these unknowns are eliminated
+        last, and all others are only factorised. Symmetric harmonics; errors as for `harmonic`.
         """
         return next(self.flexibilities((n,), f))
 
     def flexibilities(self, orders: Iterable[int], f: Array) -> Iterator[Array]:
-        """`flexibility` of the harmonics `orders` one after the other, all under loads `f`."""
+        """`flexibility` of each of the harmonics `orders`, for the same loads `f`."""
         place = np.where(np.any(f, axis=1), self.basis.N, 0) + self.place
         higher: Selected | None = None
         factor: Cholesky | None = None
@@ -163,9 +162,9 @@ class Harmonic:
         )
 
     def displacements(self, f: Array) -> Array:
-        """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), one correction included.
+        """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), with one correction.
 
-        ArithmeticError if the balance misses more than 1e-8 of the forces.
+        ArithmeticError if the residual of the balance exceeds 1e-8 of the forces.
         """
         load = self.T.T @ f
         q = self.factor.solve(load)

@@ -1,4 +1,4 @@
-"""Solved harmonics of a body of revolution, and their sum, read off at points and angles.
+"""Solved harmonics of a body of revolution, and their sum at points and angles.
 
 Stress rows are rr, tt, zz, rt, tz, zr. Energies and forces refer to the full turn.
 """
@@ -91,7 +91,7 @@ class FourierSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Sum over the harmonics, which are orthogonal over the turn [force x length]."""
+        """Sum over the harmonics, which are orthogonal over the circumference [force x length]."""
         return sum(part.strain_energy for part in self.parts)
 
     def at(self, points: Array, angle: Array) -> tuple[Array, Array]:

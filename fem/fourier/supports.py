@@ -1,7 +1,7 @@
 """Supports of the amplitudes of a harmonic: supports by name, the axis, and the check of the rest.
 
-At r = 0 a displacement must not depend on the angle: n = 0 leaves W alone there (antisymmetric:
-nothing), n = 1 leaves U = -V (antisymmetric: U = V), higher harmonics vanish.
+At r = 0, a displacement must not depend on the angle: n = 0 permits only W there (antisymmetric:
+nothing), n = 1 permits U = -V (antisymmetric: U = V), higher harmonics vanish.
 """
 
 from collections.abc import Mapping
@@ -80,8 +80,9 @@ def free_unknowns(
 def rigid_motions(basis: Basis, n: int, antisymmetric: bool) -> Array:
     """Amplitudes (unknowns, k) of the k rigid motions in harmonic n, k = 0 from n = 2 on.
 
-    n = 0: one along z, or (antisymmetric) a turn by 1/length about it. n = 1: along x and the turn
-    (z, 0, -x) about y; antisymmetric along y and the turn (0, -z, y) about x.
+    n = 0: a shift along z, or (antisymmetric) a rotation by 1/length about z. n = 1: a shift along
+    x and the rotation (z, 0, -x) about y; antisymmetric: along y and the rotation (0, -z, y) about
+    x.
     """
     U, V, W = node_dofs(basis)
     r, z = basis.doflocs[:, U]
@@ -98,7 +99,7 @@ def rigid_motions(basis: Basis, n: int, antisymmetric: bool) -> Array:
 
 
 def check_held(basis: Basis, T: csr_array, n: int, antisymmetric: bool) -> None:
-    """ValueError naming the body and the rigid motion of harmonic `n` that is left to it."""
+    """ValueError with the body and its rigid motion in harmonic `n`, if it can move rigidly."""
     motions = rigid_motions(basis, n, antisymmetric)
     if not motions.shape[1]:
         return

@@ -13,9 +13,9 @@ ROUND_OFF = 1e-11  # relative to the largest pressure, and to the largest gap
 def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array, float]:
     """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
 
-    A p + area (gap - approach) is 0 where p > 0, otherwise positive; area . p = load. `A`
-    (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave,
-    those that overlap come back, until none does. ArithmeticError if that does not end.
+    A p + area (gap - approach) is 0 if p > 0, otherwise positive; area . p = load. `A` (n, n) is
+    symmetric and positive definite. All cells start in contact; cells in tension are removed and
+    overlapping cells are added until none remains. ArithmeticError if this does not end.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):

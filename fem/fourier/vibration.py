@@ -1,15 +1,15 @@
-"""Whirling of elastic bodies of revolution that spin about their axis, each at a separate speed.
+"""Whirling of elastic bodies of revolution that rotate about their axis, each at a separate speed.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
 
-Harmonic n of amplitudes u = (U, V, W) at the speed W and the angular frequency w, w > 0 being a
-wave that runs forward, in the sense of W > 0:
+Harmonic n with amplitudes u = (U, V, W) at the speed W and the angular frequency w; w > 0 is a
+forward wave, in the sense of W > 0:
 
     K u + w W G u - w^2 M u = 0,    and with  y = w u    diag(K, M) x = w [[-W G, M], [M, 0]] x.
 
-The left side of the second form is symmetric, positive definite and needs only K's factors, at
-any speed; Lanczos' method finds the largest 1/w of both signs.
+The second form is symmetric and positive definite on its left side, and needs only the factors of K
+at any speed; Lanczos' method finds the largest 1/w of both signs.
 """
 
 from collections.abc import Mapping
@@ -44,11 +44,11 @@ SEED = 1
 
 @dataclass(frozen=True)
 class WhirlModes:
-    """Angular frequencies (count,) of the waves that run forward and backward at `speed`, growing.
+    """Angular frequencies (count,) of forward and backward waves at `speed`, ascending.
 
-    `forward_shapes` and `backward_shapes` (unknowns, count) hold amplitudes (U, V, W) of unit
-    modal mass. `splitting` (count,) is forward less backward, accurate to as many digits as a
-    frequency, however small.
+    `forward_shapes` and `backward_shapes` (unknowns, count) contain amplitudes (U, V, W) of unit
+    modal mass. `splitting` (count,) is the forward minus the backward frequency, with as many
+    accurate digits as a frequency, however small.
     """
 
     speed: float
@@ -61,11 +61,11 @@ class WhirlModes:
 
 @dataclass(frozen=True)
 class RotatingSolid:
-    """The bodies of `solid`, of density `rho`, at the rotor's speed times `ratio`.
+    """The bodies of `solid` with the density `rho`, at `ratio` times the speed of the rotor.
 
-    Density and ratio are one for all bodies or one for each that the mesh names. Springs and discs
-    belong to harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
-    discs at other harmonics, and bodies that can move rigidly.
+    Density and ratio are one value for all bodies, or one for each body of the mesh. Springs and
+    discs belong to harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
+    discs with other harmonics, and bodies that can move rigidly.
     """
 
     solid: FourierSolid
@@ -122,9 +122,9 @@ class RotatingSolid:
         return Cholesky(self.K)
 
     def modes(self, speed: float, count: int = 4) -> WhirlModes:
-        """The `count` lowest modes that run forward and backward at `speed` [rad/time].
+        """The `count` lowest forward and backward modes at `speed` [rad/time].
 
-        ArithmeticError if a mode misses balance by more than 1e-5 of its elastic forces.
+        ArithmeticError if the residual of a mode exceeds 1e-5 of its elastic forces.
         """
         K, M, size = self.K, self.M, self.K.shape[0]
         if not np.isfinite(speed) or not 1 <= count < size // 2:
@@ -163,9 +163,9 @@ class RotatingSolid:
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
         """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
 
-        Fewer than `count` where gyroscopic forces keep the others from ever being met: of
-        (e^2 M - e G) u = K u/W^2 only positive roots are speeds. With a negative excitation the
-        modes run backward.
+        Fewer than `count` if gyroscopic forces prevent some modes from having a critical speed: of
+        (e^2 M - e G) u = K u/W^2, only positive roots are speeds. A negative `excitation` gives
+        backward modes.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)
@@ -201,7 +201,7 @@ def _operator(apply, size: int) -> LinearOperator:
 
 
 def _start(size: int) -> Array:
-    """A first vector that holds every mode, the same in every run."""
+    """A start vector with components of all modes, the same in every run."""
     return np.random.default_rng(SEED).standard_normal(size)
 
 

@@ -12,10 +12,10 @@ from fem.plane.discretisation import Array
 
 
 def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Array]) -> None:
-    """ValueError if a rigid motion of the bodies in harmonic n is free of forces.
+    """ValueError if no force resists a rigid motion of the bodies in harmonic n.
 
-    u = T q are the supported displacements, `pulls` (free,) each the functionals of q that a spring
-    acts on.
+    u = T q are the supported displacements; `pulls` (free,) are functionals of q, one for each
+    spring.
     """
     motions = _of_bodies(basis, n)
     if not motions.shape[1]:

@@ -78,7 +78,7 @@ def inertias(
 
 
 def squares(rows: Sequence[Array], weights: Array, size: int) -> csr_array:
-    """The sum (size, size) of weights times rows, each times itself."""
+    """Sum (size, size) of the weighted outer products of rows."""
     if not len(rows):
         return csr_array((size, size))
     C = csr_array(np.array(rows))

@@ -1,4 +1,4 @@
-"""Inertia and gyroscopic forces of a spinning body of revolution, and its boundaries' motions.
+"""Inertia and gyroscopic forces of a rotating body of revolution, and motions of its boundaries.
 
 A body turns about its axis at the speed W. With fixed axes a displacement of amplitudes
 u = (U, -iV, W) exp i(n t - w s), t the angle and s the time, is carried along: the rate of a
@@ -7,8 +7,8 @@ particle's is D = -iw + W (d/dt + J), J turning (u_r, u_t) into (-u_t, u_r), hen
     D = -i (w - W (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
     -D^2 = w^2 - 2 w W (n + P) + W^2 (n + P)^2.
 
-The first two terms are M and G below; the third is left out together with the stiffness of the
-centrifugal stress, which it balances wherever a body turns as if rigid.
+The first two terms are M and G below. The third is omitted together with the stiffness by the
+centrifugal stress; both cancel for a rigid rotation.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
-    """`values` (cells,), one for all cells or one for each body that the mesh names.
+    """`values` (cells,), one value for all cells or one for each body of the mesh.
 
     ValueError for unknown bodies, cells without a value, and values that are not finite.
     """
@@ -47,7 +47,7 @@ def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Arr
 def mass_matrix(
     cells: HarmonicCells, basis: Basis, n: int, density: Array, form: Array
 ) -> csr_array:
-    """The integral of density u . form u over the turn, `form` (3, 3) on (U, V, W).
+    """The integral of density u . form u over the circumference, `form` (3, 3) on (U, V, W).
 
     `density` (cells,) in mass/length^3, or that times a speed.
     """
@@ -68,11 +68,11 @@ def gyroscopic_form(n: int) -> Array:
 
 
 def mean_motion(basis: Basis, boundary: str) -> Array:
-    """Functionals (unknowns, 2) of harmonic 1: how far `boundary` moves across, and how it tilts.
+    """Functionals (unknowns, 2) of harmonic 1: lateral shift and tilt of `boundary`.
 
-    The rigid motion about the boundary's centre that is nearest to u, in the mean square over its
-    area: a displacement along x and a turn about y [rad], from the amplitudes (U, V, W).
-    ValueError for an unknown boundary, and one on the axis.
+    They are those of the rigid motion about the centre of the boundary that is nearest to u, in the
+    mean square over its area: a displacement along x and a rotation about y [rad], from the
+    amplitudes (U, V, W). ValueError for an unknown boundary, or a boundary on the axis.
     """
     facets = named_facets(basis.mesh, boundary)
     if not has_area(basis.mesh, facets):

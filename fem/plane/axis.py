@@ -12,7 +12,7 @@ AT_AXIS = 1e-8  # relative to a cell's radius: u_r/r loses as many digits there 
 
 
 def depth(x: Array, turn: bool) -> Array:
-    """Weight of a length or area at `x` (2, ...): unit thickness, or with `turn` 2 pi r."""
+    """Weight of a length or area at `x` (2, ...): unit thickness, or 2 pi r with `turn`."""
     return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
 
 
@@ -22,12 +22,12 @@ def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
 
 
 def has_area(mesh: Mesh2D, facets: NDArray[np.int64]) -> bool:
-    """Whether `facets` sweep over any area in a turn: not all of them lie on the axis."""
+    """Whether `facets` generate an area by rotation: not all of them are on the axis."""
     return not np.all(on_axis(mesh, mesh.p[:, mesh.facets[:, facets]]))
 
 
 def check_radii(mesh: Mesh2D) -> None:
-    """ValueError naming a cell whose edges, curved or straight, run beyond the axis."""
+    """ValueError with the number of a cell whose edges, curved or straight, cross the axis."""
     r = np.asarray(mesh.mapping().G(np.linspace(0, 1, STATIONS)[None]))[0]
     lowest = r.min(axis=1)
     beyond = np.flatnonzero(lowest < -ON_AXIS * abs(mesh.p[0]).max())

@@ -1,4 +1,4 @@
-"""Stiffness and internal forces of all cells at once, equal to the weak forms but faster.
+"""Stiffness and internal forces of all cells at once, equal to the weak forms, but faster.
 
 The forms are a(u, v) = int sigma(u) : eps(v), and the same with u known, for
 sigma(u) = lambda tr(eps(u)) I + 2 mu eps(u). Lamé's constants are uniform in a cell, so that
@@ -31,9 +31,9 @@ BLOCK = 512  # cells whose matrices fit the processor's cache together
 class Cells:
     """Isotropic cells in the plane; quantities refer to unit thickness, or to the full turn.
 
-    `slope` (m, 2 points, n) holds d_i N at the quadrature points, point by point i = x, y; `dx`
-    (m, points) their weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants;
-    `around` (m, points, n) holds N/r in a body of revolution, else nothing.
+    `slope` (m, 2 points, n) contains d_i N at the quadrature points, point by point i = x, y; `dx`
+    (m, points) the weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants;
+    `around` (m, points, n) N/r for a body of revolution, otherwise nothing.
     """
 
     slope: Array
@@ -71,9 +71,9 @@ class Cells:
     def stiffness(self, place: Indices | None = None, weight: Array | None = None) -> csr_array:
         """K (unknowns, unknowns) of a(u, v) = v . K u.
 
-        With `place` (unknowns,), a number for every unknown that remains and -1 for the others,
-        K has the rows and columns of these alone. Unknowns of one number are shares of one, each
-        with its `weight` (unknowns,).
+        With `place` (unknowns,), the number of each unknown that remains and -1 for the others, K
+        has only the rows and columns of the remaining ones. Unknowns with the same number are
+        combined, each with its `weight` (unknowns,).
         """
         m, _, n = self.slope.shape
         K = np.empty((m, 2 * n, 2 * n))

@@ -67,17 +67,17 @@ class LateBasis(Basis):
 
 
 def degree_on(mesh: Mesh2D, degree: int | None) -> int:
-    """`degree`, or by default the degree of the mesh itself."""
+    """`degree`, or by default the degree of the mesh."""
     return degree if degree is not None else 2 if is_curved(mesh) else 1
 
 
 def vector_basis(
     mesh: Mesh2D, degree: int | None = None, *, turn: bool = False, mixed: bool = False
 ) -> Basis:
-    """Displacements of the given degree; by default the degree of the mesh itself.
+    """Basis of displacements of the given degree; by default the degree of the mesh.
 
-    With `turn`, x is a radius. `mixed` belongs to cells with a projected dilatation. ValueError
-    for other degrees, and where a cell of the mesh is folded or, with `turn`, lies beyond the axis.
+    With `turn`, x is a radius. `mixed` is for cells with a projected dilatation. ValueError for
+    other degrees, and if a cell of the mesh is folded or, with `turn`, beyond the axis.
     """
     degree = degree_on(mesh, degree)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
@@ -111,7 +111,7 @@ def facet_basis(
 
 
 def named_facets(mesh: Mesh2D, name: str) -> Indices:
-    """Facets of the boundary `name`; an unknown name lists the known ones."""
+    """Facets of the boundary `name`; the error for an unknown name lists the known names."""
     if name not in (mesh.boundaries or {}):
         known = ", ".join(sorted(mesh.boundaries or {})) or "none"
         raise ValueError(f"the mesh has no boundary {name!r}; its boundaries: {known}")
@@ -119,7 +119,7 @@ def named_facets(mesh: Mesh2D, name: str) -> Indices:
 
 
 def outer_facets(mesh: Mesh2D, name: str) -> Indices:
-    """Facets of the boundary `name`, which must have an outward normal; else ValueError."""
+    """Facets of the boundary `name`; ValueError if they have no outward normal."""
     facets = named_facets(mesh, name)
     if np.any(mesh.f2t[1, facets] >= 0):
         raise ValueError(
@@ -130,7 +130,7 @@ def outer_facets(mesh: Mesh2D, name: str) -> Indices:
 
 
 def named_cells(mesh: Mesh2D, name: str) -> Indices:
-    """Cells of the body `name`; an unknown name lists the known ones."""
+    """Cells of the body `name`; the error for an unknown name lists the known names."""
     if name not in (mesh.subdomains or {}):
         known = ", ".join(sorted(mesh.subdomains or {})) or "none"
         raise ValueError(f"the mesh has no body {name!r}; its bodies: {known}")

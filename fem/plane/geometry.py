@@ -35,9 +35,9 @@ def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
 def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """dx_i / dX_j (m, q, 2, 2) at reference points `X` (2, q), and determinants (m, q).
 
-    Of all cells or of `cells` (m,), each possibly with its points, `X` (2, m, q). Coordinates count
-    from a node of the same cell: round-off stays small against a cell however far it lies from
-    the origin.
+    For all cells or for `cells` (m,), each possibly with separate points, `X` (2, m, q).
+    Coordinates are relative to a node of the cell: round-off is then small relative to the cell at
+    any distance from the origin.
     """
     t = np.asarray(mesh.dofs.element_dofs)
     nodes = mesh.doflocs[:, t if cells is None else t[:, cells]]
@@ -59,10 +59,10 @@ def shapes_in(mesh: Mesh2D, cells: Indices, elem: Element, X: Array) -> tuple[Ar
 
 
 def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
-    """ValueError naming the first cell that folds over, flattens, or lies on its neighbour.
+    """ValueError with the number of the first cell that is folded, flat, or overlaps its neighbour.
 
-    The determinant has one sign, either, at the `quadrature` points (2, q) and the mesh's nodes;
-    two cells lie on either side of the edge that they share.
+    The determinant must have one sign at the `quadrature` points (2, q) and the nodes of the mesh;
+    two cells must lie on different sides of their common edge.
     """
     _, det = jacobians(mesh, np.hstack([quadrature, mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)

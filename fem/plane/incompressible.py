@@ -1,7 +1,7 @@
-"""Nearly incompressible materials: where plain elements fail, and the triangle that does not.
+"""Nearly incompressible materials: limit of plain elements, and the triangle for mixed ones.
 
-Plain elements of degree 2 still give displacements above this limit, but their volumetric stress
-lambda div u oscillates about the exact one, with an amplitude that grows as lambda/mu.
+Above this limit, plain elements of degree 2 still give displacements, but their volumetric stress
+lambda div u oscillates about the exact one; the amplitude grows with lambda/mu.
 """
 
 import numpy as np
@@ -21,12 +21,12 @@ def plane_ratio(lam: Array, mu: Array) -> Array:
 
 
 def nearly_incompressible(lam: Array, mu: Array) -> bool:
-    """Whether any cell lies above the limit; never so in plane stress."""
+    """Whether a cell is above the limit; never in plane stress."""
     return bool(np.any(plane_ratio(lam, mu) > LIMIT * (1 + ROUND_OFF)))
 
 
 def refuse(mesh: Mesh2D, lam: Array, mu: Array, reason: str) -> None:
-    """ValueError for `reason` that names a nearly incompressible cell, if there is one."""
+    """ValueError with `reason` and the number of a nearly incompressible cell, if there is one."""
     if not nearly_incompressible(lam, mu):
         return
     nu = plane_ratio(lam, mu)

@@ -1,7 +1,7 @@
 """Materials of the bodies of a plane mesh, loads on its cells and boundaries, by name.
 
-Loads are forces (unknowns,) for unit thickness or, with `turn`, for the full turn about the y axis,
-x being the radius.
+Loads are forces (unknowns,) for unit thickness or, with `turn`, for the full circumference about
+the y axis; x is then the radius.
 """
 
 from collections.abc import Callable, Mapping
@@ -81,7 +81,7 @@ def force_load(
 ) -> Array:
     """Totals `forces` [force] on named boundaries, each uniformly distributed over its boundary.
 
-    A total acts on the whole thickness or turn. ValueError for a radial total in a body of
+    A total acts on the whole thickness or circumference. ValueError for a radial total on a body of
     revolution, which has no resultant.
     """
     f = np.zeros(basis.N)
@@ -102,7 +102,7 @@ def force_load(
 def body_load(
     basis: Basis, forces: Vector | Mapping[str, Vector] | None, *, turn: bool = False
 ) -> Array:
-    """Forces of `forces` per volume [force / length^3], on everything or by body."""
+    """Forces of `forces` per volume [force / length^3], on all cells or by body."""
     f = np.zeros(basis.N)
     if forces is None:
         return f
@@ -125,9 +125,9 @@ def point_load(
     *,
     turn: bool = False,
 ) -> Array:
-    """Forces at nodes, by coordinates; with `turn` the totals around rings.
+    """Forces at nodes, by coordinates; with `turn`, totals on rings.
 
-    ValueError if no node lies, and for a radial force on the axis.
+    ValueError if there is no node at the point, and for a radial force on the axis.
     """
     f = np.zeros(basis.N)
     for point, force in forces.items():
@@ -141,7 +141,7 @@ def point_load(
 
 
 def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> Trace:
-    """`basis` on the `facets` of boundary `name`; ValueError if a turn gives them no area."""
+    """`basis` on the `facets` of boundary `name`; ValueError if they have no area by rotation."""
     if turn and not has_area(basis.mesh, facets):
         raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")
     return facet_basis(basis, facets)

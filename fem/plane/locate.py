@@ -1,7 +1,7 @@
-"""The cell of a plane mesh that a point lies in, and the point's coordinates in that cell.
+"""The cell of a plane mesh that contains a point, and the coordinates of the point in the cell.
 
-Cells may have curved edges. Coordinates count from a corner of the cell, so that round-off
-stays small against a cell however far it lies from the origin.
+Cells may have curved edges. Coordinates are relative to a corner of the cell: round-off is then
+small relative to the cell at any distance from the origin.
 """
 
 import numpy as np
@@ -25,10 +25,10 @@ PAIRS = 4_000_000  # points times cells compared at once: some ten megabytes
 def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     """Cell (m,) and reference coordinates (2, m) of each of `points` (2, m).
 
-    A point between cells gets one of them, always the same, and so does one where bodies overlap.
-    `INSIDE` of a cell beyond the boundary still counts: the gap between a circle and its parabolas,
-    though not between parabolas and any other curve. ValueError names the first point that lies in
-    no cell, and its distance.
+    A point on an edge is always assigned to the same cell, and so is a point in overlapping bodies.
+    A point outside by less than `INSIDE` of a cell is accepted: this covers the gap between a
+    circle and parabolas, but not between parabolas and any other curve. ValueError for the first
+    point in no cell, with its distance.
     """
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
     low, high = nodes.min(axis=1), nodes.max(axis=1)
@@ -40,7 +40,7 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     cell, X = np.full(points.shape[1], -1), np.zeros(points.shape)
 
     def settle(point: Indices, tried: Indices, gap: float, starts: Array) -> None:
-        """Give each `point` its deepest cell of those `tried` with it, to within `gap` outside."""
+        """Assign each `point` the deepest of its cells `tried`, to within `gap` outside."""
         found, depth = _invert(mesh, nodes[:, :, tried], points[:, point], starts)
         order = np.lexsort((tried, -np.round(depth, ROUND_OFF_DIGITS), point))
         first = order[np.unique(point[order], return_index=True)[1]]
@@ -84,9 +84,9 @@ def _distance(mesh: Mesh2D, x: Array) -> float:
 def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array, Array]:
     """Reference coordinates (2, m) of `x` (2, m) in cells with `nodes` (2, n, m), and depth (m,).
 
-    From each of `starts` (k, 2) in turn, until one leads into the cell: beside a distorted one a
-    second point may map to x too. The depth is the distance to the nearest edge, as a share of
-    the cell, and minus infinity where no point of the neighbourhood of the cell maps to x.
+    From each of `starts` (k, 2) in turn, until one leads into the cell: near a distorted cell, a
+    second point may also map to x. The depth is the distance to the nearest edge over the size of
+    the cell, and minus infinity if no point near the cell maps to x.
     """
     corner = nodes[:, 0]
     nodes, x = nodes - corner[:, None], x - corner
@@ -103,7 +103,7 @@ def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array,
 
 
 def _newton(elem: Element, nodes: Array, x: Array, start: Array) -> tuple[Array, Array]:
-    """Reference coordinates (2, m) from `start` on towards `x`, and by how far these miss it."""
+    """Reference coordinates (2, m) from `start` towards `x`, and remaining distances from `x`."""
     X, at = np.repeat(start[:, None], x.shape[1], axis=1), np.arange(x.shape[1])
     for _ in range(NEWTON_STEPS):
         phi, slope = shapes(elem, X[:, at])

@@ -32,8 +32,8 @@ class Elastic:
         return self.E * self.nu / ((1 + self.nu) * (1 - 2 * self.nu)), mu
 
     def normal_stress_ratio(self, assumption: Assumption) -> float:
-        """sigma_zz / (sigma_xx + sigma_yy): nu where the plane may not strain outwards, else 0.
+        """sigma_zz / (sigma_xx + sigma_yy): nu if the strain along z is prevented, otherwise 0.
 
-        NaN in a body of revolution, whose hoop stress follows from a separate strain.
+        NaN for a body of revolution, whose hoop stress follows from a separate strain.
         """
         return {"plane strain": self.nu, "plane stress": 0.0, "axisymmetric": math.nan}[assumption]

@@ -3,8 +3,8 @@
     Mean({"r": 1e-3})        # turned by a milliradian about the origin, on the average
     Mean({"x": 0.0, "y": 0.0})
 
-The mean shift is int u dA / A, the mean rotation int (arm x u) dA / int arm^2 dA. What holds them
-are uniform tractions, or tractions proportional to the arm.
+The mean shift is int u dA / A, the mean rotation int (arm x u) dA / int arm^2 dA. The reactions are
+uniform tractions, or tractions proportional to the arm.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ INDEPENDENT = 1e-9  # relative to the largest singular value
 class Mean:
     """Prescribed mean motions of a boundary.
 
-    `held` gives the values of x, y [length] and r [rad, about a point], or of some of them.
+    `held` states the values of x, y [length] and r [rad, about a point], or of some of these.
     """
 
     held: Mapping[str, float]
@@ -82,10 +82,10 @@ class _Motion:
 
 
 def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
-    """Columns of `T` (unknowns, n) that leave the means `C` (k, unknowns) at rest, and a lift.
+    """Columns of `T` (unknowns, n) for which the means `C` (k, unknowns) vanish, and a lift.
 
-    The lift (unknowns, k) moves each mean by one. The last `surface` columns stay the last and
-    must not be part of any mean.
+    The lift (unknowns, k) changes each mean by one. The last `surface` columns remain the last and
+    must not be part of a mean.
     """
     rows = (C @ T).tocsc()
     touched = np.flatnonzero(np.diff(rows.indptr))

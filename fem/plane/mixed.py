@@ -1,14 +1,14 @@
 """Cells of nearly incompressible bodies: the volumetric stress is a linear field of each cell.
 
-The mixed form has displacements u and p = lambda theta, where theta is linear in each cell and
-jumps between cells. Each cell eliminates its theta, the projection of div u:
+The mixed form has displacements u and p = lambda theta; theta is linear in each cell and
+discontinuous between cells. Each cell eliminates its theta, the projection of div u:
 
     K = 2 mu int eps(u) : eps(v) + lambda int theta(u) theta(v),  int psi (theta(u) - div u) = 0
 
-for psi = 1, x, y. What remains is symmetric and positive definite. Pairs that satisfy the inf-sup
-condition: Q2 with linear pressures in x, y (not in the reference coordinates, which would lose an
-order in distorted cells), and the seven-node triangle (Crouzeix and Raviart 1973; Boffi, Brezzi and
-Fortin 2013, sec. 8.6).
+for psi = 1, x, y. The condensed matrix is symmetric and positive definite. These pairs satisfy the
+inf-sup condition: Q2 with pressures linear in x, y (not in the reference coordinates, which would
+lose an order in distorted cells), and the seven-node triangle (Crouzeix and Raviart 1973; Boffi,
+Brezzi and Fortin 2013, sec. 8.6).
 """
 
 from dataclasses import dataclass, replace
@@ -85,14 +85,14 @@ class MixedCells(Cells):
 def basis_for(
     mesh: Mesh2D, lam: Array, mu: Array, degree: int | None, *, turn: bool = False
 ) -> Basis:
-    """Displacements on cells of these moduli; ValueError if their degree 1 would lock."""
+    """Basis of displacements for these moduli; ValueError if degree 1 would lock."""
     if degree_on(mesh, degree) == 1:
         refuse(mesh, lam, mu, "displacements of degree 1 lock, use degree=2")
     return vector_basis(mesh, degree, turn=turn, mixed=nearly_incompressible(lam, mu))
 
 
 def cells_of(basis: Basis, lam: Array, mu: Array, *, turn: bool = False) -> Cells:
-    """Cells of `basis`, mixed ones where a material is nearly incompressible."""
+    """Cells of `basis`; mixed cells if a material is nearly incompressible."""
     kind = MixedCells if nearly_incompressible(lam, mu) else Cells
     return kind.of(basis, lam, mu, turn=turn)
 

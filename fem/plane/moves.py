@@ -1,4 +1,4 @@
-"""Moves of the plane without strain: turns about the origin, then shifts."""
+"""Rigid motions of the plane: rotations about the origin, then shifts."""
 
 import cmath
 from dataclasses import dataclass
@@ -12,14 +12,14 @@ Place = TypeVar("Place", complex, NDArray[np.complex128])
 
 @dataclass(frozen=True)
 class Move:
-    """A turn by `angle` [rad], then a `shift` [length]; places and shifts are x + iy."""
+    """A rotation by `angle` [rad], then a `shift` [length]; positions and shifts are x + iy."""
 
     angle: float = 0.0
     shift: complex = 0.0
 
     @classmethod
     def about(cls, centre: complex, angle: float, shift: complex = 0.0) -> "Move":
-        """A turn about `centre`, then a `shift`."""
+        """A rotation about `centre`, then a `shift`."""
         return cls(angle, centre + shift - cmath.rect(1, angle) * centre)
 
     def of(self, place: Place) -> Place:
@@ -27,7 +27,7 @@ class Move:
         return cmath.rect(1, self.angle) * place + self.shift
 
     def after(self, first: "Move") -> "Move":
-        """The `first` move, then this one."""
+        """The `first` motion, followed by this one."""
         return Move(self.angle + first.angle, self.of(first.shift))
 
     @property

@@ -10,11 +10,11 @@ LARGE = 256
 
 
 def nested_dissection(basis: Basis) -> Indices:
-    """Place (unknowns,) of every unknown in the order of elimination.
+    """Position (unknowns,) of every unknown in the order of elimination.
 
-    Cells are halved by the straight line of several directions that cuts the fewest edges, and
-    the halves again, down to single cells. Unknowns that both halves share follow all that lie in
-    one of them alone.
+    Cells are divided into halves by a straight line, in that of several directions which cuts the
+    fewest edges. The halves are divided again, down to single cells. Unknowns common to both halves
+    follow all unknowns of one half only.
     """
     path, levels = _halves(basis)
     dofs = np.asarray(basis.element_dofs)

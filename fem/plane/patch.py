@@ -18,10 +18,10 @@ def solve_under_patch(
 ) -> PlaneSolution:  # fmt: skip
     """The body under half of the load P per length on its boundary "patch".
 
-    The patch reaches from the x axis along the arc of `radius` about the origin to the half-width
-    a [length]; the other half of the load lies beyond the axis. Even cells integrate the
-    square-root end of the pressure with an error of order 3/2, 1e-5 of the load; everything is
-    scaled so that the patch carries P/2.
+    The patch extends from the x axis along the arc of `radius` about the origin to the half-width a
+    [length]; the other half of the load lies on the other side of the axis. Equal cells integrate
+    the square-root end of the pressure with an error of order 3/2, 1e-5 of the load; the result is
+    scaled to the load P/2.
     """
     peak = 2 * P / (np.pi * a)
 

@@ -30,9 +30,9 @@ class PolygonRing:
     solution: PlaneSolution
 
     def growth(self, theta: ArrayLike) -> Array:
-        """Radial displacement [length] of the outside at angles [rad] from above a flat.
+        """Radial displacement [length] of the outside at angles [rad] measured from a flat.
 
-        From 0 to pi/z, where a corner is; the ring repeats itself.
+        Angles are 0 to pi/z, the angle of a corner; the ring is periodic.
         """
         theta = np.atleast_1d(np.asarray(theta, float))
         if not np.all((theta >= 0) & (theta <= np.pi / self.z * (1 + 1e-12))):
@@ -47,10 +47,10 @@ def solve_polygon_ring(
 ) -> PolygonRing:  # fmt: skip
     """A ring with `z` flats under the pressure `p` [stress] on its bore; any consistent units.
 
-    `mesh` draws half a sector: `meshes.polyhedral.polygon_half_sector`, or one of the same
-    arguments. Outside diameter `d_e`, diameter `d_i` of the circle through the round corners,
-    radius `fillet` of these [length]; E [stress], nu. `refine` 2 leaves about 1e-4 of the growth.
-    ValueError for dimensions that make no ring.
+    `mesh` generates half a sector: `meshes.polyhedral.polygon_half_sector`, or a function with the
+    same arguments. Outside diameter `d_e`, diameter `d_i` of the circle through the rounded
+    corners, and their radius `fillet` [length]; E [stress], nu. With `refine` 2, the error of the
+    growth is about 1e-4. ValueError for dimensions without a ring.
 
     >>> from meshes.polyhedral import polygon_half_sector
     >>> size = {"z": 6, "d_e": 80.0, "d_i": 72.0, "fillet": 2.0}  # mm, with MPa

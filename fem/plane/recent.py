@@ -1,7 +1,7 @@
 """Cache of the last few results by the content of their arguments.
 
-A stored result equals a new one to the last bit, so that no result depends on what the process did
-before.
+A stored result equals a new result to the last bit: no result depends on earlier computations of
+the process.
 """
 
 from collections.abc import Callable
@@ -25,7 +25,7 @@ class Recent(Generic[V]):
     kept: list[tuple[Key, V, float]] = field(default_factory=list)
 
     def get(self, key: Key, make: Callable[[], V], size: Callable[[V], float] = lambda _: 0) -> V:
-        """The result of the arguments `key`, stored or from `make`; it takes `size` of the room."""
+        """Result for the arguments `key`, stored or from `make`; it needs `size` of the memory."""
         for k, entry in enumerate(self.kept):
             if same(entry[0], key):
                 self.kept.insert(0, self.kept.pop(k))

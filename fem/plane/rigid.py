@@ -19,9 +19,10 @@ MOTIONS = ("x", "y", "rotation")
 
 @dataclass(frozen=True)
 class Motions:
-    """Rigid motions left to the bodies.
+    """Rigid motions of the bodies that the conditions permit.
 
-    `fields` (unknowns, k) holds their displacements, `words` the body that moves most, and how.
+    `fields` (unknowns, k) are their displacements; `words` the body that moves most, and its
+    motion.
     """
 
     fields: Array
@@ -31,7 +32,7 @@ class Motions:
 def check_rigid_motions(
     basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> None:
-    """ValueError naming the rigid motion that the conditions leave to a body."""
+    """ValueError with a rigid motion of a body that the conditions permit."""
     if words := free_motions(basis, conditions, tied, means, turn=turn).words:
         raise ValueError(f"{words[-1]}: support it against that")
 
@@ -39,11 +40,11 @@ def check_rigid_motions(
 def free_motions(
     basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> Motions:
-    """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
+    """Rigid motions of a body, or of a chain of hinged bodies, that the conditions permit.
 
-    A body is a set connected by edges; bodies that share only a vertex are hinged there.
-    Ties and the rows `means` (k, unknowns) hold as well.
-    With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
+    A body is a set of cells connected by edges; bodies with only a common vertex are hinged there.
+    Ties and the rows `means` (k, unknowns) are also conditions. With `turn`, the bodies are bodies
+    of revolution, and the only rigid motion is along the axis y.
     """
     kinds = [1] if turn else [0, 1, 2]
     n = len(kinds)
@@ -111,7 +112,7 @@ def _compressed(
 
 
 def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
-    """The first name in the mesh for cells of one body alone, in brackets; empty without one."""
+    """The first name of the mesh for cells of one body only, in brackets; empty without one."""
     for name, cells in (mesh.subdomains or {}).items():
         if np.all(own[cells]):
             return f" ({name!r})"

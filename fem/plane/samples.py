@@ -11,10 +11,10 @@ from fem.plane.discretisation import Array
 class Samples:
     """Values at quadrature points: `x`, `u` (2, m), `stress` (4, m) and `weight` (m,).
 
-    Stress rows are xx, yy, xy, zz, the last the hoop stress of a body of revolution; `normal`
-    (2, m) is the outward one on outer boundaries, else empty.
-    The weights add up to the area, or to the length of the boundary; in a body of revolution to the
-    volume, or to the area that the boundary sweeps over.
+    Stress rows are xx, yy, xy, zz; the last is the hoop stress of a body of revolution. `normal`
+    (2, m) is the outward normal on outer boundaries, otherwise empty. The sum of the weights is the
+    area or the length of the boundary; for a body of revolution, the volume or the area of the
+    boundary.
     """
 
     x: Array

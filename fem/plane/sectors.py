@@ -1,4 +1,4 @@
-"""Plane sectors of a body that repeats itself around the origin: readings, and the whole of it."""
+"""Plane sectors of a cyclic body: evaluation, and the complete body."""
 
 from collections.abc import Mapping
 
@@ -21,8 +21,9 @@ def radial(body: PlaneSolution, r: float, theta: Array) -> Array:
 def largest_hoop_stress(side: Samples, centre: Array, end: float, p: float) -> float:
     """Largest stress [stress] along a fillet under the pressure p, by a polynomial along it.
 
-    The fillet turns by `end` [rad] about its centre, from the direction of the x axis. The normal
-    stress there is minus the pressure, so that the sum of both needs no direction.
+    The fillet extends over `end` [rad] about its centre, from the direction of the x axis. The
+    normal stress there is minus the pressure; the sum of both stresses therefore needs no
+    direction.
     """
     turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / end
     stress = side.stress[0] + side.stress[1] + p
@@ -33,7 +34,7 @@ def largest_hoop_stress(side: Samples, centre: Array, end: float, p: float) -> f
 def all_sectors(half: Mapping[str, Array], z: int) -> tuple[Array, Array, Indices]:
     """Points and displacements (n, 2), cells of 2 z copies of half a sector about the x axis.
 
-    One mirrored in the x axis and all turned by 2 pi/z, one after the other.
+    One half sector is mirrored in the x axis, and both are rotated by multiples of 2 pi/z.
     """
     points, moved, cells = half["points"], half["displacement"], half["cells"].astype(np.int64)
     turned: list[tuple[Array, Array]] = []

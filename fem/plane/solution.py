@@ -49,9 +49,9 @@ class PlaneSolution:
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell.
-    `residual` is the share of the energy that the solver's last correction held, the square of a
-    relative displacement. With `turn` x is the radius of a body of revolution, y runs along its
-    axis, and integrals and forces refer to the full turn.
+    `residual` is the share of the energy in the last correction of the solver, the square of a
+    relative displacement. With `turn`, x is the radius of a body of revolution, y is the coordinate
+    along its axis, and integrals and forces refer to the full circumference.
     """
 
     basis: Basis
@@ -71,8 +71,8 @@ class PlaneSolution:
     def strain_energy(self) -> float:
         """Half the integral of stress times strain, for the whole thickness [force x length].
 
-        From the strains, not from u . K u: in slender bodies the rounding of K times their large
-        rigid motion would drown the strains.
+        Computed from the strains, not from u . K u: in slender bodies, the rounding error of K
+        times their large rigid motion would exceed the strains.
         """
         return self.thickness * self._cells().strain_energy(self.u)
 
@@ -80,8 +80,9 @@ class PlaneSolution:
     def potential_energy(self) -> float:
         """Strain energy less the work of the loads, f . u [force x length].
 
-        Stationary at the solution, so that an error of u enters squared. Under loads alone (no
-        prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
+        Stationary at the solution: an error of u has a squared effect. Under loads without
+        prescribed displacements, it is minus half the work of the loads: compliance = -2 x this /
+        force^2.
         """
         return self.strain_energy - float(self.f @ self.u)
 
@@ -120,11 +121,11 @@ class PlaneSolution:
         return float(x), float(y)
 
     def at(self, points: Array) -> Samples:
-        """Samples at `points` (2, m), each from the cell it lies in, with weight 1.
+        """Samples at `points` (2, m), each from the cell that contains the point, with weight 1.
 
-        On an edge between cells, or where bodies overlap, from one of them. ValueError names the
-        first point outside, beyond 1e-4 of a cell: so much covers circles made of parabolas.
-        On the axis of a body of revolution u_r/r is du_r/dr.
+        On an edge between cells, or in overlapping bodies, from one of the cells. ValueError for
+        the first point outside by more than 1e-4 of a cell; this margin covers circles approximated
+        by parabolas. On the axis of a body of revolution, u_r/r is du_r/dr.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
@@ -140,7 +141,7 @@ class PlaneSolution:
     def on_boundary(self, name: str) -> Samples:
         """Samples along `name`; on an internal boundary the mean of both sides.
 
-        A boundary on the axis of a body of revolution has no area: there weights are lengths.
+        A boundary on the axis of a body of revolution has no area: its weights are lengths.
         """
         facets = named_facets(self.basis.mesh, name)
         near = self._along(facet_basis(self.basis, facets))
@@ -203,7 +204,7 @@ class PlaneSolution:
 
     @cached_property
     def _mixed(self) -> MixedCells | None:
-        """The cells, where materials are nearly incompressible."""
+        """The mixed cells, if materials are nearly incompressible."""
         if not nearly_incompressible(self.lam, self.mu):
             return None
         return MixedCells.of(self.basis, self.lam, self.mu, turn=self.turn)
@@ -222,7 +223,7 @@ class PlaneSolution:
         )
 
     def _stress(self, x: Array, u: Array, grad: Array, cells: Indices) -> Array:
-        """Stress (4, m, ...) at `x` (2, m, ...) in `cells` (m,), from u and its gradient there."""
+        """Stress (4, m, ...) at `x` (2, m, ...) in `cells` (m,), from u and its gradient."""
         column = -1, *[1] * (grad.ndim - 3)
         lam, mu, ratio = (a[cells].reshape(column) for a in (self.lam, self.mu, self.ratio))
         trace, hoop = grad[0, 0] + grad[1, 1], np.zeros(())
@@ -239,7 +240,7 @@ class PlaneSolution:
 
     @cached_property
     def _on_means(self) -> Array:
-        """Force (k,) along each mean motion that is held."""
+        """Force (k,) along each prescribed mean motion."""
         assert self.held is not None
         return self.held.on_means(self.conditions, self.internal - self.f)
 

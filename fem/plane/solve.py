@@ -92,11 +92,11 @@ def solve_plane(
     Raises
     ------
     ValueError
-        For unknown names, missing materials, displacements of degree 1 where nu > 0.45,
-        contradicting supports, unsupported bodies, and in a body of revolution for r < 0, a
-        thickness and radial forces on the axis.
+        For unknown names, missing materials, displacements of degree 1 with nu > 0.45,
+        contradicting supports, unsupported bodies; for a body of revolution also r < 0, a
+        thickness, and radial forces on the axis.
     ArithmeticError
-        If the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the last correction of the linear solver contains more than 1e-12 of the energy.
 
     Examples
     --------
@@ -149,8 +149,8 @@ def _solve(cells, f, T, u0):
     """Solve u = T q + u0, T'(f - internal forces) = 0.
 
     Returns u, its internal forces, and the relative energy of the last correction. The residual
-    comes from the stresses of u, cell by cell: in slender bodies the rounding of K u, which holds
-    their large rigid motion, would exceed it. K only steers the corrections.
+    follows from the stresses of u, cell by cell: in slender bodies, the rounding error of K u,
+    which contains their large rigid motion, would exceed it. K is used only for the corrections.
     """
     scale = float(cells.mu.max())
     steering = replace(cells, lam=short(cells.lam / scale), mu=short(cells.mu / scale))

@@ -58,10 +58,10 @@ class Conditions:
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
     def by_node(self) -> tuple[Indices, Indices, Array]:
-        """The conditions of one node side by side.
+        """The conditions of each node in one row.
 
-        Numbers (nodes, c) of the conditions, -1 where a node has fewer than c >= 2; the unknowns
-        (2, nodes) of the nodes; directions (nodes, c, 2), zero if there is no condition.
+        Numbers (nodes, c) of the conditions, -1 if a node has fewer than c >= 2; the unknowns (2,
+        nodes) of the nodes; directions (nodes, c, 2), zero without a condition.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
         order = np.argsort(group, kind="stable")
@@ -106,8 +106,8 @@ def collect(
 ) -> Conditions:
     """All conditions of `supports` (by boundary) and `anchors` (by point).
 
-    With `turn` x is a radius, and nodes on the axis stay there. Walls go on where boundaries are
-    `tied`, and the nodes that ties keep still stay where they are.
+    With `turn`, x is a radius, and nodes on the axis cannot leave it. Walls continue at boundaries
+    that are `tied`; nodes on the axis of rotation of a tie are fixed.
     """
     rest = AXIS if turn else CENTRE
     still = np.zeros((2, 0), int) if tied is None else tied.still
@@ -164,8 +164,8 @@ def free_directions(
 ) -> tuple[csr_array, Array]:
     """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
 
-    Free unknowns q follow each other as their nodes do by `place` (unknowns,). The unknowns `led`
-    are left out, and zero.
+    Free unknowns q have the order of their nodes by `place` (unknowns,). The unknowns `led` are
+    omitted, with zero rows.
     """
     number, dofs, direction = conditions.by_node()
     value = (
@@ -239,7 +239,7 @@ def _values(value: Prescribed, x: Array) -> Array:
 
 
 def _refuse(basis: Basis, conditions: Conditions, number: Indices) -> NoReturn:
-    """Report which of the conditions `number` (c,) of one node contradict each other."""
+    """Report which of the conditions `number` (c,) of a node contradict each other."""
     own = number[number >= 0]
     x, y = basis.doflocs[:, conditions.dofs[0, own[0]]]
     by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[own]}))

@@ -1,10 +1,10 @@
-"""Cuts of cyclic sectors and periodic cells: the nodes of one boundary follow the nodes of another.
+"""Sections of cyclic sectors and periodic cells: nodes of one boundary follow those of another.
 
     Tie(leader="ring.left", follower="ring.right", angle=-2 * pi / 8)
 
-u(follower) = R u(leader) with the rotation R that also brings the leader's nodes, turned about a
-point and shifted, to the follower's. Displacements are u = P w, where w are those of the nodes that
-lead; a node that follows itself turned by an angle stays where it is.
+u(follower) = R u(leader); the same rotation R, about a point, and a shift move the nodes of the
+leader to those of the follower. Displacements are u = P w with the displacements w of the nodes
+that lead. A node that follows itself with a rotation is fixed.
 """
 
 import math
@@ -29,9 +29,9 @@ Follows = dict[int, tuple[int, Move]]  # by the unknowns x of nodes: whom, and t
 
 @dataclass(frozen=True, kw_only=True)
 class Tie:
-    """`follower` is `leader` turned by `angle` [rad] about a point, then shifted [length].
+    """`follower` is `leader` rotated by `angle` [rad] about a point, then shifted [length].
 
-    By default nothing is turned or shifted: two boundaries at one place are bonded.
+    By default, rotation and shift are zero: two boundaries at the same place are bonded.
     """
 
     leader: str
@@ -59,8 +59,8 @@ class Tie:
 class Tied:
     """Followers (2, m) and leaders (2, m), unknowns x and y of nodes; `angle` (m,) [rad].
 
-    No leader follows another node; `still` (2, k) are nodes that stay where they are. `x` (2,
-    unknowns) are the places of nodes, followers being where ties put them to the last digit.
+    No leader follows another node; `still` (2, k) are fixed nodes. `x` (2, unknowns) are the
+    positions of nodes; those of followers follow from their leaders to the last digit.
     """
 
     follower: Indices
@@ -76,7 +76,7 @@ class Tied:
 
     @cached_property
     def P(self) -> csr_array:
-        """Displacements (unknowns, unknowns) of all nodes from those that lead."""
+        """Matrix (unknowns, unknowns) from displacements of leading nodes to those of all nodes."""
         leads = np.ones(self.count)
         leads[self.follower] = 0.0
         c, s = np.cos(self.angle), np.sin(self.angle)
@@ -93,14 +93,14 @@ class Tied:
 
     @cached_property
     def rows(self) -> csr_array:
-        """Rows (k, unknowns) that vanish where followers follow."""
+        """Rows (k, unknowns) that vanish if followers follow their leaders."""
         if not self.angle.size:
             return csr_array((0, self.count))
         apart = (diags_array(np.ones(self.count)) - self.P).tocsr()
         return apart[self.follower.ravel()]
 
     def led_by(self, nodes: Indices) -> tuple[Indices, Array]:
-        """Leaders (2, m) of `nodes` (2, m), and angles (m,) by which the nodes are turned.
+        """Leaders (2, m) of `nodes` (2, m), and the angles (m,) of rotation of the nodes.
 
         A node that does not follow leads itself.
         """
@@ -136,7 +136,7 @@ class Tied:
         return self.led(conditions).forces(self.P.T @ reaction)
 
     def ordered(self, place: Indices) -> Indices:
-        """Order of elimination (unknowns,): tied unknowns come late."""
+        """Order of elimination (unknowns,) in which tied unknowns are late."""
         place = place.copy()
         np.maximum.at(place, self.leader, place[self.follower])
         place[self.leader] += self.count
@@ -144,7 +144,7 @@ class Tied:
 
 
 def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
-    """Followers and leaders; ValueError if nodes of a tie do not match.
+    """Followers and leaders; ValueError if the nodes of a tie do not match.
 
     With `turn` x is a radius, and ties can only shift along the axis.
     """
@@ -177,7 +177,7 @@ def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
 
 
 def _root(follows: Follows, node: int) -> tuple[int, Move]:
-    """The node at the head of all that `node` follows, and the move from there to it."""
+    """The node at the end of the chain that `node` follows, and the motion from there."""
     move = Move()
     while node in follows:
         node, last = follows[node]

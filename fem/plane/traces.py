@@ -13,10 +13,10 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 class Trace(FacetBasis):
     """`basis` on the cells at one `side` of `facets`, at facet parameters `X` (1, q).
 
-    Content of scikit-fem's class, with two differences. A point of a facet has its place in the
-    cell by the corners that both share; scikit-fem inverts the curved map by Newton's method to
-    1e-12 of a cell, which round-off forbids where cells are small against their distance from the
-    origin. And shape functions are evaluated on demand.
+    It has the content of scikit-fem's class, with two differences. First, the position of a point
+    of a facet in the cell follows from the common corners; scikit-fem inverts the curved map by
+    Newton's method to 1e-12 of a cell, which is impossible by round-off if cells are small relative
+    to their distance from the origin. Second, shape functions are evaluated on demand.
     """
 
     def __init__(self, basis: Basis, facets: Indices, side: int, X: Array, W: Array) -> None:
@@ -39,7 +39,7 @@ class Trace(FacetBasis):
 
     @cached_property
     def basis(self) -> list[tuple[DiscreteField]]:
-        """The same as scikit-fem's forms take them, unknown by unknown of a cell."""
+        """The same in the form of scikit-fem, for each unknown of a cell."""
         N, slope = self.shapes
         found = []
         for k in range(self.Nbfun):
@@ -95,7 +95,7 @@ def _ends(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
 
 
 def _outward(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
-    """1 (m,) where a facet, seen along its parameter, has its cell on the left, else -1."""
+    """1 (m,) if the cell of a facet is on the left along its parameter, otherwise -1."""
     a, b = _ends(mesh, facets, cells)
     middle = mesh.elem.refdom.p.mean(axis=1, keepdims=True)
     (x, y), (u, v) = b - a, (a + b) / 2 - middle

@@ -47,7 +47,7 @@ class System:
     varying: tuple[SpeedSupport, ...]
 
     def at(self, speed: float) -> tuple[Array, Array]:
-        """K and C (n, n) with the supports as they are at `speed` [rad/s]."""
+        """K and C (n, n) with the supports at `speed` [rad/s]."""
         if not self.varying:
             return self.K, self.C
         K, C = self.K.copy(), self.C.copy()
@@ -59,7 +59,7 @@ class System:
 
 
 def assemble(rotor: "Rotor") -> System:
-    """The matrices of `rotor`, inner nodes of refined elements after the numbered ones."""
+    """The matrices of `rotor`; inner nodes of refined elements follow the numbered nodes."""
     z, shaft, ends, given = _nodes(rotor)
     sections = _sections(rotor, given)
     n = UNKNOWNS * z.size

@@ -1,10 +1,10 @@
 """A rotor in the complex coordinates of whirl, split into independent blocks.
 
-At each node r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 turn forwards, their
-conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports the two decouple,
-and the problem is half as large; bending, torsion and stretching decouple unless a link
-couples them. The change of coordinates is unitary, so that symmetric matrices become Hermitian.
-Damped rotors that do not decouple remain in the unknowns of the nodes, where they are real.
+At each node, r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 rotate forwards, and their
+conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports, the two are not
+coupled, and the problem is half as large. Bending, torsion and axial motion are not coupled unless
+a link couples them. The change of coordinates is unitary; symmetric matrices become Hermitian.
+Coupled damped rotors remain in the real unknowns of the nodes.
 """
 
 from dataclasses import dataclass
@@ -41,8 +41,8 @@ PLANE = np.array(["bending", "bending", "axial", "bending", "bending", "torsion"
 class Block:
     """Unknowns `at` of the complex coordinates (of the nodes if not `turned`), matrices (n, n).
 
-    `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
-    kinds of motion that take part, `across` (n,) is true for unknowns of bending.
+    `sense` is 1 for forward unknowns only, -1 for backward unknowns only, otherwise 0; `planes`
+    names the kinds of motion in the block; `across` (n,) is true for unknowns of bending.
     """
 
     at: Indices
@@ -63,12 +63,12 @@ class Block:
 
     @cached_property
     def supported(self) -> bool:
-        """Whether all rigid motions across the axis are held."""
+        """Whether supports prevent all rigid motions across the axis."""
         across = np.flatnonzero(self.across)
         return not (across.size and rigid_motions(self.K[np.ix_(across, across)]).shape[1])
 
     def own(self, q: Complex) -> Complex:
-        """Amplitudes (..., n) in this block's coordinates from those of the nodes."""
+        """Amplitudes (..., n) in the coordinates of this block, from those of the nodes."""
         return (to_whirl(q) if self.turned else q)[..., self.at]
 
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
@@ -79,7 +79,7 @@ class Block:
 
 
 def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
-    """Motions (n, k) that a stiffness (n, n) leaves free."""
+    """Motions (n, k) without stiffness."""
     d = np.sqrt(abs(np.diag(K)))
     d[d == 0] = 1
     _, sizes, v = np.linalg.svd(K / np.outer(d, d))
@@ -99,7 +99,7 @@ def from_whirl(q: NDArray[np.inexact]) -> Complex:
 
 
 def blocks(system: System, speed: float = 0.0) -> list[Block]:
-    """The parts of `system`, with supports as they are at `speed` [rad/s]."""
+    """The independent parts of `system`, with supports at `speed` [rad/s]."""
     K, C = system.at(speed)
     M_w, K_w, C_w, G_w = (_turned(A) for A in (system.M, K, C, system.G))
     linked = np.zeros(M_w.shape, bool)
@@ -127,7 +127,7 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
 
 
 def _partner(at: Indices) -> Indices:
-    """The unknowns that are conjugate to `at`; both unknowns of a node have the same positions."""
+    """The unknowns conjugate to `at`; both unknowns of a node have the same positions."""
     return at + np.tile([1, -1, 0, 1, -1, 0], at.max() // UNKNOWNS + 1)[at]
 
 

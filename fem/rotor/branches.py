@@ -105,7 +105,7 @@ def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Ch
 
 
 def _tracked(chosen: list[Chosen], sense: int) -> Branches:
-    """The branches of the first speed, tracked over speed; NaN once one no longer oscillates."""
+    """The branches of the first speed, tracked over speed; NaN after one ceases to oscillate."""
     values, shapes, states = chosen[0]
     rows = [(values, shapes)]
     for own, shape, state in chosen[1:]:

@@ -33,9 +33,9 @@ class Campbell:
         return damping_ratios(self.eigenvalues)
 
     def crossings(self, ratio: float = 1.0) -> Array:
-        """Speeds (j,) [rad/s] where a branch meets `ratio` times the speed, by interpolation.
+        """Speeds (j,) [rad/s] at which a branch equals `ratio` times the speed, by interpolation.
 
-        A parabola through the three nearest speeds; the error falls with the cube of their step.
+        A parabola through the three nearest speeds; the error is of third order in their spacing.
         """
         found = []
         for branch in self.frequencies.T:
@@ -49,10 +49,10 @@ class Campbell:
 
 
 def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bending") -> Campbell:
-    """The `count` branches that lie lowest at the first of the rising `speeds` [rad/s].
+    """The `count` branches with the lowest frequencies at the first of ascending `speeds` [rad/s].
 
-    A branch is followed by its shape, so that it keeps its name where branches cross, and by its
-    frequency where shapes change places. ValueError unless the speeds rise.
+    A branch is tracked by its mode shape, so that it keeps its number at a crossing, and by its
+    frequency if two branches exchange their shapes. ValueError unless the speeds ascend.
     """
     at = check_speeds(speeds)
     if np.any(np.diff(at) <= 0):

@@ -35,11 +35,12 @@ def critical_speeds(
 ) -> CriticalSpeeds:
     """Speeds [rad/s] of the rotor at which `excitation` times the speed is a natural frequency.
 
-    `whirl` is "forward", "backward" or "both"; on anisotropic supports every mode turns in one
-    of the two senses, "both" also has modes that oscillate in a line. The sense of the whirl is
+    `whirl` is "forward", "backward" or "both". On anisotropic supports, each mode whirls in one of
+    the two senses; "both" also includes modes that oscillate in a line. The sense of whirl is
     relative to a positive speed of the rotor. Damping is neglected. For the unbalance of a shaft
-    with another ratio, `excitation` is that ratio. Fewer than `count` if no more exist.
-    ValueError for supports that depend on the speed, and for a rotor that is not supported.
+    with another ratio, `excitation` is this ratio. The result has fewer than `count` speeds if no
+    more exist. ValueError for supports that depend on the speed, and for a rotor without sufficient
+    supports.
     """
     check_count(count)
     if whirl not in WHIRLS:
@@ -61,13 +62,13 @@ def critical_speeds(
 
 
 def check_supported(block: Block) -> None:
-    """ValueError if a rigid motion of the rotor across its axis is left free."""
+    """ValueError if the rotor can move rigidly across its axis."""
     if not block.supported:
         raise ValueError("the rotor is not supported: it can move rigidly across its axis")
 
 
 def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
-    """Speeds and vectors (k, n). If only turning is free, A v is orthogonal to that motion."""
+    """Speeds and vectors (k, n). If only rotation is free, A v is orthogonal to this motion."""
     check_supported(block)
     K, A = block.K, block.M - block.H / excitation
     if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():

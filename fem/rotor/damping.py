@@ -42,9 +42,9 @@ class Rayleigh:
 
 @dataclass(frozen=True)
 class Modal:
-    """Damping ratios of the modes at rest, from the lowest on; the last one serves all others.
+    """Damping ratios of the modes at rest, in ascending order; the last is used for all others.
 
-    C = M Phi diag(2 zeta omega) Phi^T M, with Phi^T M Phi = 1. Rigid motions stay undamped.
+    C = M Phi diag(2 zeta omega) Phi^T M, with Phi^T M Phi = 1. Rigid motions are undamped.
     """
 
     ratios: Sequence[float]

@@ -1,7 +1,7 @@
-"""Closed-form matrices of beam elements that turn about their axis.
+"""Closed-form matrices of beam elements that rotate about their axis.
 
-In one plane, with the unknowns (u, phi) at both ends, phi = du/dz - shear angle, the shape
-functions are exact for a beam under end loads alone, so that
+In one plane, with the unknowns (u, phi) at both ends and phi = du/dz - shear angle, the shape
+functions are exact for a beam with loads at its ends only. Therefore,
 
     K = E I / (L^3 (1 + Phi)) [...],    Phi = 12 E I / (kappa G A L^2),
 

@@ -1,7 +1,7 @@
-"""Sets of parameters with given critical speeds: many, as few speeds fix few of the parameters.
+"""Sets of parameters with given critical speeds: many, because few speeds fix few parameters.
 
-Starts are Sobol's points in the ranges (log-uniform). From each, least-norm steps lead to a system
-with those speeds.
+Initial values are Sobol points in the ranges (log-uniform). From each of them, least-norm steps
+lead to a system with these speeds.
 """
 
 from collections.abc import Callable
@@ -48,7 +48,7 @@ class Ranges:
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Parameters (members, k); which starts met all speeds, and which remained (starts,)."""
+    """Parameters (members, k); marks (starts,) of starts that met all speeds, and of retained ones."""
 
     members: Array
     met: NDArray[np.bool_]

@@ -1,7 +1,8 @@
 """Rotors of one layout that have given critical speeds: steps from many starts at once.
 
-Places x (m, k) are the parameters' logarithms over their ranges, from 0 to 1. Steps are the least
-ones in x, by gradients of the Rayleigh quotient Omega^2 = v K v / v (M - G_1) v at fixed shapes v.
+Positions x (m, k) are the logarithms of the parameters relative to their ranges, 0 to 1. Steps have
+the least norm in x, by gradients of the Rayleigh quotient Omega^2 = v K v / v (M - G_1) v at
+constant v.
 """
 
 from collections.abc import Callable

@@ -1,16 +1,16 @@
-"""Responses at many speeds from one diagonalisation, instead of a factorisation at each.
+"""Responses at many speeds by one diagonalisation, instead of a factorisation for each speed.
 
-Where forces turn in a fixed ratio to the shafts, omega = rho Omega, the matrix of a block is
+If forces rotate at a fixed ratio to the shafts, omega = rho Omega, the matrix of a block is
 
     D = K + i omega C - omega^2 A,  A = M - H / rho.
 
-The modes V of A v = mu K v, with V^H K V = 1, make all of it diagonal but the damping, and that of
-bearings has a low rank, C = P Q^H:
+The modes V of A v = mu K v, with V^H K V = 1, make all terms diagonal except the damping; the
+damping of bearings has a low rank, C = P Q^H:
 
     V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu,
 
-so that Woodbury's formula leaves systems as large as that rank. One correction with the residual
-of D itself follows, and its size shows whether the result is as accurate as a direct solution.
+Woodbury's formula then leaves systems of the size of this rank. One correction with the residual of
+D follows; its size shows whether the result is as accurate as a direct solution.
 """
 
 from dataclasses import dataclass
@@ -44,7 +44,7 @@ class Diagonal:
 
     @classmethod
     def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
-        """Of `block` at speeds and frequencies (m,); None if the form does not hold."""
+        """Modes of `block` at speeds and frequencies (m,); None if the form is not valid."""
         ratio = _ratio(speeds, omega)
         skew = abs(block.K - block.K.conj().T).max()
         if ratio is None or skew > SKEW * abs(block.K).max():
@@ -90,7 +90,7 @@ class Diagonal:
 
 
 def _ratio(speeds: Array, omega: Array) -> float | None:
-    """Omega / speeds if this ratio is one number for all, and not zero."""
+    """Omega / speeds if this ratio is the same for all speeds and not zero."""
     fastest = int(np.argmax(abs(speeds)))
     if not speeds[fastest] or not omega[fastest]:
         return None

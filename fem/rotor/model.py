@@ -8,8 +8,8 @@
     critical_speeds(rotor).speeds
     unbalance_response(rotor, np.linspace(0, 1000, 501), {2: 1e-4}).orbit(2, 250)
 
-Nodes are the ends of the elements as given, numbered from 0 along the first shaft and then on
-along the next one. Each has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
+Nodes are the ends of the given elements, numbered from 0 along the first shaft, then along the
+next. Each has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
 """
 
 from collections.abc import Sequence
@@ -34,10 +34,10 @@ THEORIES = ("timoshenko", "rayleigh", "euler")
 
 @dataclass(frozen=True)
 class Rotor:
-    """Shafts with discs, supports and links; every given element is `refine` beam elements.
+    """Shafts with discs, supports and links; each given element is divided into `refine` elements.
 
-    `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia). ValueError
-    for nodes that do not exist, and for overlapping discs on one shaft. SI units.
+    `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (also no rotary inertia). ValueError
+    for nodes that do not exist, and for overlapping discs on a shaft. SI units.
     """
 
     shafts: Sequence[Shaft]
@@ -110,7 +110,7 @@ class Rotor:
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """Its independent blocks, with supports as they are at rest."""
+        """Its independent blocks, with supports at rest."""
         return blocks(self.system)
 
     @property

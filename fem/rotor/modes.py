@@ -16,10 +16,10 @@ SAME_SIZE = 1e-9  # over the largest: equal displacements of a symmetric shape d
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes by rising frequency: lambda (k,), and shapes (k, nodes, 6) of e^(lambda t).
+    """Modes by ascending frequency: lambda (k,), and shapes (k, nodes, 6) of e^(lambda t).
 
-    `whirl` (k,) is 1 where the shafts whirl forwards, in the sense of a positive speed, -1
-    backwards, 0 where they move to and fro (or only turn or stretch).
+    `whirl` (k,) is 1 for forward whirl, in the sense of a positive speed, -1 for backward whirl,
+    and 0 for motion in a line (or only torsion or axial motion).
     """
 
     eigenvalues: Complex
@@ -33,17 +33,17 @@ class Modes:
 
     @property
     def damping(self) -> Array:
-        """Damping ratios -Re lambda/|lambda| (k,); negative where the motion grows."""
+        """Damping ratios -Re lambda/|lambda| (k,); negative for a growing motion."""
         return damping_ratios(self.eigenvalues)
 
 
 def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
     """The lowest `count` modes at `speed` [rad/s].
 
-    `plane` is "bending", "torsion", "axial" or "all"; motions coupled by a link are included.
-    Shapes have a largest displacement (or, without displacements, a largest rotation) of 1 and
-    inner nodes of refined elements after the numbered ones. A rotor without supports has its rigid
-    motions as modes of frequency zero.
+    `plane` is "bending", "torsion", "axial" or "all"; motions coupled by a link are included. The
+    largest displacement of a shape is 1 (or its largest rotation, if it has no displacement); inner
+    nodes of refined elements follow the numbered nodes. The rigid motions of a rotor without
+    supports are modes of frequency zero.
     """
     found = branches(rotor, check_speeds(speed), check_count(count), plane)
     values = np.concatenate([b.values[0] for b in found])

@@ -73,7 +73,7 @@ class Element:
 
     @property
     def inertia(self) -> float:
-        """Second moment of area I [m^4]; the polar one is twice that."""
+        """Second moment of area I [m^4]; the polar moment is 2 I."""
         return math.pi / 64 * (self.d_o**4 - self.d_i**4)
 
     @property
@@ -89,10 +89,10 @@ class Element:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Elements one after the other, from `z` on [m].
+    """Elements from end to end, starting at `z` [m].
 
-    The shaft rotates at `ratio` [1] times the rotor's speed, in the opposite sense if negative.
-    ValueError without elements.
+    The shaft rotates at `ratio` [1] times the speed of the rotor; a negative ratio is the opposite
+    sense. ValueError without elements.
     """
 
     elements: Sequence[Element]
@@ -145,9 +145,9 @@ class Disc:
 def joint(
     xx: float, yy: float | None, xy: float, yx: float | None, zz: float, tilt: float, turn: float
 ) -> Array:
-    """Matrix (6, 6) of a support: across, along, tilt about x and y (equal), turn about z.
+    """Matrix (6, 6) of a support: radial, axial, tilt about x and y (equal), rotation about z.
 
-    Left out, `yy` is `xx` and `yx` is `xy`.
+    If omitted, `yy` equals `xx` and `yx` equals `xy`.
     """
     A = np.diag([xx, xx if yy is None else yy, zz, tilt, tilt, turn]).astype(float)
     A[0, 1], A[1, 0] = xy, xy if yx is None else yx
@@ -158,9 +158,9 @@ def joint(
 class Support:
     """A bearing between a node and the ground: stiffness k.. [N/m], damping c.. [N s/m].
 
-    Left out, `kyy` is `kxx` and `kyx` is `kxy`, so that one number makes an isotropic bearing.
-    `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about the axis
-    [N m/rad, N m s/rad]. ValueError for negative or infinite coefficients.
+    If omitted, `kyy` equals `kxx` and `kyx` equals `kxy`: one number gives an isotropic bearing.
+    `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about the axis [N
+    m/rad, N m s/rad]. ValueError for negative or infinite coefficients.
     """
 
     node: int

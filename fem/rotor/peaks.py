@@ -9,10 +9,10 @@ LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 
 
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
-    """Damping ratios (count, 2) at two frequencies, even over their logarithms (R2 sequence).
+    """Damping ratios (count, 2) at two frequencies, uniform over their logarithms (R2 sequence).
 
-    With Rayleigh damping the quotient of both ratios is at most the quotient of frequencies: the
-    second ratio is limited to it.
+    With Rayleigh damping, the quotient of both ratios is at most the quotient of the frequencies:
+    the second ratio is limited accordingly.
 
     >>> ratios = spread_ratios(0.005, 0.03, 3.5, 64)
     >>> bool((ratios[:, 0] >= 0.005).all() and (ratios[:, 0] <= 0.03).all())
@@ -28,7 +28,7 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 def peaks(near: Array) -> Array:
     """Highest local maxima (...,) of `near` (..., speeds), NaN without a maximum.
 
-    What is highest at an end is the flank of another peak.
+    A maximum at an end of the range is the flank of another peak and is not included.
 
     >>> peaks(np.array([[1.0, 3.0, 2.0], [1.0, 2.0, 3.0]])).tolist()
     [3.0, nan]
@@ -40,7 +40,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Height of f (3, ...) at the middle of u (3,) over the chord of the others, relative, at most.
+    """Largest relative height of f (3, ...) at the middle of u (3,) above the chord of the others.
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

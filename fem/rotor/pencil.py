@@ -1,6 +1,6 @@
 """Eigenvalues of (lambda^2 M + lambda (C + Omega G) + K) v = 0 for many speeds at once.
 
-Undamped, lambda = i omega, with Hermitian K, M and H = i G: for mu = 1/omega
+Undamped: lambda = i omega, with Hermitian K, M and H = i G. For mu = 1/omega,
 
     mu^2 K v = M v - mu Omega H v,
 
@@ -9,9 +9,9 @@ Hermitian standard problem
 
     [[-Omega H, b], [b, 0]] [v; w] = mu [v; w].
 
-It needs K positive and permits unknowns without mass; where K leaves a rigid motion free, the
-problem for omega itself has the same form with M in the place of K. The other problems, damped or
-with a K that is not symmetric, are linearised in the same two forms for a general solver.
+This form needs a positive K and permits unknowns without mass. If K permits a rigid motion, the
+problem for omega has the same form with M in the place of K. The other problems, damped or with an
+asymmetric K, are linearised in the same two forms for a general solver.
 """
 
 from collections.abc import Callable
@@ -31,11 +31,11 @@ ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are z
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Eigenvalues (speeds, k), and how to `take` some of one speed.
+    """Eigenvalues (speeds, k), and `take` to get some of them at one speed.
 
-    `take(i, at)` gives vectors (n, j) and states (m, j) of the eigenvalues number `at` at the speed
-    number `i`. States are of length 1, in an undamped problem orthonormal: their products tell
-    which eigenvalues at two speeds belong together.
+    `take(i, at)` returns the vectors (n, j) and states (m, j) of the eigenvalues number `at` at the
+    speed number `i`. States have length 1 and are orthonormal for undamped problems: their products
+    show which eigenvalues at two speeds belong together.
     """
 
     values: Complex
@@ -43,7 +43,7 @@ class Spectrum:
 
 
 def spectrum(block: Block, speeds: Array) -> Spectrum:
-    """All eigenvalues of `block` at every speed [rad/s], infinite ones among them."""
+    """All eigenvalues of `block` at every speed [rad/s], including infinite ones."""
     if block.undamped:
         return _undamped(block, speeds)
     return _general(block, speeds)
@@ -115,8 +115,8 @@ def _general(block: Block, speeds: Array) -> Spectrum:
 def _null_vectors(block: Block, speed: float, values: Complex) -> Complex:
     """Vectors (n, k) of known eigenvalues, by one step of inverse iteration.
 
-    The matrix is singular to round-off, so that one step leaves a share of the order of `NUDGE`
-    over the eigenvalues' distance.
+    The matrix is singular to round-off; therefore, one step leaves a relative error of the order of
+    `NUDGE` over the distance of the eigenvalues.
     """
     size = max(abs(values).max(), 1.0)
     lam = (values + NUDGE * (abs(values) + NUDGE * size))[:, None, None]

@@ -23,9 +23,9 @@ MANY = 250
 
 @dataclass(frozen=True)
 class Orbit:
-    """An ellipse: half axes [m]; the small one is negative for backward motion.
+    """An ellipse with its semi-axes [m]; the minor one is negative for backward motion.
 
-    `inclination` [rad] is the angle of the large axis against x.
+    `inclination` [rad] is the angle of the major axis to x.
     """
 
     major: float
@@ -35,7 +35,7 @@ class Orbit:
     y: complex
 
     def points(self, count: int = 90) -> Array:
-        """Places (count, 2) over one turn, the first at the time zero."""
+        """Positions (count, 2) over one revolution, the first at time zero."""
         turn = np.exp(2j * np.pi * np.arange(count) / count)
         return np.column_stack([(self.x * turn).real, (self.y * turn).real])
 
@@ -98,9 +98,9 @@ def unbalance_response(
 ) -> Response:
     """The response to `unbalances`: node -> mass times eccentricity [kg m], complex for its angle.
 
-    Each turns with its shaft, hence all of one response must be on shafts of one ratio.
-    ValueError otherwise, for nodes that do not exist and for a rotor that is not supported;
-    ArithmeticError at a resonance without damping.
+    Each unbalance rotates with its shaft; all unbalances of one response must therefore be on
+    shafts of one ratio. ValueError otherwise, for nodes that do not exist, and for a rotor without
+    sufficient supports; ArithmeticError at a resonance without damping.
     """
     return unbalance_responses(rotor, speeds, [unbalances])[0]
 
@@ -122,7 +122,7 @@ def unbalance_responses(
 
 
 def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, set[float]]:
-    """Forces (unknowns,) over omega^2, and the ratios of the shafts that they turn with."""
+    """Forces (unknowns,) over omega^2, and the ratios of the shafts with which they rotate."""
     if not unbalances:
         raise ValueError("an unbalance response needs an unbalance")
     force = np.zeros(rotor.system.M.shape[0], complex)
@@ -145,8 +145,8 @@ def forced_response(
 ) -> Response:
     """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
 
-    `speeds` and `omega` (m,) go together; one of them may be a single number. Forces of a negative
-    omega turn in the opposite sense; amplitudes belong to the positive omega.
+    `speeds` and `omega` (m,) are pairs; one of them may be a single number. Forces with a negative
+    omega rotate in the opposite sense; amplitudes refer to the positive omega.
     """
     return _responses(rotor, speeds, omega, [force])[0]
 
@@ -175,7 +175,7 @@ def _responses(
 
 
 def _solve(block: Block, speeds: Array, omega: Array, loads: Complex, q: Complex) -> None:
-    """Add the motions of `block` under `loads` to `q`, both (loads, speeds, unknowns)."""
+    """Add to `q` the motions of `block` under `loads`, both (loads, speeds, unknowns)."""
     loaded = np.flatnonzero((f := block.own(loads)).any(axis=(1, 2)))
     if not loaded.size:
         return

@@ -27,16 +27,16 @@ class Whirl:
 def gyroscopic_splitting(
     speed: float, M: Matrix, G: Matrix, forward: Whirl, backward: Whirl
 ) -> Array:
-    r"""Forward less backward frequency (k,) [rad/s] of each pair of modes at `speed` [rad/s].
+    r"""Forward minus backward frequency (k,) [rad/s] of each pair of modes at `speed` [rad/s].
 
     Both shapes satisfy :math:`(K + w\,\Omega G - w^2 M)\,v = 0`, at :math:`w_f > 0` and at
-    :math:`-w_b < 0`. Each equation times the other shape, one less the other, leaves
+    :math:`-w_b < 0`. Multiplying each equation by the other shape, and subtracting, gives
 
     .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
 
-    without the round-off of K in a difference of nearly equal frequencies. If the shapes number
-    k differ, at speeds that change the order of the modes, the difference is not small and
-    is taken as it is.
+    without the round-off of K in a difference of nearly equal frequencies. If the shapes number k
+    are different, at speeds at which the order of modes changes, the difference is not small and is
+    computed directly.
     """
     f, b = (
         v.shapes / np.sqrt((v.shapes * (M @ v.shapes)).sum(axis=0)) for v in (forward, backward)

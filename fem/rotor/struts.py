@@ -1,11 +1,11 @@
 r"""Two rigid hubs joined by nonlinear struts, in exact kinematics of finite rotations.
 
-Each strut presses with F(s), s being its shortening, which the hubs' places alone decide:
+Each strut transmits F(s) with its shortening s, a function of the positions of the hubs only:
 
 - `Pinned`: both ends are fixed in the hubs, :math:`s = s_0 + l_0 - |d + R a - b|`;
-- `Rolling`: on the outer hub a face, on the inner one a cam in a plane across its axis, whose
-  contact point moves as the hub turns. The cam is an involute: its normal keeps its distance from
-  the hub's axis, as that of a logarithmic spiral nearly does.
+- `Rolling`: a face on the outer hub, and a cam on the inner hub in a plane normal to its axis; the
+contact point moves as the hub rotates. The cam is an involute: its normal has a constant distance
+from the axis of the hub, nearly as for a logarithmic spiral.
 
 With J and H, first and second derivatives of the shortenings, loads are :math:`\sum F J` and the
 tangent is :math:`\sum F' J J^T + F H`.
@@ -39,9 +39,9 @@ def power_law(k: Array | float, n: float) -> Law:
 
 @dataclass(frozen=True, kw_only=True)
 class Joint:
-    """Hubs joined by `struts` that press by `law`; the inner one at d (3,) [m], turned by R (3, 3).
+    """Hubs joined by `struts` with the `law`; the inner hub is at d (3,) [m], rotated by R (3, 3).
 
-    Loads and moments (6,) act on the inner hub at its centre, and hold it there.
+    Loads and moments (6,) act on the inner hub at its centre.
     """
 
     struts: Pinned | Rolling
@@ -76,10 +76,10 @@ class Joint:
         return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
 
     def under(self, loads: Array, free: tuple[int, ...], *, tolerance: float = 1e-12) -> "Joint":
-        """The joint in equilibrium with `loads` (6,) on its `free` displacements; others stay.
+        """The joint in equilibrium with `loads` (6,) on its `free` displacements; others are fixed.
 
-        Newton's method, steps halved until residuals fall. `tolerance` is relative to the largest
-        load, moments over the size of the inner hub.
+        Newton's method; steps are halved until the residual decreases. `tolerance` is relative to
+        the largest load, with moments divided by the size of the inner hub.
 
         Raises
         ------

@@ -1,8 +1,8 @@
 r"""Struts between two rigid hubs: shortenings and their derivatives by the hubs' places, exact.
 
-The inner hub stands at d and is turned by R, the outer one stands still. A strut presses along a
-unit vector e at a point y of the inner hub, from its centre. As d becomes d + u and R becomes
-exp(w) R, its shortening is to second order
+The inner hub is at d with the rotation R; the outer hub is fixed. A strut acts along a unit vector
+e at a point y of the inner hub, measured from its centre. If d becomes d + u and R becomes exp(w)
+R, its shortening to second order is
 
 .. math:: s(u, w) = s + e \cdot u + (y \times e) \cdot w + \tfrac12 (u, w) H (u, w)^T
 """
@@ -62,8 +62,8 @@ class Pinned:
 class Rolling:
     """Involute cams of the inner hub, normals at `lever` [m] from its axis z, against faces.
 
-    Faces have normals along `angle` (m,) [rad] of the x-y plane and press at heights `z` (m,) [m].
-    In the reference state contact points lie `reach` [m] along the normal, shortened by `s_0`.
+    Faces have normals along `angle` (m,) [rad] in the x-y plane and act at heights `z` (m,) [m]. In
+    the reference state, contact points are `reach` [m] along the normal, shortened by `s_0`.
     """
 
     angle: Array
@@ -115,7 +115,7 @@ def _gradient(e: Array, y: Array) -> Array:
 
 
 def _turned(e: Array, y: Array) -> Array:
-    """Second derivatives (m, 6, 6) of e . y as y turns: e . w x (w x y)."""
+    """Second derivatives (m, 6, 6) of e . y by a rotation of y: e . w x (w x y)."""
     H = np.zeros((len(e), 6, 6))
     ey = e[:, :, None] * y[:, None, :]
     inner = np.einsum("mi,mi->m", e, y)

@@ -1,4 +1,4 @@
-"""Stiffness of equal links around a shaft, unevenly loaded around it, on one contact law."""
+"""Stiffness of equal links around a shaft with unequal loads and a common force law."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Turning shafts as weak forms on a line, to verify the closed-form elements.
+"""Rotating shafts as weak forms on a line, to verify the closed-form elements.
 
 In the complex coordinate r = x + i y, with the slope p = dr/dz less the shear angle,
 
@@ -7,8 +7,8 @@ In the complex coordinate r = x + i y, with the slope p = dr/dz less the shear a
     Euler        a = int EI r'' s'',  m = int rho A r s,  Rayleigh adds rho I r' s' to m
                  and 2 rho I r' s' to g,                   Hermite's cubics
 
-K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points a cell, where the
-derivative of a quadratic meets a linear function: at more it locks slender shafts.
+K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points per cell, where the
+derivative of a quadratic equals a linear function: with more points, slender shafts lock.
 """
 
 from collections.abc import Mapping
@@ -63,7 +63,7 @@ class WeakShaft:
     basis: Basis
 
     def deflection_at(self, z: float) -> int:
-        """The unknown of the deflection r at the mesh's node `z`; ValueError without one."""
+        """The unknown of the deflection r at the node `z`; ValueError without a node there."""
         nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")
@@ -78,9 +78,9 @@ class WeakShaft:
         return replace(self, K=csr_array(K))
 
     def whirl(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> tuple[Array, Array]:
-        """Lowest frequencies (count,) [rad/s] that run forward and backward at `speed`, positive.
+        """Lowest frequencies (count,) [rad/s] of forward and backward whirl at `speed`, positive.
 
-        The deflection vanishes at the places `held` [m]. numpy.linalg.LinAlgError if the shaft
+        The deflection is zero at the positions `held` [m]. numpy.linalg.LinAlgError if the shaft
         can move rigidly.
         """
         left, right = _linearised(speed, *self._matrices(held))
@@ -100,7 +100,7 @@ class WeakShaft:
         return gyroscopic_splitting(speed, M, G, ahead, behind)
 
     def _matrices(self, held: ArrayLike) -> tuple[Array, Array, Array]:
-        """K, M and G of the unknowns that are not held."""
+        """K, M and G of the free unknowns."""
         fixed = [self.deflection_at(float(z)) for z in np.ravel(held)]
         own = np.setdiff1d(np.arange(self.K.shape[0]), fixed)
         K, M, G = (part[own][:, own].toarray() for part in (self.K, self.M, self.G))
@@ -122,7 +122,7 @@ def weak_shaft(
     rotary: ArrayLike,
     theory: str = "timoshenko",
 ) -> WeakShaft:
-    """A shaft of E I, kappa G A, rho A and rho I, one each or one for each cell of `mesh` [SI].
+    """A shaft with E I, kappa G A, rho A and rho I: one value each, or one per cell of `mesh` [SI].
 
     ValueError for another theory, and values that are not positive.
     """

@@ -21,7 +21,7 @@ from fem.rotor.parts import Material
 
 
 class Discs(NamedTuple):
-    """At one `node` of all systems: mass [kg], polar and diametral moment [kg m^2], (m,) each."""
+    """Discs at one `node`: mass [kg], polar and diametral moment [kg m^2], (m,) each."""
 
     node: int
     mass: Array
@@ -39,7 +39,7 @@ class Springs(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class WhirlSystems:
-    """Systems (m,) of e tubes, whose elements begin at the nodes `first` (e,), of `nodes` nodes.
+    """Systems (m,) of e tubes; the elements begin at the nodes `first` (e,) of `nodes` nodes.
 
     `length`, `d_o`, `d_i` (m, e) [m], shear coefficients `kappa` (e,), one material.
     """
@@ -105,9 +105,9 @@ class WhirlSystems:
         return stiff, inert
 
     def critical_speeds(self, count: int) -> tuple[Array, Array]:
-        """The lowest forward ones (m, count) [rad/s] and shapes (m, 2 nodes, count).
+        """The lowest forward critical speeds (m, count) [rad/s] and shapes (m, 2 nodes, count).
 
-        Shapes have v K v = 1. If there are fewer, speeds are NaN.
+        Shapes have v K v = 1. If fewer speeds exist, the others are NaN.
         """
         K, M, G = self.matrices()
         inverse = np.linalg.inv(np.linalg.cholesky(K))

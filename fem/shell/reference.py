@@ -1,8 +1,8 @@
-"""Nine-node quadrilateral on the unit square: shapes, Gauss points, and where strains are tied.
+"""Nine-node quadrilateral on the unit square: shape functions, Gauss points, tying points.
 
-Corners, middles of the edges, centre, in the order of scikit-fem and gmsh. The strains of a
-displacement along one direction are taken at the two Gauss points of that direction, where those
-of thin shells can vanish, and at all three of the other (MITC9).
+Corners, middles of the edges, centre, in the order of scikit-fem and gmsh. Strains of a
+displacement along one direction are evaluated at the two Gauss points of this direction, at which
+those of thin shells can vanish, and at all three of the other direction (MITC9).
 
 References
 ----------

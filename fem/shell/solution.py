@@ -15,10 +15,10 @@ class ShellSolution:
     """A solved shell.
 
     `u` and `rotation` (nodes, 3); `f` and `reactions` (nodes, 6): forces and couples of the loads
-    and of the supports (ties among them), round-off where nothing holds. `resultants`
-    (cells, 9, 8) at the Gauss points: membrane forces [force/length], moments [force], shear forces
-    [force/length] in the frame of the unit `tangents` (cells, 9, 2, 3). `residual` is the share of
-    the energy that the solver's last correction held, the square of a relative displacement.
+    and of the supports (including ties), round-off at free nodes. `resultants` (cells, 9, 8) at the
+    Gauss points: membrane forces [force/length], moments [force], shear forces [force/length] in
+    the directions of the unit `tangents` (cells, 9, 2, 3). `residual` is the share of the energy in
+    the last correction of the solver, the square of a relative displacement.
     """
 
     points: Array
@@ -38,7 +38,7 @@ class ShellSolution:
     def potential_energy(self) -> float:
         """Strain energy less the work of the loads [force x length].
 
-        Stationary at the solution, so that an error of u enters squared. Under loads alone it is
+        Stationary at the solution: an error of u has a squared effect. Under loads alone, it is
         minus half their work: compliance = -2 x this / force^2.
         """
         return (
@@ -49,7 +49,7 @@ class ShellSolution:
 
     @property
     def stations(self) -> Array:
-        """Gauss points (cells, 9, 3), where resultants and stresses are given."""
+        """Gauss points (cells, 9, 3) of resultants and stresses."""
         return np.einsum("qi,mic->mqc", shapes(POINTS).N, self.points[self.cells])
 
     @property

@@ -62,7 +62,7 @@ def solve_shell(
         Edges (k, 3) of two ends and the middle, and cells, by name.
     ties
         Boundary name to components that all its nodes share: "x" for a rigid line that moves
-        along x. If a support holds one of them, it holds all.
+        along x. If one of them is supported, all of them are.
     edge_loads
         Boundary name to force per length; three numbers or f(x) of points (3, ...).
     pressures, surface_loads
@@ -77,7 +77,7 @@ def solve_shell(
         For unknown names, missing thickness or material, folded cells, contradicting supports and
         rigid motions.
     ArithmeticError
-        If the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the last correction of the linear solver contains more than 1e-12 of the energy.
     """
     points, cells = np.asarray(points, float), np.asarray(cells, int)
     _check_mesh(points, cells)
@@ -134,11 +134,11 @@ def _by_cell(count: int, values: Any, bodies: Mapping[str, Indices], what: str) 
 
 
 def _solve(B, D, area, dofs, f, u, number):
-    """Solve for the unknowns that `number` leaves free, from the prescribed values `u` on.
+    """Solve for the unknowns that `number` marks as free, from prescribed values `u`.
 
-    Returns u, stress resultants, strain energy, internal forces and the relative energy of the
-    last correction. Strains add up from the corrections, each resolved to its full precision: those
-    of the total displacement would round by the large rigid motion of slender shells.
+    Returns u, stress resultants, strain energy, internal forces and the relative energy of the last
+    correction. The strains are sums over the corrections, each with full precision: strains of the
+    total displacement would have the round-off of the large rigid motion of slender shells.
     """
     K, free = _assemble(B, D, area, dofs, number), number >= 0
     factor = _factor(K)
@@ -168,7 +168,7 @@ def _solve(B, D, area, dofs, f, u, number):
 
 
 def _assemble(B, D, area, dofs, number):
-    """Stiffness of the free unknowns; tied ones add up in their common row."""
+    """Stiffness of the free unknowns; tied unknowns are added in their common row."""
     weighted = np.einsum("mst,mqtv,mq->mqsv", D, B, area, optimize=True)
     m, q, s, n = B.shape
     k = B.reshape(m, q * s, n).transpose(0, 2, 1) @ weighted.reshape(m, q * s, n)

@@ -1,4 +1,4 @@
-r"""Strains of a shell of six unknowns a node, displacement u and rotation θ, both in space.
+r"""Strains of a shell with six unknowns per node: displacement u and rotation θ in space.
 
 With the tangents a_α = ∂x/∂ξ_α and the normal n of the quadratic surface the vectors
 
@@ -12,11 +12,11 @@ vanish in every rigid motion. From them
    = \tfrac12 (a_\alpha\cdot k_\beta\times n + a_\beta\cdot k_\alpha\times n)
 
 are the membrane strains, the shear strains and the curvatures, as in the first-order theory of
-Sanders and Koiter where n moves with u; along a strip, those of a Timoshenko beam. The last,
-ω = (a_2·e_1 - a_1·e_2)/2 over the area, is the difference between θ·n and the rotation of the
-surface in its plane: zero in the exact solution for any stiffness that holds it there. The shear
-modulus holds it at the tying points, and a stiffness as small as that of bending between them: more
-would lock thin curved shells, less would leave θ·n free in flat ones.
+Sanders and Koiter, in which n moves with u; along a strip, they are those of a Timoshenko beam. The
+last strain, ω = (a_2·e_1 - a_1·e_2)/2 over the area, is the difference between θ·n and the rotation
+of the surface in its plane. It is zero in the exact solution for any stiffness assigned to it. This
+stiffness is the shear modulus at the tying points, and as small as that of bending between them: a
+larger value would lock thin curved shells, a smaller one would leave θ·n free in flat shells.
 """
 
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ FLAT_OUT = 1e-6  # area at a Gauss point over the cell's mean, below which it co
 
 @dataclass(frozen=True)
 class Frame:
-    """Points of all cells: slopes (k, 2, 9) of the shapes there, their values `N` (k, 9).
+    """Points of all cells: derivatives (k, 2, 9) of the shape functions, values `N` (k, 9).
 
     Tangents `a` (m, k, 2, 3), unit normal `n` (m, k, 3) and area per reference area (m, k).
     """
@@ -90,7 +90,7 @@ def operator(corners: Array) -> tuple[Array, Array, Array]:
 
 
 def _check_folds(at: Frame) -> None:
-    """ValueError if a cell's normals turn over or it has no area."""
+    """ValueError if the normals of a cell reverse, or if it has no area."""
     mean = np.einsum("mk,mkc->mc", at.area, at.n)
     upright = np.einsum("mkc,mc->mk", at.n, mean).min(axis=1)
     bad = (upright <= 0) | (at.area.min(axis=1) <= FLAT_OUT * at.area.mean(axis=1))
@@ -147,7 +147,7 @@ def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
 
 
 def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
-    """Curvatures by the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
+    """Curvatures due to the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
     along = np.einsum("kan,mkai->mkin", at.slopes, slope)[..., None]
     e1, e2 = e[:, :, 0, None], e[:, :, 1, None]
     B = B.reshape(*B.shape[:3], NODES, 6)[..., 3:]

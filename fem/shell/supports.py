@@ -1,4 +1,4 @@
-"""Supports of a shell: nodes by name, components that boundaries share, motions left free."""
+"""Supports of a shell: nodes by name, tied components of boundaries, free rigid motions."""
 
 from collections.abc import Mapping, Sequence
 
@@ -15,7 +15,7 @@ Named = Mapping[str | int, Support]
 
 
 def nodes_of(where: str | int, boundaries: Boundaries, count: int) -> Indices:
-    """Nodes of a boundary by name, or the one of that number."""
+    """Nodes of a boundary by name, or the node of a number."""
     if isinstance(where, str):
         if where not in boundaries:
             known = ", ".join(boundaries) or "none"
@@ -35,7 +35,7 @@ def place(component: str, where: str | int) -> int:
 
 
 def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
-    """Prescribed values (6 count,), NaN if free; ValueError if two differ."""
+    """Prescribed values (6 count,), NaN if free; ValueError if two values differ."""
     values = np.full((count, 6), np.nan)
     for where, support in supports.items():
         nodes = nodes_of(where, boundaries, count)
@@ -52,7 +52,7 @@ def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
 
 
 def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -> Indices:
-    """Pairs (2, k) of unknowns that are one: `ties` names components that a boundary shares."""
+    """Pairs (2, k) of equal unknowns: `ties` states components that are common to a boundary."""
     pairs = [np.empty((2, 0), int)]
     for name, components in ties.items():
         nodes = nodes_of(name, boundaries, count)
@@ -63,9 +63,9 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """Number of the free unknown behind each (6 nodes,), -1 where held; and the support of each.
+    """Number of the free unknown for each (6 nodes,), -1 if supported; and the support of each.
 
-    If one of several tied unknowns is held, all of them are.
+    If one of several tied unknowns is supported, all of them are.
     """
     graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))
     groups, group = connected_components(graph, directed=False)
@@ -82,7 +82,7 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
 
 
 def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indices) -> None:
-    """ValueError if supports and ties leave a connected part of the shell a rigid motion."""
+    """ValueError if a connected part of the shell can move rigidly."""
     count = len(points)
     first = np.repeat(cells[:, :1], cells.shape[1], axis=1).ravel()
     ends = np.hstack([np.array([first, cells.ravel()]), pairs // 6])

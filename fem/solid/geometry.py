@@ -16,7 +16,7 @@ FACE_POINTS = 4  # of Gauss per direction: a load of degree 3 on a curved face c
 
 
 def degree(mesh: Mesh3D) -> int:
-    """2 for 27-node hexahedra, 1 for 8-node ones; ValueError for other meshes."""
+    """2 for 27-node hexahedra, 1 for 8-node hexahedra; ValueError for other meshes."""
     if not isinstance(mesh, MeshHex):
         raise ValueError(f"solids are meshed with hexahedra, got {type(mesh).__name__}")
     return 2 if len(mesh.elem.doflocs) == 27 else 1
@@ -33,8 +33,8 @@ def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
 def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """dx_i / dX_j (m, q, 3, 3) of `cells` at reference points `X` (3, q), determinants (m, q).
 
-    Coordinates count from a node of the cell: round-off stays small against a cell however
-    far it lies from the origin.
+    Coordinates are relative to a node of the cell: round-off is then small relative to the cell at
+    any distance from the origin.
     """
     chosen = slice(None) if cells is None else cells
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)[:, chosen]]
@@ -45,7 +45,7 @@ def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Arr
 
 
 def check_unfolded(mesh: Mesh3D) -> None:
-    """ValueError naming the first cell that folds over or flattens.
+    """ValueError with the number of the first cell that is folded or flat.
 
     The determinant has one sign at three Gauss points per direction and at the cell's nodes.
     """
@@ -65,7 +65,7 @@ def check_unfolded(mesh: Mesh3D) -> None:
 
 @dataclass(frozen=True)
 class Faces:
-    """Faces of cells with one place in the reference cube, at Gauss points of the face.
+    """Faces of cells with one position in the reference cube, at Gauss points of the face.
 
     `nodes` (k, n) of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
     points, `area` (k, q, 3) their outward normals times weights; `on_face` (n,) is true for nodes
@@ -80,7 +80,7 @@ class Faces:
 
 
 def faces(mesh: Mesh3D, facets: Indices) -> list[Faces]:
-    """The `facets` of `mesh` as faces of the first cell beside each."""
+    """The `facets` of `mesh` as faces of the first cell at each facet."""
     cells = mesh.f2t[0, facets]
     corner = mesh.t[:, cells]
     inside = np.any(corner[:, None] == mesh.facets[:, facets], axis=1)

@@ -9,11 +9,11 @@ from fem.solid.geometry import Array, Indices
 
 
 def nested_dissection(mesh: Mesh3D) -> Indices:
-    """Place (nodes,) of every node in the order of elimination.
+    """Position (nodes,) of every node in the order of elimination.
 
-    Cells are halved where the fewest faces are cut, by planes x, y, z = const or by the distance
-    in cells from a cell at an end, which follows a folded strip; and the halves again, down to
-    single cells. Nodes that both halves share follow all that lie in one of them alone.
+    Cells are divided into halves at the fewest faces, by planes x, y, z = const or by the distance
+    in cells from a cell at an end, which follows a folded strip. The halves are divided again, down
+    to single cells. Nodes common to both halves follow all nodes of one half only.
     """
     path, levels = _halves(mesh)
     nodes = np.asarray(mesh.dofs.element_dofs)
@@ -56,7 +56,7 @@ def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
 
 
 def _distance(cells: int, left: Indices, right: Indices) -> Array:
-    """Faces to cross from a cell far from cell 0; other bodies follow after all of this one."""
+    """Number of faces between a cell and a cell far from cell 0; other bodies follow this one."""
     links = csr_array((np.ones(left.size), (left, right)), (cells, cells))
 
     def from_cell(k: int) -> Array:

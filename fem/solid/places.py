@@ -14,7 +14,7 @@ NEAR = 1e-6  # relative to the mesh's extent
 def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
     """Nodes of the boundary of that name, or at the coordinates, None meaning all.
 
-    (0.0, 0.0, None) is a line along z. ValueError if the name is unknown or no node lies.
+    (0.0, 0.0, None) is a line along z. ValueError if the name is unknown or no node is there.
     """
     if isinstance(place, str):
         parts = faces(mesh, named_facets(mesh, place))

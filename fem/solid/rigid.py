@@ -13,9 +13,9 @@ FREE = 1e-9  # singular value, relative: a motion that strains no support
 
 
 def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
-    """ValueError naming the rigid motion that the conditions leave to a body.
+    """ValueError with a rigid motion of a body that the conditions permit.
 
-    A body is a set connected by faces; bodies that share only a node move together there.
+    A body is a set of cells connected by faces; bodies with only a common node move together there.
     """
     nodes = np.asarray(mesh.dofs.element_dofs)
     count, body = _bodies(mesh)

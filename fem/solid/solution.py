@@ -26,8 +26,8 @@ class SolidSolution:
     """Displacements `u` (unknowns,) of `mesh`, in balance with the loads.
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
-    difference is the reaction of the supports. `residual` is the share of the energy that the
-    solver's last correction held, the square of a relative displacement.
+    difference is the reaction of the supports. `residual` is the share of the energy in the last
+    correction of the solver, the square of a relative displacement.
     """
 
     mesh: Mesh3D

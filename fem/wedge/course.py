@@ -1,4 +1,4 @@
-"""Values of finite-element states of growing load, interpolated over one another."""
+"""Values of finite-element states under increasing load, interpolated over one another."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -17,9 +17,10 @@ GROWING = 1.5  # first to last value, from which on logarithms are splined
 class Course:
     """Cubic splines through the values `at_states` of each state (n,), by name.
 
-    All are over the logarithm of a quantity that grows from state to state. Of those that grow by
-    more than `GROWING`, too, logarithms are splined: their slopes hardly change, as bodies in
-    contact deflect by powers of their loads. `by` names the default abscissa of values.
+    Splines are functions of the logarithm of a quantity that increases from state to state. Values
+    that increase by more than a factor `GROWING` are also splined as logarithms: their slopes
+    hardly change, because deflections of bodies in contact are nearly powers of the loads. `by`
+    names the default abscissa.
     """
 
     by: ClassVar[str] = "N"
@@ -30,7 +31,7 @@ class Course:
         return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
 
     def over(self, name: str, by: str) -> Callable[[Array], Array]:
-        """A quantity over the logarithm of another."""
+        """A quantity as a function of the logarithm of another."""
         y = self.at_states[name]
         if y[-1] > GROWING * y[0] > 0:
             power = self.logarithm(name, by)
@@ -39,7 +40,7 @@ class Course:
         return lambda t: np.asarray(spline(t))
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """A quantity where another has a value; ArithmeticError beyond the states."""
+        """A quantity at a value of another; ArithmeticError outside the range of the states."""
         by = by or self.by
         low, high = self.at_states[by][[0, -1]]
         if not low <= value <= high:

@@ -1,8 +1,8 @@
-"""Axial load at which a wedged roller slips: the ring driven along z up to its largest load.
+"""Axial load at which a wedged roller slips: the ring is driven along z up to its largest load.
 
-The limit is read from solved states alone. The axial load first follows its path, met by
-displacements of the ring's rim; then the rim goes on until no loaded node of a contact sticks and
-the resultant of its friction is mu N, which no state of this N and F_t exceeds.
+The limit follows from solved states only. First, displacements of the rim of the ring follow the
+path of the axial load. Then the rim moves on until no loaded node of a contact sticks and the
+resultant of its friction is mu N, the maximum for this N and F_t.
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ HALVINGS = 2.5
 
 @dataclass(frozen=True)
 class Driven:
-    """The ring's rim at `u` [m] along z, and the state there."""
+    """State with the displacement `u` [m] of the rim of the ring along z."""
 
     state: State
     u: float
@@ -40,9 +40,9 @@ class Driven:
 
 @dataclass(frozen=True)
 class Drive:
-    """The clutch `one` under its torque, with its ring's rim driven along z.
+    """The clutch `one` under its torque, with the rim of its ring driven along z.
 
-    The roller stays in its place: the ring turns on where it creeps under friction.
+    The roller remains in place: if it creeps by friction, the ring continues to rotate.
     """
 
     one: Pulled
@@ -65,7 +65,7 @@ class Drive:
         return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
-        """The end of a load path: at rest, then at these parts of `unit` one after the other."""
+        """The end of a load path: at rest, then at these multiples of `unit` in turn."""
         at = Driven(self.rest, 0.0)
         for share in shares:
             at = self._to(share * self.unit, at)
@@ -79,9 +79,9 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] on the whole clutch at slip, on from `at`, and its uncertainty.
+        """Axial load [N] on the whole clutch at slip, starting from `at`, and its uncertainty.
 
-        At the given torque, and at the angle that the clutch has there.
+        At the given torque, and at the clamping angle of the clutch under it.
         """
         one, R = self.one, self.one.q.race
         lever, doubt = self.lever(at)
@@ -90,7 +90,7 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """F_ax R/T at slip, on from `at`, and its uncertainty: friction depends on the steps."""
+        """F_ax R/T at slip, from `at` on, and its uncertainty: friction depends on the steps."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
@@ -124,7 +124,7 @@ class Drive:
         )
 
     def _to(self, force: float, at: Driven) -> Driven:
-        """On to an axial force [N/m], which secants approach from where it comes."""
+        """State under an axial force [N/m], by the secant method."""
         slope = self.unit / self.way
         for _ in range(MOST):
             missing = force - at.force
@@ -146,5 +146,5 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """F_z [N/m] of one roller that friction leaves next to F_t at rest, by the mesh's normals."""
+    """F_z [N/m] of one roller that friction permits in addition to F_t at rest, by mesh normals."""
     return rest.torque / (one.q.z * one.q.race) * lever_left(one.mu, rest.start)

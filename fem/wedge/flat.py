@@ -1,8 +1,9 @@
 """One pitch of rollers between flats and a round race, with the roller at the angle psi.
 
-The roller lies in its place with both contacts overlapping, free but for them. A cam inside is
-clamped in its bore, of one outside the rim's mean rotation is held, as that of the race is. The
-race's moment is the torque. The rest position of the roller gives psi and both approaches.
+The roller has a given position in which both contacts overlap; only the contacts support it. A cam
+inside is clamped at its bore; for a cam outside, the mean rotation of its rim is prescribed, as is
+that of the race. The moment of the race is the torque. The position of rest of the roller gives psi
+and both approaches.
 """
 
 import math
@@ -38,17 +39,17 @@ class Sector:
         self.problem = flat_problem(place, place.q.mesh(place, widths, cells), mu, along)
 
     def rest(self, drags: Drags = (0.0, 0.0)) -> "State":
-        """The state in which the roller's centre neither leaves its place nor turns.
+        """The state in which the centre of the roller neither moves nor rotates.
 
-        `drags` [m], how far the surfaces of inner and outer part are turned into the wedge, are
-        improved until it does not.
+        `drags` [m], the displacements of the surfaces of inner and outer part into the wedge, are
+        corrected until this is met.
         """
         return at_rest(self.at, drags, State.unrest, body="roller", most=MOST)
 
     def at(self, drags: Drags, **more: Any) -> "State":
-        """The state with the surfaces of inner and outer part turned into the wedge by `drags` [m].
+        """State with the surfaces of inner and outer part displaced into the wedge by `drags` [m].
 
-        `more` goes to the solver: what happens along z, and steps.
+        `more` are further arguments of the solver: loads along z, and steps.
         """
         q = self.place.q
         cam, race = drags if q.sense > 0 else drags[::-1]
@@ -79,14 +80,14 @@ class State(Touching):
         return sense * out, float(sense * r * turn)
 
     def unrest(self) -> Unrest:
-        """Movement of the roller, and drags with which it would lie in its place unturned."""
+        """Motion of the roller, and corrected drags for which it would not move or rotate."""
         out, turned = self.motion
         drags = self.drags[0] - out - turned, self.drags[1] - out + turned
         return Unrest(max(abs(out), abs(turned)), self.place.d_i + self.place.d_o, drags)
 
     @cached_property
     def place(self) -> Place:
-        """Place of the roller's centre in the frame of the turned cam."""
+        """Position of the centre of the roller in the frame of reference of the rotated cam."""
         u = self.solution.plane.displacement_at((self.start.x, self.start.y))
         x, y = self.start.x + u[0], self.start.y + u[1]
         c, s = math.cos(self.tilt), math.sin(self.tilt)
@@ -119,14 +120,14 @@ class State(Touching):
 
     @property
     def _flat(self) -> int:
-        """Index of the contact at the flat: 0 (inner contact) for an inner cam, else 1."""
+        """Index of the contact at the flat: 0 (inner contact) for an inner cam, otherwise 1."""
         return 0 if self.start.q.sense > 0 else 1
 
 
 def flat_problem(
     place: Place, mesh: "Mesh2D", mu: float, along: "Along | None" = None
 ) -> "ContactProblem":
-    """The pitch on a mesh, with friction `mu` at both contacts."""
+    """Contact problem of the pitch on a mesh, with friction `mu` at both contacts."""
     q = place.q
     inside = q.sense > 0
     turned = (q.names.race_held,) if inside else (q.names.race_held, q.names.cam_held)

@@ -15,11 +15,11 @@ Array = NDArray[np.float64]
 
 
 def balance(course: FlatCourse, T: float) -> dict[str, float]:
-    """Under a torque [N m]: residuals of statics, of rolling, and of the solver.
+    """Residuals of statics, of rolling, and of the solver under a torque [N m].
 
-    F_t/N over tan(psi/2) at flat and race, the torque of the race's and of the cam's forces over T,
-    wind-up by rolling over that by the energy, forces on the roller in the heaviest state, and both
-    contacts' forces over one another; all less 1.
+    Ratios minus 1: F_t/N over tan(psi/2) at flat and race; torque of the forces on race and cam
+    over T; wind-up by rolling over that by energy; forces on the roller in the most heavily loaded
+    state; forces of both contacts over each other.
     """
     q, place = course.q, course.place(T)
     tan, torque = math.tan(place.psi / 2), np.array([T])

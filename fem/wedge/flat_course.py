@@ -1,4 +1,4 @@
-"""Rollers between flats and a round race at growing load, and interpolation between states."""
+"""Rollers between flats and a round race under increasing load, with interpolation."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -19,9 +19,9 @@ QUANTITIES = ("T", "N", "N race", "F_t", "F_t race", "d_i", "d_o", "a_i", "a_o",
 
 
 class FlatCourse(Course):
-    """`states` of a clutch whose rollers are `L` [m] long, from light to heavy.
+    """`states` of a clutch with rollers of length `L` [m], by ascending load.
 
-    What `along` names grows from state to state: integrals run over its logarithm.
+    The quantity `along` increases from state to state: integrals are over its logarithm.
     """
 
     by: ClassVar[str] = "T"
@@ -39,7 +39,7 @@ class FlatCourse(Course):
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
 
     def start(self, T: float) -> Start:
-        """Where the pitch lies under a torque [N m], from where its heaviest state does."""
+        """Position of the pitch under a torque [N m], from its most heavily loaded state."""
         last = after(self.last)
         return last.scaled(self.at("d_o", T) / last.d[1])
 

@@ -1,4 +1,4 @@
-"""The angle of a wedged roller where the flats are slightly displaced."""
+"""The angle of a wedged roller if the flats are slightly displaced."""
 
 import math
 from dataclasses import replace
@@ -15,7 +15,7 @@ def angle_with_flats(
 ) -> float:
     """The clamping angle [rad] under a torque [N m] with the flats at `flat` [m].
 
-    `start` is where the pitch `q` lies under that torque, with rollers `L` [m] long.
+    `start` is the position of the pitch `q` under this torque, with rollers of length `L` [m].
     """
     other = replace(q, flat=flat)
     steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]

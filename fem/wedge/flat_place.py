@@ -1,7 +1,7 @@
-"""Place of a roller between a flat and a round race, and the parts of one pitch.
+"""Position of a roller between a flat and a round race, and the parts of one pitch.
 
-The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft: the
-direction that draws a roller into the wedge is then reversed.
+The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft, for
+which the direction of rotation that wedges a roller is reversed.
 """
 
 import math

@@ -26,9 +26,9 @@ class Start:
 
     @classmethod
     def guessed(cls, q: Pitch, whole: float, *, inner: float, flatter: float) -> "Start":
-        """For an overlap of both contacts [m], `inner` the inner one's part of it.
+        """Start for an overlap of both contacts [m]; `inner` is the share of the inner contact.
 
-        `flatter` is r d/a² of the inner contact, about, which is 3 on a race inside.
+        `flatter` is the approximate r d/a² of the inner contact, 3 for a race inside.
         """
         d = inner * whole, (1 - inner) * whole
         return cls(d, (math.sqrt(q.r * d[0] / flatter), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
@@ -57,7 +57,7 @@ def after(state: State) -> Start:
 
 
 def overlap(q: Pitch, P: float) -> float:
-    """Overlap [m] of both contacts under a normal force P [N/m], about."""
+    """Approximate overlap [m] of both contacts under a normal force P [N/m]."""
     return FIRST * P * (1 - q.nu**2) / q.E
 
 
@@ -75,10 +75,10 @@ def guessed_inside(q: Pitch, P: float) -> Start:
 def loaded(
     q: Pitch, now: Start, share: Callable[[State], float], *, power: float, near: float, what: str
 ) -> Start:
-    """On from `now`, by coarse meshes, to where `share` is within `near` of 1.
+    """State from `now`, by coarse meshes, at which `share` is within `near` of 1.
 
-    It is the target over the load of a state; overlaps grow by its `power`. NotFoundError where
-    the steps do not converge, naming `what` is missed.
+    `share` is the target over the load of a state; overlaps grow with its `power`. NotFoundError if
+    the steps do not converge; the message contains `what`.
     """
     for _ in range(MOST):
         state = now.state(q, COARSE)

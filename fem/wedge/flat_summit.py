@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class SummitCourse(FlatCourse):
-    """States over the normal force, which grows where the torque falls again."""
+    """States over the normal force, which continues to grow after the maximum of the torque."""
 
     along: ClassVar[str] = "N"
 
@@ -30,14 +30,14 @@ class SummitCourse(FlatCourse):
         return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """As for flats inside; where T has a value before its summit."""
+        """As for flats inside; if T has two values, that before its maximum."""
         if (by or self.by) == "T":
             return self.at(name, math.exp(self._force(value)), "N")
         return math.exp(self._T(math.log(value))) if name == "T" else super().at(name, value, by)
 
     @property
     def summit(self) -> tuple[float, float]:
-        """Normal force [N] and torque [N m] at the summit; ArithmeticError if it is not met."""
+        """Normal force [N] and torque [N m] at the maximum; ArithmeticError without maximum."""
         N = self.at_states["N"]
         top = int(np.argmax(self.at_states["T"]))
         if top in (0, N.size - 1):

@@ -21,13 +21,13 @@ STAR = Names("star", "ring", "star.flat", "ring.bore", "star.bore", "ring.rim")
 
 @dataclass(frozen=True)
 class FreewheelState:
-    """A freewheel with flats inside at rest under its loads; pairs are of star and ring.
+    """A freewheel with flats inside in equilibrium; pairs are values at star and ring.
 
-    `torque` [N m] and `axial_load` [N] of the clutch, from the solution; the clamping angle
-    `alpha` [rad], half of that between flat and ring; of one roller the normal forces `N` [N],
-    `approaches` [m] and half-widths `widths` [m]; the largest `pressures` [Pa];
-    `required_friction` [1], the resultant of friction over N; whether a contact `slides`.
-    `solution` has the fields of one pitch, in a plane of unit length.
+    `torque` [N m] and `axial_load` [N] of the clutch, from the solution; the clamping angle `alpha`
+    [rad], half of the angle between flat and ring. For one roller: the normal forces `N` [N],
+    `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa], `required_friction` [1]
+    (the resultant of friction over N), and whether a contact `slides`. `solution` contains the
+    fields of one pitch, in a plane of unit length.
     """
 
     torque: float
@@ -48,13 +48,14 @@ def solve_freewheel(
 ) -> FreewheelState:  # fmt: skip
     """One pitch of a freewheel with flats inside under the torque T [N m], then F_ax [N].
 
-    `mesh` draws it: `meshes.freewheel.inner_cam_sector`, or one of the same arguments. Bore of the
-    ring R, distance of the flats X, `z` rollers of radius r and length L, bore of the star r_b,
-    outside of the ring R_a [m]; E [Pa], nu, friction coefficient `mu` of all contacts; `cells` on
-    half of each fine zone. Plane strain, small displacements. Both loads are met within 1e-3.
+    `mesh` generates it: `meshes.freewheel.inner_cam_sector`, or a function with the same arguments.
+    Bore of the ring R, distance of the flats X, `z` rollers of radius r and length L, bore of the
+    star r_b, outside of the ring R_a [m]; E [Pa], nu, friction coefficient `mu` of all contacts;
+    `cells` on half of each fine zone. Plane strain, small displacements. Both loads are met within
+    1e-3.
 
     ValueError unless mu exceeds tan(alpha) without load and loads are positive (F_ax may be 0);
-    ArithmeticError if no equilibrium is found, as where the axial load makes the clutch slip.
+    ArithmeticError if no equilibrium is found, for example if the axial load makes the clutch slip.
 
     >>> from meshes.freewheel import inner_cam_sector
     >>> clutch = {"R": 21e-3, "X": 14.9e-3, "r": 3e-3, "z": 10, "L": 12e-3, "r_b": 8e-3}

@@ -1,6 +1,6 @@
-"""Wedged rollers of constant torque under successive axial loads, with the history of friction.
+"""Wedged rollers under constant torque and successive axial loads, with the history of friction.
 
-The roller stays in its place: where it creeps out under friction, the ring turns on.
+The roller remains in place: if it creeps out by friction, the ring continues to rotate.
 """
 
 from collections.abc import Sequence
@@ -38,15 +38,15 @@ class Held:
         return axial_unit(self.one, self.rest)
 
     def to(self, share: float, state: State) -> State:
-        """On from `state` to an axial load; NotFoundError if no rest is found under it."""
+        """State under an axial load, starting from `state`; NotFoundError without equilibrium."""
         return creeping(self.there, state, axial_forces=self._rim(share * self.unit))
 
     def at_once(self, force: float) -> State:
-        """The state under an axial force [N/m] that comes with the torque, from no load."""
+        """State under an axial force [N/m] applied together with the torque, from zero load."""
         return self.there.at(self.rest.drags, axial_forces=self._rim(force))
 
     def follow(self, shares: Sequence[float]) -> list[State]:
-        """The states under axial loads one after the other, from rest on."""
+        """The states under successive axial loads, starting at rest."""
         states, state = [], self.rest
         for share in shares:
             state = self.to(share, state)
@@ -54,7 +54,7 @@ class Held:
         return states
 
     def walk(self, share: float, cycles: int) -> Array:
-        """Rotation (cycles,) [m] of the ring's bore in each cycle of one axial amplitude."""
+        """Displacement (cycles,) [m] of the bore of the ring in each cycle of the axial load."""
         state, drags = self.rest, [self.rest.drags[1]]
         for _ in range(cycles):
             state = self.to(-share, self.to(share, state))
@@ -62,10 +62,10 @@ class Held:
         return np.diff(drags)
 
     def rows(self, shares: Sequence[float], states: Sequence[State]) -> Array:
-        """Share and contact loads of each state (m, 9).
+        """Share of the axial load and contact loads of each state (m, 9).
 
-        F_t/N and F_z/N of cam and ring, N and T over those at rest, the part of N that slips, and
-        the largest u_z [m].
+        F_t/N and F_z/N of cam and ring, N and T relative to those at rest, the share of N at
+        slipping nodes, and the largest u_z [m].
         """
         N, found = Borne.by(self.rest).N.mean(), []
         for share, state in zip(shares, states, strict=True):
@@ -82,7 +82,7 @@ class Held:
 
 
 def under_torque(there: Pulled, near: Start, T: float, cells: int) -> Start:
-    """Where the clutch lies under the torque of `there`, from where it lies under `T` [N m]."""
+    """Position of the clutch under the torque of `there`, starting from that under `T` [N m]."""
     if there.T == T:
         return near
     now = near.scaled((there.T / T) ** HARDER)

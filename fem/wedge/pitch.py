@@ -18,10 +18,10 @@ def pitch_problem(
     races: tuple[str, str], turned: Sequence[str], supports: "Mapping[str, Support] | None" = None,
     along: "Along | None" = None,
 ) -> "ContactProblem":  # fmt: skip
-    """The pitch of `z` equal ones, whose `races` are cut at the boundaries "left" and "right".
+    """One of `z` equal pitches, whose `races` are cut at the boundaries "left" and "right".
 
-    Of the boundaries `turned` the mean rotation is prescribed; all else is free, so that races
-    breathe as rings do. E [Pa] and nu apply to all bodies.
+    For the boundaries `turned`, the mean rotation is prescribed; other motions are free, so that
+    races can expand like rings. E [Pa] and nu apply to all bodies.
     """
     # imported on use: reading a case loads no solver
     from fem.contact.problem import ContactProblem

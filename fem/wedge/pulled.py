@@ -28,7 +28,7 @@ PROBE = 0.3  # mu P'/G, the first step of the ring along z; it would be the defl
 
 @dataclass(frozen=True)
 class Pulled:
-    """A pitch of rollers `L` long; torque, axial load of the whole, friction of all contacts."""
+    """A pitch of rollers of length `L`; torque, axial load of the whole clutch, common friction."""
 
     q: Pitch
     L: float
@@ -44,9 +44,9 @@ class Pulled:
 
 @dataclass(frozen=True)
 class Borne:
-    """Contact forces of one roller per length [N/m]: `N`, `F_t`, `F_z` (2,), cam and ring.
+    """Contact forces of one roller per length [N/m]: `N`, `F_t`, `F_z` (2,) at cam and ring.
 
-    F_t is positive into the wedge, F_z as it acts on the races.
+    F_t is positive into the wedge; F_z acts on the races.
     """
 
     N: Array
@@ -71,7 +71,7 @@ class Borne:
 
     @property
     def tangent(self) -> float:
-        """F_t/N at the mean angle of both contacts: they tilt to either side of the bisector."""
+        """F_t/N at the mean angle of both contacts, inclined to both sides of the bisector."""
         return math.tan(float(np.arctan(self.F_t / self.N).mean()))
 
     @property
@@ -81,10 +81,10 @@ class Borne:
 
 
 def lever_left(mu: float, place: Place) -> float:
-    """F_z/F_t that friction leaves for the axis at the angle of a place.
+    """F_z/F_t that friction permits along the axis, at the angle of a position.
 
-    The solver's cone stands on the normals of the mesh, thus at the angle where a state starts. The
-    torque belongs to the one at which it rests, with the cam as it is turned.
+    The friction cone of the solver is about the normals of the mesh, at the angle of the initial
+    position. The torque belongs to the angle at rest, with the cam in its rotated position.
     """
     return math.sqrt((mu / math.tan(place.psi / 2)) ** 2 - 1)
 
@@ -123,7 +123,7 @@ def wedged(q: Pitch, L: float, T: float) -> Start:
 
 
 def at_torque(one: Pulled, cells: int) -> Start:
-    """Approximate state on meshes of `cells`, whose fine zones stay in place."""
+    """Approximate state on meshes of `cells`, with fine zones at constant positions."""
     start = wedged(one.q, one.L, one.T)
     state = start.state(one.q, cells)
     found = after(state).scaled((one.T / (state.torque * one.L)) ** HARDER)
@@ -148,11 +148,11 @@ def yielding(one: Pulled, there: Sector, stuck: State) -> float:
 
 
 def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
-    """On from `state` with the roller in its place: the ring takes back its outward movement.
+    """State from `state` on with the roller in its place: the ring compensates its creep.
 
-    The ring turns on then, and N stays; by `ahead` [m] from the start, where that is known to be
-    needed: then nodes that slip do so in the last solve, too. NotFoundError if the roller does
-    not come to rest, or a solve finds no equilibrium.
+    The ring continues to rotate, and N is constant. It rotates by `ahead` [m] at the start if this
+    rotation is known: then nodes that slip also slip in the last solution. NotFoundError if the
+    roller does not come to rest, or if a solution finds no equilibrium.
     """
     size = state.start.d_i + state.start.d_o
 

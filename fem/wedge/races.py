@@ -1,9 +1,9 @@
 """One pitch of two round races with a strut wedged between them, at a rotation of the strut.
 
-It touches the inner race with a spiral and the outer one with an arc, and is free but for them. The
-races breathe as rings do: only the mean rotation of the inner one's bore and of the outer one's rim
-is held. All bodies are drawn as they are compressed, and the overlaps that do this are taken off
-the gaps.
+The strut touches the inner race with a spiral and the outer race with an arc; only these contacts
+support it. The races can expand like rings: only the mean rotations of the bore of the inner race
+and of the rim of the outer race are prescribed. All bodies are drawn in the compressed state, and
+the resulting overlaps are subtracted from the gaps.
 """
 
 import math
@@ -36,7 +36,7 @@ P = TypeVar("P", bound=Place)
 
 @dataclass(frozen=True)
 class Struts:
-    """z struts `b` wide [m] and their races of one material, E [Pa]."""
+    """z struts of width `b` [m] and their races, all of one material with E [Pa]."""
 
     z: int
     b: float
@@ -58,17 +58,17 @@ class Sector(Generic[P]):
         )  # fmt: skip
 
     def rest(self, drags: Drags = (0.0, 0.0)) -> "State[P]":
-        """The state in which the strut neither leaves its azimuth nor turns.
+        """The state in which the strut neither leaves its azimuth nor rotates.
 
-        `drags` [m], how far inner and outer race are turned anticlockwise where they are touched,
-        are improved until it does not.
+        `drags` [m], the anticlockwise displacements of inner and outer race at the contacts, are
+        corrected until this is met.
         """
         return at_rest(self.at, drags, State.unrest, body=BODY, most=MOST)
 
     def at(self, drags: Drags, **more: Any) -> "State[P]":
-        """The state with the surfaces of both races turned anticlockwise by `drags` [m].
+        """State with the surfaces of both races displaced anticlockwise by `drags` [m].
 
-        `more` goes to the solver.
+        `more` are further arguments of the solver.
         """
         radii = self.place.OA, self.place.OB
         moved = {name: {"r": drag / radius}
@@ -80,7 +80,7 @@ class Sector(Generic[P]):
 class State(Touching, Generic[P]):
     """A pitch in equilibrium; forces of one strut per length [N/m], torque of all [N].
 
-    Pairs are of the inner and the outer contact.
+    Pairs are values of the inner and the outer contact.
     """
 
     sector: Sector[P]
@@ -93,9 +93,9 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def motion(self) -> tuple[float, float, float]:
-        """Movement [m] of the strut aside (+x) and outwards about its pole; its rotation [rad].
+        """Motion [m] of the strut along +x and outwards at its pole; its rotation [rad].
 
-        The turn counts anticlockwise.
+        The rotation is positive anticlockwise.
         """
         x, y = self.start.core
         u, turn = core_motion(self.solution, (x, y), self.sector.q.b)
@@ -130,13 +130,13 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def T(self) -> tuple[float, float]:
-        """Tangential forces, as seen from the axis."""
+        """Tangential forces, relative to the axis."""
         inner, outer = self.solution.touches
         return -inner.moment() / self.start.OA, outer.moment() / self.start.OB
 
     @cached_property
     def N(self) -> tuple[float, float]:
-        """Normal forces, as seen from the axis."""
+        """Normal forces, relative to the axis."""
         inner, outer = (
             math.sqrt(math.hypot(*touch.force) ** 2 - T**2)
             for touch, T in zip(self.solution.touches, self.T, strict=True)

@@ -1,4 +1,4 @@
-"""Place of a strut between two round races, for finite elements."""
+"""Position of a strut between two round races, for finite elements."""
 
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -7,11 +7,11 @@ if TYPE_CHECKING:
 
 
 class Place(Protocol):
-    """Place of the strut, its pole at the distance `D` [m] from the axis, and its drawing.
+    """Position of the strut, with its pole at the distance `D` [m] from the axis, and its outline.
 
-    `overlaps` of both contacts without loads, `bends` how much of them is drawn, H all
-    of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
-    direction and growth, `arc` centre and radius, `core` is the point at which motion is read.
+    `overlaps` of both contacts without loads; `bends` is the share of them that is drawn, H their
+    sum; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
+    direction and growth; `arc` has centre and radius; motion is evaluated at `core`.
     """
 
     @property

@@ -1,7 +1,7 @@
-"""A wedged body at rest: the surfaces about it are turned until it stays where the mesh has it.
+"""A wedged body at rest: surrounding surfaces are rotated until it remains at its mesh position.
 
-In small displacements forces act where the mesh has them. A body that creeps out of its place, or
-turns there, until friction holds it would carry its forces off its contacts.
+For small displacements, forces act at the positions of the mesh. If a body moved or rotated there
+until friction stopped it, its forces would act beside its contacts.
 """
 
 from collections.abc import Callable
@@ -62,10 +62,10 @@ def at_rest(
     at: Callable[[Drags], S], drags: Drags, unrest: Callable[[S], Unrest], *, body: str,
     most: int, still: float | None = None,
 ) -> S:  # fmt: skip
-    """The state in which the `body` rests: the first of `most` that moves by `still` of its size.
+    """State of rest of the `body`: the first of `most` with a motion below `still` of its size.
 
-    `at` solves with surfaces turned by `drags`; from one to the next they undo what the body moves.
-    NotFoundError if it does not come to rest.
+    `at` solves with surfaces displaced by `drags`; each correction compensates the motion of the
+    body. NotFoundError if it does not come to rest.
     """
     limit = STILL if still is None else still
     for _ in range(most):
@@ -83,9 +83,9 @@ def at_rest(
 def core_motion(
     solution: "ContactSolution", centre: tuple[float, float], size: float
 ) -> tuple[Array, float]:
-    """Movement of a body of this `size` [m] about `centre`: displacements (2, 4) [m], turn [rad].
+    """Motion of a body of this `size` [m] about `centre`: displacements (2, 4) [m], rotation [rad].
 
-    They belong to points to the right, left, above and below; the rotation is anticlockwise.
+    They are those of points to the right, left, above and below; rotation is anticlockwise.
     """
     near = CORE * size
     points = np.array([[centre[0]], [centre[1]]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])

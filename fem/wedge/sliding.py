@@ -22,10 +22,11 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
 
 
 def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """The path of the ring driven to `displacements` [m] along z while N stays, until it creeps.
+    """Path of the ring, driven to `displacements` [m] along z at constant N, until it creeps.
 
-    It (m, 8) has u_z [m], how far [m] the ring's bore moves into the wedge, F_t/N and F_z/N of both
-    contacts by the mesh's normals, N of the ring and T over those at rest.
+    The columns (m, 8) are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N
+    and F_z/N of both contacts by the normals of the mesh, N of the ring and T relative to those at
+    rest.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:
@@ -35,7 +36,7 @@ def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array
 
 
 def let_out(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """The path (m, 8) of the ring driven along z and held about the axis: rollers move out."""
+    """Path (m, 8) of the ring driven along z without rotation: rollers move out of the wedge."""
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:
         state = there.at(stuck.drags, after=state.solution, axial_displacements=_rim(there, u))

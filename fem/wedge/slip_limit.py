@@ -54,7 +54,7 @@ class Limit:
         return np.array(found).T
 
     def of_torque(self) -> Array:
-        """Friction over tan(psi/2) (2,) at which all of both contacts slips: value, half-width."""
+        """Friction over tan(psi/2) (2,) for complete slip of both contacts: value, half-width."""
         steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
@@ -124,13 +124,13 @@ def over_angles(
     one: Pulled, start: Start, stuck: State, *, N: float, unit: float,
     built: Callable[[float], Pitch],
 ) -> Array:  # fmt: skip
-    """Clutches equal but for X, at the same overlap, one row (m, 7) for each that can be built.
+    """Clutches that differ in X only, at equal overlap; one row (m, 7) for each possible clutch.
 
-    `built` makes the pitch with flats at X [m], ValueError if there is none. Rows have
-    tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
-    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
-    angle the clutch, `stuck`, deflects by `unit` [m] along z to where it slips. Angles and forces
-    belong to the meshes, because slip depends on their normals.
+    `built` generates the pitch with flats at X [m]; ValueError if there is none. Rows contain
+    tan(alpha)/mu, the remaining part of `N` [N/m], F_t/(mu N) (0 if there is none), and F_t/(mu N)
+    and F_z/(mu N) of cam and ring after the ring was driven along z until all contacts slip. At its
+    angle, the clutch `stuck` deflects by `unit` [m] along z before it slips. Angles and forces
+    refer to the meshes, because slip depends on their normals.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu

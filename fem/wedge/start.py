@@ -1,7 +1,7 @@
-"""Place of a strut between its races from coarse meshes, for the fine mesh.
+"""Position of a strut between its races from coarse meshes, as a start for the fine mesh.
 
-Coarse meshes state where the strut lies and how wide its contacts are; states on finer meshes start
-from there, all at the same rotation.
+Coarse meshes give the position of the strut and the widths of its contacts; states on finer meshes
+start there, all at the same rotation.
 """
 
 import math
@@ -20,7 +20,7 @@ STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
 
 class TurnedPlace(Place, Protocol):
-    """A place with its rotation [rad], the strut's angles there [rad], and places further on."""
+    """A position with its rotation [rad], the angles of the strut [rad], and further positions."""
 
     @property
     def alpha(self) -> float: ...
@@ -47,7 +47,7 @@ class Start(Generic[P]):
         return cls(state.sector.q, state.place, state.widths, state.drags)
 
     def turned(self, alpha: float) -> "Start[P]":
-        """About the same at another rotation [rad]: lengths are proportional to all deflections."""
+        """Approximate position at another rotation [rad]; lengths are scaled with deflections."""
         place, share = self.place.turned(alpha)
         root = math.sqrt(share)
         return replace(
@@ -62,7 +62,7 @@ class Start(Generic[P]):
         return Sector(self.struts, self.place, self.widths, cells, mu=mu).rest(self.drags)
 
     def settled(self) -> tuple["Start[P]", State[P]]:
-        """Strut in equilibrium, and the last coarse state; NotFoundError without one."""
+        """Strut in equilibrium, and the last coarse state; NotFoundError without equilibrium."""
         start = self
         for _ in range(MOST):
             state = start.state(COARSE)

@@ -15,9 +15,9 @@ Array = NDArray[np.float64]
 
 
 class Stroke(Course):
-    """States of z struts with torque T [N m] of all, N [N] and the total deflection H [m] of one.
+    """States of z struts with total torque T [N m]; N [N] and total deflection H [m] of one strut.
 
-    `U` [J] is the energy of one pitch; splines over ln N lie between the states.
+    `U` [J] is the energy of one pitch; splines over ln N interpolate between the states.
     """
 
     z: int
@@ -28,7 +28,7 @@ class Stroke(Course):
         return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 
     def work(self, N: Array) -> Array:
-        """Work [J] on deflections of one strut up to normal forces N [N]: the integral of N dH."""
+        """Work [J] of one strut up to normal forces N [N]: the integral of N dH."""
         H = self.logarithm("H", "N")
         return self.integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", np.log(N))
 
@@ -36,7 +36,7 @@ class Stroke(Course):
 def half_width(touch: "Touch") -> float:
     """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
 
-    That of the squares depends twice as much on where the contact ends in a cell.
+    That of the squares is twice as sensitive to the position of the contact edge in a cell.
     """
     load = touch.p * touch.weight
     return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())
