@@ -1,7 +1,8 @@
 """Number of cells for a ratio of two lengths, independent of its last digits.
 
-Ratios of round lengths are often whole, or halfway, but for round-off. Without a tolerance the last
-bits of a logarithm or a sine, which differ between processors, would choose between two meshes.
+Ratios of round lengths are often whole or half numbers, except for round-off. Without a tolerance,
+the choice between two meshes would depend on the last bits of a logarithm or a sine, which differ
+between processors.
 """
 
 import math
@@ -10,7 +11,7 @@ ROUND_OFF = 1e-9  # over a ratio: far above round-off, far below the tolerance o
 
 
 def at_least(ratio: float) -> int:
-    """The least whole number that is not below `ratio`, but for round-off.
+    """The least whole number that is not below `ratio`, except for round-off.
 
     >>> at_least(12.000000000001), at_least(12.1)
     (12, 13)
@@ -19,7 +20,7 @@ def at_least(ratio: float) -> int:
 
 
 def nearest(ratio: float) -> int:
-    """The whole number nearest to a positive `ratio`, the upper one halfway but for round-off.
+    """The whole number nearest to a positive `ratio`; half numbers are rounded up.
 
     >>> nearest(2.4999999999999), nearest(2.4)
     (3, 2)

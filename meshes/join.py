@@ -1,4 +1,4 @@
-"""Several meshes as one, each with its nodes, boundaries and bodies unchanged."""
+"""Several meshes combined into one, each with its nodes, boundaries and bodies unchanged."""
 
 from collections.abc import Mapping
 
@@ -8,11 +8,11 @@ from skfem.mesh import Mesh2D
 
 
 def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
-    """One mesh of all `meshes`, no nodes merged, also where they touch.
+    """One mesh of all `meshes`; no nodes are merged, even if they coincide.
 
     A boundary "surface" of the mesh "disc" becomes "disc.surface", a body "core" "disc.core"; the
-    body "disc" is the whole of it. Vertices, cells and facets follow in the order of the meshes.
-    Raises ValueError without any mesh, or where they are not all of one kind of cell.
+    body "disc" is the complete mesh. Vertices, cells and facets have the order of the meshes.
+    Raises ValueError without a mesh, or if the meshes have different kinds of cells.
     """
     kinds = {name: type(mesh) for name, mesh in meshes.items()}
     if len(set(kinds.values())) != 1:

@@ -13,8 +13,8 @@ LINE3 = 8  # gmsh's element type
 class LineMesh:
     """Quadratic line elements in the plane.
 
-    `points` (n, 2); `elements` (m, 3): ends and middle node; `nodes` names single nodes and
-    `bodies` groups of elements. Middle nodes come after all ends.
+    `points` (n, 2); `elements` (m, 3): both ends and the middle node; `nodes` names single nodes,
+    `bodies` groups of elements. Middle nodes follow all ends.
     """
 
     points: NDArray[np.float64]

@@ -41,7 +41,7 @@ def plane_mesh(*, straight: bool = False) -> Mesh2D:
 
 @dataclass(frozen=True)
 class Read:
-    """Nodes `p` (2, n) and cells `t` (k, m) of the current gmsh model, and its numbers of both."""
+    """Nodes `p` (2, n) and cells `t` (k, m) of the current gmsh model, with gmsh numbers."""
 
     shape: type[Mesh2D]
     kind: int
@@ -53,7 +53,7 @@ class Read:
 
 
 def nodes_and_cells(*, straight: bool = False) -> Read:
-    """The cells of the current gmsh model; ValueError unless they are of one kind."""
+    """The cells of the current gmsh model; ValueError unless they are all of one kind."""
     kinds = [k for k in gmsh.model.mesh.getElementTypes(2) if k in KINDS]
     if len(kinds) != 1:
         names = [gmsh.model.mesh.getElementProperties(k)[0] for k in kinds]

@@ -1,7 +1,7 @@
 """Constant data of a mesh whose nodes move: cells, facets, boundaries, bodies, numbers of nodes.
 
-The last few are stored by their content; a stored one equals a new one: no mesh depends on those
-that were made before.
+The last few topologies are stored by content. A stored one equals a new one: no mesh depends on
+meshes made before.
 """
 
 from collections.abc import Callable, Hashable
@@ -43,14 +43,14 @@ class Topology:
 
 
 class Topologies:
-    """The last few topologies, by content: at most `most`, with `nodes` in all."""
+    """The last few topologies, by content: at most `most`, with at most `nodes` nodes in total."""
 
     def __init__(self, most: int = MOST, nodes: int = NODES) -> None:
         self.most, self.nodes = most, nodes
         self.kept: dict[Hashable, Topology] = {}
 
     def get(self, key: Hashable, make: Callable[[], Topology]) -> Topology:
-        """The one stored for `key`, or a new one from `make`."""
+        """The stored topology for `key`, or a new one from `make`."""
         found = self.kept.pop(key, None) or make()
         if found.source.size <= self.nodes:
             self.kept[key] = found

@@ -48,7 +48,7 @@ class Ranges:
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Parameters (members, k); marks (starts,) of starts that met all speeds, and of retained ones."""
+    """Parameters (members, k); marks (starts,) of successful starts, and of retained ones."""
 
     members: Array
     met: NDArray[np.bool_]

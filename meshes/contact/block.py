@@ -1,4 +1,4 @@
-"""Rectangular blocks: graded about a contact at the origin, and even ones."""
+"""Rectangular blocks: graded about a contact at the origin, or with equal cells."""
 
 import math
 from typing import get_args
@@ -24,10 +24,11 @@ def half_block(
 ) -> Mesh2D:
     """The block 0 <= x <= width, -depth <= y <= 0, fine at the origin.
 
-    On `refine` 1 `cells` even cells lie on 0 <= x <= `zone` [unit of width] and grow outside; 2
-    halves them all, and so on. Boundaries "surface" (y = 0), "axis" (x = 0), "side" and "bottom"
-    (y = -depth); body "block". The block `above` lies at 0 <= y <= depth. `order` 1 or 2;
-    `straight` cells keep straight edges. Raises ValueError unless 0 < zone <= width/2, depth.
+    With `refine` 1, `cells` equal cells lie on 0 <= x <= `zone` [unit of width]; cells are larger
+    outside. `refine` 2 halves all cells, and so on. Boundaries "surface" (y = 0), "axis" (x = 0),
+    "side" and "bottom" (y = -depth); body "block". The block `above` lies at 0 <= y <= depth.
+    `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone <=
+    width/2, depth.
     """
     half = _half(width, depth, Zone(zone, cells, refine), "side")
     blocks = [block.mirrored(1, -1 if above else 1) for block in half]
@@ -68,7 +69,7 @@ def block(
     cells: Cells = "quad",
     order: int = 2,
 ) -> Mesh2D:
-    """The rectangle between two `x` and two `y`, of `nx` by `ny` even cells, halved as `tri`.
+    """The rectangle between two `x` and two `y`, of `nx` by `ny` equal cells, halved if `tri`.
 
     Boundaries "left", "right", "bottom" and "top"; body "block". `order` 1 or 2. Raises ValueError
     unless the second x and y are above the first and `nx`, `ny` at least 1.

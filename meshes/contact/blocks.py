@@ -23,8 +23,8 @@ TOPOLOGIES = Topologies()
 class Edge:
     """A side of a block: a line, or an arc about `centre` of less than half a turn.
 
-    `beta` grades its cells from fine at the start to coarse at the end, as meshes.contact.grading
-    has it; 0 keeps them even. All edges of one `name` are a boundary of the mesh.
+    `beta` grades its cells from fine at the start to coarse at the end, as in
+    meshes.contact.grading; 0 gives equal cells. All edges of one `name` are a boundary of the mesh.
     """
 
     start: Point
@@ -44,7 +44,7 @@ class Edge:
         return 2 * radius * math.asin(min(1.0, chord / (2 * radius)))
 
     def placed(self, place: Place) -> "Edge":
-        """The edge where `place`, a rigid motion or a mirror image, puts its points."""
+        """The edge moved by `place`, a rigid motion or a mirror image of points."""
         centre = None if self.centre is None else place(self.centre)
         return replace(self, start=place(self.start), end=place(self.end), centre=centre)
 
@@ -61,7 +61,7 @@ class Block:
 
     @property
     def corners(self) -> list[Point]:
-        """Points at which each edge meets the one before it."""
+        """Common points of each edge and the previous edge."""
         ends = [{edge.start, edge.end} for edge in self.edges]
         return [(ends[k - 1] & ends[k]).pop() for k in range(4)]
 
@@ -78,7 +78,7 @@ class Block:
         return self.placed(lambda point: (x * point[0], y * point[1]))
 
     def placed(self, place: Place) -> "Block":
-        """The block where `place`, a rigid motion or a mirror image, puts its points."""
+        """The block moved by `place`, a rigid motion or a mirror image of points."""
         a, b, c, d = (edge.placed(place) for edge in self.edges)
         return replace(self, edges=(a, b, c, d))
 
@@ -120,7 +120,7 @@ def mesh_blocks(
 
 
 def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
-    """The mesh with each boundary of `whole` under its name."""
+    """The mesh with each combined boundary of `whole` under its name."""
     own = mesh.boundaries
     found = {
         name: np.concatenate([own[part] for part in parts if part in own])
@@ -142,7 +142,7 @@ class _Drawing:
 
     @property
     def structure(self) -> tuple[object, ...]:
-        """All but the places of the points: two drawings of one have meshes of one topology."""
+        """All data except the positions of points: equal structures have meshes of one topology."""
         names = tuple((name, tuple(curves)) for name, curves in self.boundaries.items())
         return self.cells, names, tuple(self.drawn)
 

@@ -18,12 +18,13 @@ def quarter_disc(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The quarter x >= 0 of the disc about (0, R) that lies next to the origin.
+    """The quarter x >= 0 of the disc about (0, R) at the origin.
 
-    On `refine` 1 `cells` even cells lie on the arc over 0 <= x <= `zone` [unit of R] and grow
-    outside; 2 halves them all, and so on. Boundaries "surface" (the arc), "axis" (x = 0) and
-    "middle" (the cut y = R); body "disc". The disc `below` lies about (0, -R) instead. `order` 1
-    or 2; `straight` cells keep straight edges. Raises ValueError unless 0 < zone <= R/2.
+    With `refine` 1, `cells` equal cells lie on the arc over 0 <= x <= `zone` [unit of R]; cells are
+    larger outside. `refine` 2 halves all cells, and so on. Boundaries "surface" (the arc), "axis"
+    (x = 0) and "middle" (the section y = R); body "disc". The disc `below` is about (0, -R)
+    instead. `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone
+    <= R/2.
     """
     blocks = [block.mirrored(1, 1 if below else -1) for block in _quarter(R, zone, cells, refine)]
     return mesh_blocks(blocks, order=order, straight=straight)
@@ -63,7 +64,7 @@ def _quarter(R: float, zone: float, cells: int, refine: int) -> list[Block]:
 
 
 def diagonal(corner: Point, slope: float, R: float) -> tuple[Point, Point]:
-    """Centre and end of the arc from `corner`, `slope` [rad] down, that meets y = -R squarely."""
+    """Centre and end of the arc from `corner`, `slope` [rad] down, that is normal to y = -R."""
     x, y = corner
     radius = (R + y) / math.cos(slope)
     x -= radius * math.sin(slope)

@@ -42,11 +42,12 @@ class Zone:
 
 @dataclass(frozen=True)
 class Outline:
-    """A neighbourhood of the origin in x >= 0, y <= 0, with four corners.
+    """Outline of a region at the origin in x >= 0, y <= 0, with four corners.
 
-    The surface leads from the origin to `end`, the axis to `foot`, and `far` lies opposite the
-    origin. The surface is an arc about (0, `centre`), the base from `far` to `foot` one about
-    (0, `base`); None for lines. Names of boundaries: of the surface, from `end` to `far`, the base.
+    The surface extends from the origin to `end`, the axis to `foot`; `far` is opposite to the
+    origin. The surface is an arc about (0, `centre`), the base from `far` to `foot` an arc about
+    (0, `base`); None for straight lines. Names of boundaries: the surface, the side from `end` to
+    `far`, the base.
     """
 
     end: Point
@@ -70,10 +71,10 @@ def core(zone: Zone, centre: float | None) -> tuple[Point, Point]:
 def fan(
     outline: Outline, zone: Zone, body: str, bend: Point | None = None, *, least: int = 1
 ) -> list[Block]:
-    """Core, block along the surface and block along the axis.
+    """Mesh of three blocks: a core, a block along the surface, and a block along the axis.
 
-    The diagonal between the two is an arc about `bend`, a line without one. At `least` so many
-    cells lead outwards on `refine` 1: two fans that share an axis need as many.
+    The diagonal between the two outer blocks is an arc about `bend`, or a line. With `refine` 1,
+    there are at least `least` cells outwards: two fans with a common axis need equal numbers.
     """
     n, m = zone.cells * zone.refine, zone.rows * zone.refine
     centre, around = (c if c is None else (0.0, c) for c in (outline.centre, outline.base))
@@ -101,9 +102,9 @@ def fan(
 
 
 def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
-    """Number of even cells over `length` that continue the last cell of a graded edge.
+    """Number of equal cells over `length` that continue the last cell of a graded edge.
 
-    None is longer than GROWTH times that one, about two fifths of the thickness.
+    None is longer than GROWTH times this last cell, about two fifths of the thickness.
     """
     last = last_cell(length=beside.length, cells=beside.cells // zone.refine, beta=beside.beta)
     return zone.refine * at_least(length / (GROWTH * last))

@@ -1,8 +1,9 @@
 """Grading: cells grow with the distance from a fine zone up to a constant size.
 
-Roberts' stretching: with u from 1 at the fine end to 0 at the far one, cells are as long as
-beta^2 - u^2, hence by a constant factor longer than the one before near the fine end, and of one
-size at the far one. Refined cells lie on the same map, so that they halve the coarse ones.
+Roberts' stretching: with u from 1 at the fine end to 0 at the other end, the length of cells is
+proportional to beta^2 - u^2. Near the fine end, each cell is longer than the previous one by a
+constant factor; at the other end, cells have one size. Refined cells are on the same map; they
+therefore halve the coarse cells.
 """
 
 import math
@@ -15,9 +16,9 @@ FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by
 
 
 def cells_along(*, length: float, first: float, growth: float) -> int:
-    """Number of cells from the size `first` over `length`, none `growth` times the one before.
+    """Number of cells over `length` from the size `first`; each grows by `growth` at most.
 
-    `length` and `first` in one unit, `growth` above 1.
+    `length` and `first` have one unit; `growth` is above 1.
     """
     rate = math.log(growth)
     beta = math.sqrt(1 + 2 * first / (rate * length))
@@ -25,10 +26,10 @@ def cells_along(*, length: float, first: float, growth: float) -> int:
 
 
 def beta(*, length: float, first: float, cells: int) -> float:
-    """The beta whose cells start with the size `first`, or even ones where these are smaller.
+    """The beta for cells that start with the size `first`; equal cells if these are smaller.
 
-    `first` is the size that the map has at its fine end, which that of a refined mesh tends to:
-    there it goes on from the fine zone without a step.
+    `first` is the size of the map at its fine end, the limit for refined meshes: the fine zone
+    continues there without a step.
     """
 
     def excess(log: float) -> float:

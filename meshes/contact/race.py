@@ -18,12 +18,12 @@ def half_race(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The half x >= 0 of the ring about (0, r_i), whose bore has its lowest point at the origin.
+    """The half x >= 0 of the ring about (0, r_i); the lowest point of its bore is the origin.
 
-    On `refine` 1 `cells` even cells lie on the bore over 0 <= x <= `zone` [unit of r_i] and grow
-    outside; 2 halves them all, and so on. Boundaries "bore", "rim" and "axis" (x = 0, both cuts);
-    body "race". `order` 1 or 2; `straight` cells keep straight edges. Raises ValueError unless
-    0 < r_i < r_o and 0 < zone < r_o - r_i, zone <= r_i/2.
+    With `refine` 1, `cells` equal cells lie on the bore over 0 <= x <= `zone` [unit of r_i]; cells
+    are larger outside. `refine` 2 halves all cells, and so on. Boundaries "bore", "rim" and "axis"
+    (x = 0, both sections); body "race". `order` 1 or 2; `straight` cells have straight edges.
+    Raises ValueError unless 0 < r_i < r_o and 0 < zone < r_o - r_i, zone <= r_i/2.
     """
     if not 0 < r_i < r_o < math.inf:
         raise ValueError(f"a race needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
@@ -52,11 +52,11 @@ def half_race(
 
 
 def _at(r: float, angle: float, r_i: float) -> Point:
-    """The point at radius `r`, `angle` [rad] from the lowest one."""
+    """The point at radius `r`, at `angle` [rad] from the lowest point."""
     return r * math.sin(angle), r_i - r * math.cos(angle)
 
 
 def _centre(a: Point, b: Point, *, turn: float) -> Point:
-    """Centre of the arc from `a` to `b` that turns left by `turn` [rad]."""
+    """Centre of the arc from `a` to `b` that turns to the left by `turn` [rad]."""
     reach = 1 / (2 * math.tan(turn / 2))
     return (a[0] + b[0]) / 2 - reach * (b[1] - a[1]), (a[1] + b[1]) / 2 + reach * (b[0] - a[0])

@@ -22,12 +22,13 @@ def half_roller(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The half y >= 0 of the disc about the origin, fine at (-R, 0), "near", and (R, 0), "far".
+    """The half y >= 0 of the disc about the origin, fine at (-R, 0) ("near") and (R, 0) ("far").
 
-    On `refine` 1 `cells` even cells lie on the arc over 0 <= y <= zone [unit of R] at each end,
-    `zones` being (near, far), and grow from there; 2 halves them all, and so on. Boundaries "near"
-    and "far" (the arc in x <= 0 and in x >= 0) and "cut" (y = 0); body "roller". `order` 1 or 2;
-    `straight` cells keep straight edges. Raises ValueError unless 0 < zone <= R/2 at both ends.
+    With `refine` 1, `cells` equal cells lie on the arc over 0 <= y <= zone [unit of R] at each end;
+    `zones` are (near, far). Cells are larger outside. `refine` 2 halves all cells, and so on.
+    Boundaries "near" and "far" (the arc in x <= 0 and in x >= 0) and "cut" (y = 0); body "roller".
+    `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone <= R/2
+    at both ends.
     """
     for zone in zones:
         if not 0 < zone <= R / 2 < math.inf:
@@ -56,7 +57,7 @@ def _places(R: float) -> tuple[Place, Place]:
 
 
 def _quarter(R: float, zone: Zone, far: Point, name: str) -> list[Block]:
-    """The quarter about (0, -R) whose diagonal meets the cut y = -R squarely at `far`."""
+    """The quarter about (0, -R) whose diagonal is normal to the section y = -R at `far`."""
     x, y = core(zone, -R)[1]
     bend = (far[0] ** 2 - x**2 - (y + R) ** 2) / (2 * (far[0] - x)), -R
     outline = Outline((R, -R), far, (0.0, -R), (name, "", ""), centre=-R)
@@ -64,6 +65,6 @@ def _quarter(R: float, zone: Zone, far: Point, name: str) -> list[Block]:
 
 
 def _cut(block: Block) -> Block:
-    """The block, what the fan calls its axis being the roller's cut."""
+    """The block with the axis of the fan as the section of the roller."""
     a, b, c, d = (replace(e, name="cut") if e.name == "axis" else e for e in block.edges)
     return replace(block, edges=(a, b, c, d))

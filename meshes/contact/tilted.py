@@ -1,4 +1,4 @@
-"""Half a disc that touches off its crown, and bodies turned to where they touch."""
+"""Half a disc with a contact away from its crown, and bodies rotated to the contact."""
 
 import math
 from dataclasses import replace
@@ -13,13 +13,13 @@ INNER = 0.45  # over the radius: length of the inner part of the cut, on each si
 
 
 def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: int = 6) -> Mesh2D:
-    """The half y >= 0 of the disc about the origin, fine about R (sin tilt, cos tilt).
+    """The half y >= 0 of the disc about the origin, fine at R (sin tilt, cos tilt).
 
-    On `refine` 1 `cells` even cells lie on each side of that point, over `zone` [unit of R] of the
-    tangent there, and grow outside; 2 halves them all. Boundaries "surface" (the arc), "inner"
-    and "outer" (the cut y = 0, up to and beyond 0.45 R from the centre) and "axis" (the radius to
-    the fine point, inside); body "disc". Raises ValueError unless 0 < zone <= R/2 and `tilt` is
-    within 45 degrees.
+    With `refine` 1, `cells` equal cells lie on each side of this point, over `zone` [unit of R] of
+    the tangent; cells are larger outside. `refine` 2 halves all cells. Boundaries "surface" (the
+    arc), "inner" and "outer" (the section y = 0, up to and beyond 0.45 R from the centre) and
+    "axis" (the radius to the fine point, inside); body "disc". Raises ValueError unless 0 < zone <=
+    R/2 and `tilt` is within 45 degrees.
     """
     if not 0 < zone <= R / 2 < math.inf:
         raise ValueError(
@@ -36,7 +36,7 @@ def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: 
 
 
 def placed(mesh: Mesh2D, *, turn: float, shift: Point) -> Mesh2D:
-    """The mesh turned by `turn` [rad] about the origin, then shifted; names are unchanged."""
+    """The mesh rotated by `turn` [rad] about the origin, then shifted; names are unchanged."""
     c, s = math.cos(turn), math.sin(turn)
     moved = np.array([[c, -s], [s, c]]) @ mesh.doflocs + np.reshape(shift, (2, 1))
     return replace(mesh, doflocs=moved)

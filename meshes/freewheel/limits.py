@@ -13,7 +13,7 @@ ROOM = 2.0  # fine zones that fit between the contact and the end of the flat
 
 
 def check_radii(rule: str, radii: Sequence[float], z: float) -> None:
-    """ValueError unless z >= 3 is whole and the `radii` [m] grow from above 0."""
+    """ValueError unless z >= 3 is whole and the `radii` [m] are positive and ascending."""
     if not z >= 3 or z % 1 != 0:
         raise ValueError(f"a freewheel needs a whole number z >= 3 of rollers, got z={z:g}")
     ends = (0.0, *radii, math.inf)
@@ -23,7 +23,7 @@ def check_radii(rule: str, radii: Sequence[float], z: float) -> None:
 
 
 def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float) -> None:
-    """ValueError unless the roller fits between the races and beside the next one.
+    """ValueError unless the roller fits between the races and does not overlap the next roller.
 
     `flat` and `circle` are the distances [m] of its centre from the two races.
     """

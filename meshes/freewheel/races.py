@@ -1,7 +1,7 @@
-"""The two races of a sector, one round and one flat, bent from a strip.
+"""The two races of a sector, one round and one flat, mapped from a strip.
 
-Angles count from the y axis, clockwise: x = r sin(angle), y = r cos(angle). In the plane of angle
-and ln r, which bends no angle, a round race is a strip.
+Angles are measured from the y axis, clockwise: x = r sin(angle), y = r cos(angle). In the plane of
+angle and ln r, a round race is a strip; this map preserves angles.
 """
 
 import math
@@ -17,10 +17,10 @@ from meshes.freewheel.strip import Side, Strip
 
 @dataclass(frozen=True)
 class RoundRace:
-    """The sector of a ring between the radii `touched`, where the roller is, and `other`.
+    """The sector of a ring between the radii `touched`, at the roller, and `other`.
 
-    It is `pitch` [rad] wide and centred on the ray at `angle` [rad] through the contact. The names
-    are those of the circles, touched first, and of the body.
+    Its width is `pitch` [rad]; it is centred on the ray at `angle` [rad] through the contact. The
+    names are those of the circles, that in contact first, and of the body.
     """
 
     touched: float
@@ -45,11 +45,11 @@ class RoundRace:
 
 @dataclass(frozen=True)
 class FlatRace:
-    """The sector, symmetric to the y axis, between the flat y = `apothem` and a circle `other`.
+    """The sector, symmetric about the y axis, between the flat y = `apothem` and a circle `other`.
 
-    The sector of a polygon, `pitch` [rad] wide; where its corner lies beyond the radius `tip`, that
-    circle cuts it. The roller touches at x = `at`. Names as for the round race, and "tip" for
-    the circle that cuts it.
+    The sector of a polygon has the width `pitch` [rad]; if its corner is beyond the radius `tip`,
+    this circle cuts it. The roller touches at x = `at`. Names are as for the round race, and "tip"
+    for the circle that cuts the corner.
     """
 
     apothem: float
@@ -98,7 +98,7 @@ class FlatRace:
         return Side(tuple((name, end - sign * self.at) for name, end in parts), cut)
 
     def _places(self, mesh: Mesh2D, thick: float) -> Places:
-        """Along each ray through the origin, ln r runs evenly from the outline to the circle."""
+        """Positions along rays through the origin; ln r is uniform from outline to circle."""
         x, y = mesh.doflocs
         along = x + self.at
         over = np.maximum(np.abs(along) - self.half_flat, 0)

@@ -1,4 +1,4 @@
-"""A whole roller touched at two places of its rim, at less than half a turn from each other."""
+"""A whole roller with contacts at two points of its rim, less than half a turn from each other."""
 
 import math
 
@@ -22,11 +22,11 @@ def bent_roller(
     order: int,
     straight: bool,
 ) -> Mesh2D:
-    """The disc of radius `r` about `centre`, fine about the two `rays` [rad] from its centre.
+    """The disc of radius `r` about `centre`, fine at the two `rays` [rad] from its centre.
 
-    Rays count clockwise from +y, and about half a turn lies from the second to the first.
+    Rays are clockwise from +y; the angle from the second to the first is about half a turn.
     Boundaries "inner" and "outer", the halves of the rim about the two, in the order of `rays` and
-    `zones`; body "roller". A vertex lies at the centre.
+    `zones`; body "roller". The centre is a vertex.
     """
     half = half_blocks(r, zones)
     mesh = flat_mesh((*half, *(block.mirrored(1, -1) for block in half)), order)
@@ -41,6 +41,6 @@ def bent_roller(
 
 
 def _bend(angle: Places, share: Places) -> Places:
-    """From 1 at the angle 0 to -1 at half a turn, even about both, and 0 at the centre."""
+    """Function from 1 at the angle 0 to -1 at half a turn, even about both, and 0 at the centre."""
     c = np.cos(angle)
     return (3 * c - c**3) / 2 * share**2 * (2 - share**2)

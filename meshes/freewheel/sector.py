@@ -1,7 +1,7 @@
 """One pitch of a roller freewheel: the cam with flats, a roller and the round race.
 
-The axis is the origin. The flat lies across the y axis, and the roller at x >= 0, its centre at the
-angle psi from the y axis.
+The origin is on the axis. The flat is normal to the y axis; the centre of the roller is at x >= 0,
+at the angle psi from the y axis.
 """
 
 import math
@@ -37,19 +37,20 @@ def inner_cam_sector(
     """Star with the flat y = `X`, roller of radius `r` about `centre`, and the ring around them.
 
     The star has `z` flats and the bore `r_b`, the ring the bore `R` and the rim `R_a` [one unit of
-    length]; roller and races may overlap or leave a gap. A tip of the star that leaves less than
-    half of the `clearance` (r/5 by default) to the ring is cut by the circle that leaves all of it.
+    length]; roller and races may overlap or have a gap. If the distance of a tip of the star from
+    the ring is less than half of the `clearance` (by default r/5), the tip is cut by the circle at
+    this clearance.
 
-    The `zones` are half-widths of the fine zones, of the star's contact and of the ring's: on
-    `refine` 1 `cells` even cells lie on each half on both bodies, and grow outside; 2 halves them
-    all, and so on. Bodies "star", "roller" and "ring". Boundaries "star.flat", "star.bore",
-    "star.left", "star.right" and, if cut, "star.tip"; "roller.inner" and "roller.outer", the halves
-    of its rim about the star's contact and the ring's; "ring.bore", "ring.rim", "ring.left" and
-    "ring.right". "right" is the cut at larger x; turned anticlockwise by 2 pi/z its nodes are those
-    of "left". A vertex of the roller lies at `centre`. `order` 1 or 2; `straight` cells keep
-    straight edges.
+    The `zones` are half-widths of the fine zones at the contacts of the star and of the ring. With
+    `refine` 1, `cells` equal cells lie on each half on both bodies; cells are larger outside.
+    `refine` 2 halves all cells, and so on. Bodies "star", "roller" and "ring". Boundaries
+    "star.flat", "star.bore", "star.left", "star.right" and, if cut, "star.tip"; "roller.inner" and
+    "roller.outer", the halves of its rim at the contacts of the star and of the ring; "ring.bore",
+    "ring.rim", "ring.left" and "ring.right". "right" is the section at larger x; rotated
+    anticlockwise by 2 pi/z, its nodes are those of "left". A vertex of the roller is at `centre`.
+    `order` 1 or 2; `straight` cells have straight edges.
 
-    Raises ValueError, in metres, where the bodies cannot be, and where a fine zone is too wide.
+    Raises ValueError, in metres, for impossible bodies, and if a fine zone is too wide.
     """
     check_radii("r_b < X < R < R_a", (r_b, X, R, R_a), z)
     gap = CLEARANCE * r if clearance is None else clearance
@@ -92,9 +93,9 @@ def outer_cam_sector(
     """Shaft of radius `R_s`, roller of radius `r` about `centre`, cup with the flat y = `X_o`.
 
     The shaft has the bore `r_b`, the cup `z` flats inside and the rim `R_a`. The `zones` are those
-    of the shaft's contact and of the cup's. Bodies "shaft", "roller" and "cup"; boundaries
-    "shaft.rim", "shaft.bore", "cup.flat", "cup.rim" and the cuts "left" and "right" of both;
-    "roller.inner" is about the shaft's contact, "roller.outer" about the cup's. Otherwise as
+    of the contacts of the shaft and of the cup. Bodies "shaft", "roller" and "cup"; boundaries
+    "shaft.rim", "shaft.bore", "cup.flat", "cup.rim" and the sections "left" and "right" of both;
+    "roller.inner" is at the contact of the shaft, "roller.outer" at that of the cup. Otherwise as
     `inner_cam_sector`.
     """
     check_radii("r_b < R_s < X_o < R_a cos(pi/z)", (r_b, R_s, X_o, R_a * math.cos(math.pi / z)), z)

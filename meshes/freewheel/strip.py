@@ -1,7 +1,7 @@
-"""A strip that is touched at one place of its surface, the plane from which a race is bent.
+"""A strip with a contact at one point of its surface, the plane from which a race is mapped.
 
-The surface lies on y = 0 and is touched at the origin, the body below. Each side of it ends in a
-cut, and the nodes of both cuts have the same places in y.
+The surface is y = 0 with the contact at the origin; the body is below. A section bounds it on each
+side; the nodes of both sections have the same y.
 """
 
 import math
@@ -31,7 +31,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Strip:
-    """The strip between the cuts of `left` and `right`, `depth` deep, and how fine it is."""
+    """The strip between the sections of `left` and `right`, with `depth` and cell sizes."""
 
     left: Side
     right: Side
@@ -41,7 +41,7 @@ class Strip:
     zone: Zone
 
     def blocks(self) -> list[Block]:
-        """A fan on each side of the origin, and blocks beside and below them."""
+        """A fan on each side of the origin, and blocks at the sides of the fans and below."""
         sides = self.left, self.right
         # both fans share their axis, and need as many cells along it
         least = max(self._half(side)[1].edges[0].cells for side in sides) // self.zone.refine

@@ -1,4 +1,4 @@
-"""The two fine ends of a half sector: under the roller, and around the fillet of the corner.
+"""The two fine ends of a half sector: below the roller, and around the fillet of the corner.
 
 Points are in the local frame of the sector; see half_sector.
 """
@@ -51,9 +51,9 @@ def across(ring: Outline, s: float) -> tuple[Point, Point]:
 
 
 def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> list[Block]:
-    """From the line across the wall at `s` to the corner, fine around the fillet.
+    """Mesh from the line across the wall at `s` to the corner, fine around the fillet.
 
-    On `refine` 1 at least `arc` cells lie on the fillet, and as many outside.
+    With `refine` 1, at least `arc` cells lie on the fillet, and as many outside.
     """
     n, depth = _core(ring, rows, arc)
     start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
@@ -85,10 +85,10 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> lis
 
 
 def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
-    """One block over a fillet that is much longer than the wall is thick.
+    """One block over a fillet that is much longer than the thickness of the wall.
 
-    It needs no finer cells, and a fan of lean ones would err by a third order in h beside the
-    fourth, with another sign for some rings.
+    Finer cells are not needed. The slender cells of a fan would have an error of third order in h
+    in addition to that of fourth order, with opposite sign for some rings.
     """
     bottom, top = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_e)
     start, above = across(ring, ring.half_flat)
@@ -101,9 +101,9 @@ def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
 
 
 def _core(ring: Outline, rows: int, least: int) -> tuple[int, float]:
-    """Cells along the fillet and depth of the core around it, with `rows` square cells if it may.
+    """Cells along the fillet and depth of the core around it, with `rows` square cells if possible.
 
-    If a thin wall leaves it less, no arc rises as high as its cell is thin.
+    If a thin wall leaves less space, no arc is higher than the thickness of its cell.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(least, at_least(arc / (SLENDER * wall)))

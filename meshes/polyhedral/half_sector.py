@@ -1,6 +1,6 @@
 """Half a sector of a polyhedral ring, from the middle of a side of its bore to a corner.
 
-The middle of the side lies on the x axis, the corner at the angle pi/z.
+The middle of the side is on the x axis, the corner at the angle pi/z.
 """
 
 import math
@@ -35,19 +35,19 @@ def half_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """Half a sector of a ring with a polygonal bore, mapped quadrilaterals fine at the fillet.
+    """Half a sector of a ring with a polygonal bore: mapped quadrilaterals, fine at the fillet.
 
-    `z` sides, outside diameter `d_e`, diameter `d_i` of the circle through the round corners,
-    radius `fillet` of these [one unit of length]. `refine` 1 is the coarsest mesh, 2 halves every
-    cell, and so on. With a `zone`, `cells` even cells (on `refine` 1) lie outside over
-    0 <= y <= `zone`, where a roller touches. The `hub` presses the flat from s_0 to s_1 [length]
-    from its middle. At least `arc` cells (on `refine` 1) lie on the fillet. Boundaries "rim" (all
+    `z` sides, outside diameter `d_e`, diameter `d_i` of the circle through the rounded corners, and
+    their radius `fillet` [one unit of length]. `refine` 1 is the coarsest mesh, 2 halves all cells,
+    and so on. With a `zone`, `cells` equal cells (for `refine` 1) lie outside over 0 <= y <=
+    `zone`, at the contact of a roller. The `hub` acts on the flat from s_0 to s_1 [length] from its
+    middle. At least `arc` cells (for `refine` 1) lie on the fillet. Boundaries "rim" (whole
     outside) and its part "zone"; "bore" with its parts "flat" and "fillet"; "hub", part of the
-    flat; the cuts "mid" (y = 0) and "corner"; body "ring".
-    `order` 1 or 2; `straight` cells keep straight edges.
+    flat; the sections "mid" (y = 0) and "corner"; body "ring". `order` 1 or 2; `straight` cells
+    have straight edges.
 
-    Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, where the zone is not
-    narrow against wall and sector, and where the hub does not press the flat.
+    Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, the zone is narrow relative
+    to wall and sector, and the hub acts on the flat.
     """
     ring = Outline(z, d_e, d_i, fillet)
     if refine < 1:
@@ -74,9 +74,10 @@ def half_sector(
 
 
 def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
-    """Lines across the wall, from the end of the roller's fan to the start of the corner's.
+    """Lines across the wall: end of the fan of the roller, and start of the fan of the corner.
 
-    Each fan is about as wide as its wall, `first` the roller's; without one the lines start at 0.
+    Each fan is about as wide as its wall; `first` is that of the roller; without it, lines start at
+    0.
     """
     end, last = ring.half_flat, ring.wall(ring.half_flat)
     if hub is None:

@@ -8,10 +8,10 @@ from meshes.contact.blocks import Point
 
 @dataclass(frozen=True)
 class Outline:
-    """Half a sector of a ring whose bore is a regular polygon of `z` sides with round corners.
+    """Half a sector of a ring with a bore that is a regular polygon with `z` rounded corners.
 
-    The middle of a side lies at the angle 0, the corner at pi/z. `d_e` is the outside diameter,
-    `d_i` of the circle through the round corners, `fillet` their radius [one unit].
+    The middle of a side is at the angle 0, the corner at pi/z. `d_e` is the outside diameter, `d_i`
+    that of the circle through the rounded corners, `fillet` their radius [one unit].
     """
 
     z: int
@@ -44,7 +44,7 @@ class Outline:
 
     @property
     def angle(self) -> float:
-        """From the middle of a side to the corner [rad]; the fillet turns by as much."""
+        """Angle [rad] from the middle of a side to the corner; the fillet has the same angle."""
         return math.pi / self.z
 
     @property
@@ -66,9 +66,9 @@ class Outline:
         return r * math.cos(self.angle), r * math.sin(self.angle)
 
     def above(self, s: float) -> Point:
-        """Point of the outside on the line across the wall from the flat at `s` from its middle.
+        """Point of the outside on the line across the wall that starts on the flat at `s`.
 
-        It lies between the flat's normal there and the ring's radius, nearer to the normal.
+        The line is between the normal of the flat and the radius of the ring, nearer to the normal.
         """
         normal, radius = math.asin(s / self.r_e), math.atan2(s, self.apothem)
         turn = normal + (radius - normal) / 3

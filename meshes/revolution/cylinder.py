@@ -20,13 +20,14 @@ def half_cylinder(
     first: float,
     refine: int = 1,
 ) -> MeshQuad1:
-    """The half z >= 0 of a cylinder of radius `R`, whose rim is touched at the stations `contact`.
+    """The half z >= 0 of a cylinder of radius `R` with contact at the stations `contact`.
 
-    `contact` grows from 0 to the contact's end, beyond which the cylinder goes on by `overhang`;
-    its last cell is also the first beyond. Cells below the rim are `first` deep, and grow
-    downwards; `refine` 2 halves these and the ones beyond, whereas `contact` is as given.
-    All in one unit of length. Boundaries "rim", "axis" or "bore", "start" (z = 0) and "end"; body
-    "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations from 0 grow.
+    `contact` extends from 0 to the end of the contact; beyond, the cylinder continues by
+    `overhang`, and its first cell has the size of the last contact cell. Cells below the rim have
+    the depth `first` and are larger below; `refine` 2 halves these and the cells beyond, but
+    `contact` is unchanged. All lengths have one unit. Boundaries "rim", "axis" or "bore", "start"
+    (z = 0) and "end"; body "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations
+    ascend from 0.
     """
     z = np.asarray(contact, float)
     if not 0 <= bore < R < math.inf:

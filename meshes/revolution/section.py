@@ -13,10 +13,10 @@ Array = NDArray[np.float64]
 
 
 def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
-    """Rectangular cells between growing stations `r` >= 0 and `z`, straight.
+    """Rectangular cells between ascending stations `r` >= 0 and `z`, with straight edges.
 
-    Boundaries "axis" (the first r is 0) or "bore", "rim", "start" (first z) and "end"; body
-    "body". ValueError unless stations grow, two or more, and none lies beyond the axis.
+    Boundaries "axis" (if the first r is 0) or "bore", "rim", "start" (first z) and "end"; body
+    "body". ValueError unless there are at least two ascending stations, none with r < 0.
     """
     r, z = _growing(r, "r"), _growing(z, "z")
     if r[0] < 0:
@@ -31,10 +31,11 @@ def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
 
 
 def stations(*, start: float, end: float, first: float, growth: float, refine: int = 1) -> Array:
-    """Stations from `start`, where cells are `first` long, to `end`, in either direction.
+    """Stations from `start`, with cells of size `first`, to `end`, in either direction.
 
-    Away from `start` a cell is at most `growth` times as long as the one before; far off they level
-    out. `refine` 2 halves all, and so on. ValueError unless 0 < first <= |end - start|.
+    Away from `start`, a cell is at most `growth` times as long as the previous one; at a large
+    distance, sizes become constant. `refine` 2 halves all cells, and so on. ValueError unless 0 <
+    first <= |end - start|.
     """
     length = abs(end - start)
     if not 0 < first <= length < np.inf or not growth > 1 or refine < 1:
@@ -52,7 +53,7 @@ def stations(*, start: float, end: float, first: float, growth: float, refine: i
 
 
 def chain(parts: Sequence[Array]) -> Array:
-    """Growing stations, one part after the other, each starting where the last one ended."""
+    """Ascending stations of several parts, each starting at the end of the previous one."""
     for before, after in pairwise(parts):
         if before[-1] != after[0]:
             raise ValueError(f"stations end at {before[-1]:g} m but continue at {after[0]:g} m")

@@ -19,9 +19,9 @@ def quarter_ring(
     """Quarter of a ring whose cells grow with the radius.
 
     `refine` 1 is the coarsest mesh: twelve cells along the quarter (more in thin walls) and at
-    least one across each half; 2 halves them all, and so on. Boundaries "bore", "rim", "x=0",
-    "y=0" and the internal circle "middle"; bodies "inner half" and "outer half" meet there.
-    `order` 1 or 2; `straight` cells keep straight edges.
+    least one across each half; 2 halves all cells, and so on. Boundaries "bore", "rim", "x=0",
+    "y=0" and the internal circle "middle" between the bodies "inner half" and "outer half". `order`
+    1 or 2; `straight` cells have straight edges.
     """
     if not 0 < r_i < r_o:
         raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")

@@ -1,7 +1,7 @@
 """Half a pitch of a ring under evenly spaced loads, as the conformal image of a block.
 
-The exponential maps the rectangle of angle and ln r to the ring and preserves angles, so that a
-block that is fine about the patch stays as good a mesh: its square cells remain square.
+The exponential function maps the rectangle of angle and ln r to the ring and preserves angles.
+Therefore, square cells of a block that is fine about the patch remain square.
 """
 
 import math
@@ -30,14 +30,14 @@ def half_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The sector 0 <= theta <= pi/n of a ring, fine about a patch on one wall at theta = 0.
+    """The sector 0 <= theta <= pi/n of a ring, fine at a patch on one wall at theta = 0.
 
-    Half the patch, 0 <= r theta <= `patch` [length along the arc], lies on the wall `loaded` and
-    has `cells` even cells on `refine` 1, which grow outside; 2 halves them all, and so on.
-    Boundaries "patch", "bore" and "rim" (the loaded wall with the patch), "load cut" (theta = 0)
-    and "free cut" (theta = pi/n); body "ring". `order` 1 or 2; `straight` cells keep straight
-    edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and the patch is at most half of what
-    half a pitch of the wall leaves and at most as wide as the wall is thick.
+    Half the patch, 0 <= r theta <= `patch` [length along the arc], is on the wall `loaded` and has
+    `cells` equal cells for `refine` 1; cells are larger outside. `refine` 2 halves all cells, and
+    so on. Boundaries "patch", "bore" and "rim" (the loaded wall includes the patch), "load cut"
+    (theta = 0) and "free cut" (theta = pi/n); body "ring". `order` 1 or 2; `straight` cells have
+    straight edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and the patch is at most half of
+    the rest of half a pitch and at most as wide as the thickness of the wall.
     """
     if not 0 < r_i < r_o < math.inf:
         raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")

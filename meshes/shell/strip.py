@@ -32,14 +32,14 @@ def swept_path(
 ) -> ShellMesh:
     """Leaves and arcs of a plane path, swept from z = 0 to z = `width`.
 
-    Cells lie `per_arc` and `per_leaf` along each piece and `across` over the width, there even or
-    growing from about `finest` at the edge z = `width` on (in the path's unit); those at a leaf's
-    ends are about `leaf_ends` times as long as in its middle. Twice the cells and half of `finest`
-    halve every cell.
+    `per_arc` and `per_leaf` cells lie along each piece, and `across` cells over the width, equal or
+    growing from about `finest` at the edge z = `width` (in the unit of the path). Cells at the ends
+    of a leaf are about `leaf_ends` times as long as in its middle. Twice the numbers of cells and
+    half of `finest` halve every cell.
 
     Boundaries "head" and "tail" (first and last line across), "middle" (z = 0) and "edge"; nodes
-    "head" and "tail" in the middle; bodies "leaves" and "arcs", where there are any. Normals point
-    to the right of the path, seen against z.
+    "head" and "tail" in the middle; bodies "leaves" and "arcs", if they exist. Normals point to the
+    right of the path, seen from positive z.
     """
     pieces = list(path)
     _check(pieces, width, min(per_arc, per_leaf, across), finest, leaf_ends)

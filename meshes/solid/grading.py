@@ -1,12 +1,12 @@
-"""Ends of cells along a line on which they shrink towards one end."""
+"""Ends of cells along a line whose sizes decrease towards one end."""
 
 import math
 
 
 def levels(cells: int, grading: float) -> list[float]:
-    """Ends (0..1] of `cells` whose sizes fall towards 1 in a geometric row, by `grading` in all.
+    """Ends (0..1] of `cells` with sizes that decrease as a geometric series, by `grading` in total.
 
-    They lie on one map, so that twice as many halve them. ValueError unless 1 <= grading.
+    They are on one map: twice the number halves the cells. ValueError unless 1 <= grading.
     """
     if not 1 <= grading < math.inf:
         raise ValueError(f"cells shrink by a factor of at least 1, got grading={grading:g}")

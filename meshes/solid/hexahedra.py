@@ -54,7 +54,7 @@ def _order(kind: int, doflocs: Array) -> Indices:
 
 
 def _straighten(p: Array, t: Indices, X: Array) -> None:
-    """Put every cell's nodes, at `X` (3, n) of its cube, where its corners' map has them."""
+    """Move the nodes of every cell, at `X` (3, n) of its cube, to the map of its corners."""
     corner = ElementHex1()
     weight = np.array([corner.lbasis(X, k)[0] for k in range(CORNERS)])
     p[t] = np.einsum("mci,cn->mni", p[t[:, :CORNERS]], weight)

@@ -28,14 +28,14 @@ def solid_strip(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh3D:
-    """The strip of thickness `b` about a path in z = 0, from there to z = `width` [one unit].
+    """The strip of thickness `b` about a path in z = 0, extended to z = `width` [one unit].
 
-    `through` cells over b, `per_arc` and `per_leaf` along each piece, `across` over the width: the
-    ones at z = width are finer than those at 0 by about `grading`. The first reference direction
-    of every cell runs along the path. Boundaries "head" and "tail" (the cut faces), "left" and
+    `through` cells over b, `per_arc` and `per_leaf` along each piece, `across` over the width;
+    those at z = width are finer than those at 0 by about `grading`. The first reference direction
+    of every cell is along the path. Boundaries "head" and "tail" (the end faces), "left" and
     "right" seen from the head, "middle" (z = 0) and "edge"; bodies "arcs" and "leaves". `order` 1
-    or 2; `straight` cells keep straight edges. ValueError for lengths and counts that aren't
-    positive, and for an arc thinner than half the strip inside.
+    or 2; `straight` cells have straight edges. ValueError for lengths and counts that are not
+    positive, and for an arc with an inner radius below half the thickness.
     """
     _check(pieces, b, width, (through, per_arc, per_leaf, across))
     with gmsh_session():
@@ -90,7 +90,7 @@ def _face(x: float, y: float, heading: float, b: float, through: int) -> Face:
 
 
 def _layers(piece: Piece, before: Face, after: Face, cells: int) -> list[int]:
-    """Surfaces of the piece, one for each cell through it: their sides are arcs as well."""
+    """Surfaces of the piece, one for each cell through its thickness: their sides are also arcs."""
     geo = gmsh.model.geo
     sides = []
     for start, end in zip(before[0], after[0], strict=True):

@@ -1,4 +1,4 @@
-"""The mesh of a sprag: a column of even cells about both contacts, bent between its outlines."""
+"""The mesh of a sprag: a column of equal cells about both contacts, mapped between its outlines."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ class Reach:
 
     @property
     def share(self) -> float:
-        """The shorter one over their mean."""
+        """The shorter length over the mean of both."""
         return 2 * self.least / (self.left + self.right)
 
     def stretched(self, share: Array, depth: Array) -> Array:
@@ -52,7 +52,7 @@ def reaches(at: Placed) -> tuple[Reach, Reach]:
 
 
 def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: bool) -> Mesh2D:
-    """The sprag `at` its place, fine about the inner and the outer contact.
+    """The sprag `at` its position, fine at the inner and the outer contact.
 
     Boundaries "inner", "outer", and the flanks "left" and "right"; body "sprag".
     """

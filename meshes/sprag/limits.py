@@ -18,7 +18,7 @@ ALONG = 41  # points of a flank that are compared with the next sprag's
 
 
 def check_radii(radii: Sequence[float], z: float) -> None:
-    """ValueError unless z >= 3 is whole and the `radii` [m] grow from above 0."""
+    """ValueError unless z >= 3 is whole and the `radii` [m] are positive and ascending."""
     if not z >= 3 or z % 1 != 0:
         raise ValueError(f"a sprag clutch needs a whole number z >= 3 of sprags, got z={z:g}")
     if not all(low < high for low, high in pairwise((0.0, *radii, math.inf))):
@@ -27,7 +27,7 @@ def check_radii(radii: Sequence[float], z: float) -> None:
 
 
 def check_place(at: Placed, R_i: float, R_e: float) -> None:
-    """ValueError unless the sprag lies about between the races."""
+    """ValueError unless the sprag is approximately between the races."""
     if not max(abs(at.turn), abs(math.atan2(*at.pole))) <= FURTHEST:
         raise ValueError(
             "a sprag is drawn with its pole within 45 degrees of +y and turned by up to 45 "
@@ -62,7 +62,7 @@ def check_beside(at: Placed, pitch: float) -> None:
 
 
 def check_flank(where: str, reach: Reach) -> None:
-    """ValueError if the contact comes to a flank, too near for cells between them."""
+    """ValueError if the contact is too near to a flank for cells between them."""
     if not reach.share >= NEAREST:
         raise ValueError(
             f"the sprag touches the {where} race {reach.least:g} m from a flank: its contact needs "

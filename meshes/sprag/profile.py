@@ -1,7 +1,7 @@
-"""The outline of a sprag: spiral below, arc above, two straight flanks, and where races touch it.
+"""The outline of a sprag (spiral below, arc above, two straight flanks), and contacts with races.
 
-The local frame has the spiral's pole at the origin and the top of the arc on +y. Directions of the
-spiral count anticlockwise from -y, angles of the arc clockwise from +y.
+In the local frame, the pole of the spiral is the origin and the top of the arc is on +y. Directions
+of the spiral are anticlockwise from -y, angles of the arc clockwise from +y.
 """
 
 import math
@@ -26,9 +26,9 @@ STEEPEST = math.radians(75)  # largest angle from the column's line to the ends 
 class Sprag:
     """A column between the spiral rho = `rho_0` exp(`m` (theta - `theta_0`)) and the arc `r_e`.
 
-    The spiral is about the pole, the arc about `centre` [one unit of length], which is the pole
-    too unless the sprag is drawn as it is compressed. The line through the spiral's point at
-    `theta_0` [rad] and the top of the arc is the middle of the column, which is `b` wide.
+    The spiral is about the pole, the arc about `centre` [one unit of length]; this is also the pole
+    unless the sprag is drawn in the compressed state. The line through the point of the spiral at
+    `theta_0` [rad] and the top of the arc is the middle of the column, which has the width `b`.
     """
 
     rho_0: float
@@ -56,13 +56,13 @@ class Sprag:
 
     @property
     def below(self) -> tuple[float, float]:
-        """Directions [rad] in which the left and the right flank end the spiral."""
+        """Directions [rad] at which the left and the right flank end the spiral."""
         assert self._ends_below is not None
         return self._ends_below
 
     @property
     def above(self) -> tuple[float, float]:
-        """Directions [rad] in which the left and the right flank end the arc."""
+        """Directions [rad] at which the left and the right flank end the arc."""
         assert self._ends_above is not None
         return self._ends_above
 
@@ -137,7 +137,7 @@ class Sprag:
 
 @dataclass(frozen=True)
 class Placed:
-    """A sprag with its pole at `pole`, turned clockwise by `turn` [rad], about the axis (0, 0)."""
+    """A sprag with its pole at `pole`, rotated clockwise by `turn` [rad]; the axis is (0, 0)."""
 
     sprag: Sprag
     pole: "Point"
@@ -145,9 +145,9 @@ class Placed:
 
     @cached_property
     def theta(self) -> float:
-        """Direction in which the spiral's normal runs through the axis [rad].
+        """Direction [rad] at which the normal of the spiral passes through the axis.
 
-        ValueError if that is beyond the flanks.
+        ValueError if this direction is beyond the flanks.
         """
         sprag = self.sprag
         left, right = sprag.below
@@ -167,7 +167,7 @@ class Placed:
 
     @cached_property
     def phi(self) -> float:
-        """Direction in which the arc's normal runs through the axis [rad]."""
+        """Direction [rad] at which the normal of the arc passes through the axis."""
         left, right = self.sprag.above
         x, y = self.placed(np.array(self.sprag.centre))
         phi = math.atan2(x, y) - self.turn
@@ -180,13 +180,13 @@ class Placed:
 
     @property
     def inner(self) -> "Point":
-        """The spiral's point whose normal runs through the axis."""
+        """The point of the spiral whose normal passes through the axis."""
         x, y = self.placed(self.sprag.along_spiral(self.theta, np.zeros(())))
         return float(x), float(y)
 
     @property
     def outer(self) -> "Point":
-        """The arc's point whose normal runs through the axis."""
+        """The point of the arc whose normal passes through the axis."""
         x, y = self.placed(self.sprag.along_arc(self.phi, np.zeros(())))
         return float(x), float(y)
 

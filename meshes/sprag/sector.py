@@ -31,19 +31,19 @@ def sprag_sector(
 ) -> Mesh2D:
     """The races `R_id`..`R_i` and `R_e`..`R_ed`, and one of `z` sprags between them.
 
-    The sprag's pole lies at `pole`, above the axis, and it is turned clockwise by `turn` [rad];
-    sprag and races may overlap or leave a gap.
+    The pole of the sprag is at `pole`, above the axis; the sprag is rotated clockwise by `turn`
+    [rad]. Sprag and races may overlap or have a gap.
 
-    The `zones` [the radii's unit of length] are half-widths of the fine zones, of the inner contact
-    and of the outer: on `refine` 1 `cells` even cells lie on each half on both bodies, and grow
-    outside; 2 halves them all, and so on. Bodies "inner", "sprag" and "outer". Boundaries
-    "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the cuts "left" and "right" of both
-    races; "sprag.inner", the spiral, "sprag.outer", the arc, and its flanks "sprag.left" and
-    "sprag.right". Each race is centred on its contact; its "right" is the cut at larger x, whose
-    nodes, turned anticlockwise by 2 pi/z, are those of "left". `order` 1 or 2; `straight` cells
-    keep straight edges.
+    The `zones` [unit of the radii] are half-widths of the fine zones at the inner and the outer
+    contact. With `refine` 1, `cells` equal cells lie on each half on both bodies; cells are larger
+    outside. `refine` 2 halves all cells, and so on. Bodies "inner", "sprag" and "outer". Boundaries
+    "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the sections "left" and "right" of
+    both races; "sprag.inner" (the spiral), "sprag.outer" (the arc), and its flanks "sprag.left" and
+    "sprag.right". Each race is centred on its contact; its "right" is the section at larger x,
+    whose nodes, rotated anticlockwise by 2 pi/z, are those of "left". `order` 1 or 2; `straight`
+    cells have straight edges.
 
-    Raises ValueError, in metres, where the bodies cannot be, and where a fine zone is too wide.
+    Raises ValueError, in metres, for impossible bodies, and if a fine zone is too wide.
     """
     check_radii((R_id, R_i, R_e, R_ed), z)
     at, pitch = Placed(sprag, pole, turn), 2 * math.pi / z

@@ -1,7 +1,7 @@
-"""A sprag between its races by vectors: its spiral, its position, and one pitch as drawn.
+"""A sprag between its races by vectors: its spiral, its position, and one pitch in drawn position.
 
-Seen along the axis, O below and the sprag above it; angles count clockwise from the line through O
-and the pole. The sprag turns clockwise into the wedge.
+View along the axis, O below and the sprag above it; angles are clockwise from the line through O
+and the pole. The sprag rotates clockwise into the wedge.
 """
 
 import math
@@ -65,7 +65,7 @@ class FirstContact:
 
     @property
     def wedge(self) -> float:
-        """Angle nu_0 between the line through both contacts and the inner contact's normal."""
+        """Angle nu_0 between the line through both contacts and the normal of the inner contact."""
         x, y = self.pole
         share = self.R_e / math.hypot(x, y)
         return math.atan2(-share * x, share * y - self.R_i)
@@ -79,7 +79,7 @@ class FirstContact:
 
 @lru_cache(64)
 def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstContact:
-    """With the wedge angle `nu_0` [rad]; ValueError if no spiral has it."""
+    """The sprag with the wedge angle `nu_0` [rad]; ValueError if no spiral has it."""
 
     def missing(m: float) -> float:
         return FirstContact(R_i, R_e, r_i, m).wedge - nu_0
@@ -94,10 +94,10 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
 class Place:
     """Position of the sprag: rotated by `alpha` [rad], pole at the distance `D` [m] from O.
 
-    `shares` are the races' parts of the overlaps of the inner and of the outer contact, the
-    sprag taking the rest: bodies are drawn as they are compressed, so that forces act where they
-    do. `bends` [m] are how much of the overlaps is drawn, as the curved surfaces are that far from
-    each other on the average over the pressure.
+    `shares` are the parts of the races in the overlaps of the inner and of the outer contact; the
+    rest is that of the sprag. Bodies are drawn in the compressed state, so that forces act at their
+    real positions. `bends` [m] is the part of the overlaps that is drawn: the mean distance of the
+    curved surfaces, weighted by the pressure.
     """
 
     q: Races
@@ -108,18 +108,18 @@ class Place:
 
     @classmethod
     def overlapping(cls, q: Races, alpha: float) -> "Place":
-        """Turned by `alpha`, both contacts overlapping by about as much."""
+        """Rotated by `alpha`, with nearly equal overlaps of both contacts."""
         D = q.R_e - q.sprag.r_e
         return cls(q, alpha, D + cls(q, alpha, D).overlaps[0] / 2)
 
     @cached_property
     def free(self) -> Placed:
-        """The sprag without loads, as it overlaps both races."""
+        """The sprag without loads, which overlaps both races."""
         return Placed(self.q.sprag, (0.0, self.D), self.alpha)
 
     @cached_property
     def overlaps(self) -> tuple[float, float]:
-        """Overlaps of both contacts without loads [m]: the deflections there."""
+        """Overlaps of both contacts without loads [m]: the deflections at the contacts."""
         at = self.free
         return self.q.R_i - math.hypot(*at.inner), math.hypot(*at.outer) - self.q.R_e
 
@@ -202,7 +202,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """About the same turned by `alpha` [rad], and the ratio of both total deflections."""
+        """Position rotated by `alpha` [rad], approximately, and ratio of both total deflections."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

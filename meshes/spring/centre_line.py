@@ -26,9 +26,9 @@ def centre_line(
 ) -> LineMesh:
     """Quadratic elements, `per_arc` on each arc and `per_leaf` on each leaf or half leaf.
 
-    Nodes "head" (middle of the head) and "tail" (where it is held); bodies "arcs" and "leaves".
-    With `tips` the leaves of head and tail go on to their free ends: nodes "head tip" and
-    "tail tip", bodies "tips" (the free parts, not among "leaves") and "unit 1" to "unit n".
+    Nodes "head" (middle of the head) and "tail" (its support); bodies "arcs" and "leaves". With
+    `tips`, the leaves of head and tail extend to their free ends: nodes "head tip" and "tail tip",
+    bodies "tips" (the free parts, not among "leaves") and "unit 1" to "unit n".
     """
     path = accordion(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf, tips=tips)
     with gmsh_session():

@@ -11,9 +11,9 @@ Kind = Literal["leaf", "arc", "tip"]
 
 @dataclass(frozen=True)
 class Piece:
-    """A leaf (turn 0) or an arc of at most 90 deg from (x, y) on, heading and turn in rad.
+    """A leaf (turn 0) or an arc of at most 90 deg, starting at (x, y); heading and turn in rad.
 
-    A "tip" is the free part of the head's or the tail's leaf; `unit` counts from 1 at the head.
+    A "tip" is the free part of the leaf of head or tail; `unit` is numbered from 1 at the head.
     """
 
     kind: Kind
@@ -36,7 +36,7 @@ class Piece:
 
     @property
     def centre(self) -> tuple[float, float]:
-        """Centre of curvature of an arc, on its left for a positive turn."""
+        """Centre of curvature of an arc; for a positive turn, it is on the left."""
         radius = self.length / self.turn
         return (
             self.x - radius * math.sin(self.heading),
@@ -54,12 +54,12 @@ def accordion(
     leaf: float | None = None,
     tips: bool = False,
 ) -> Iterator[Piece]:
-    """Pieces from the middle of the head (origin, heading along y) to where the tail is held.
+    """Pieces from the middle of the head (origin, heading along y) to the support of the tail.
 
-    `radius` of the arcs' centre line; `leaf` the straight length of the n - 2 middle
-    units; by default the loops reach equally far to both sides. With `tips`
-    both end leaves are whole: the path begins at the head's tip, half a leaf before the origin,
-    and leads beyond the tail to its tip.
+    `radius` of the centre line of the arcs; `leaf` the straight length of the n - 2 middle units,
+    by default such that the loops extend equally to both sides. With `tips`, both end leaves are
+    complete: the path begins at the tip of the head, half a leaf before the origin, and ends at the
+    tip of the tail.
     """
     if leaf is None:
         leaf = (L1 + 2 * radius * math.cos(alpha)) / math.sin(alpha)

@@ -19,8 +19,8 @@ Values = Mapping[str, float]
 class FemResult:
     """Finite-element values of one level, in SI units.
 
-    `h` is the mesh size relative to anything that stays the same over the levels; `u_it` the
-    iteration or round-off uncertainty of single values; `arrays` what checks evaluate later.
+    `h` is the mesh size relative to a constant length; `u_it` are the iteration or round-off
+    uncertainties of single values; `arrays` are data for later checks.
     """
 
     h: float
@@ -42,7 +42,7 @@ class Context:
 
     @property
     def converging(self) -> bool:
-        """Whether there are levels enough to say how uncertain the finest is."""
+        """Whether there are enough levels to estimate the uncertainty of the finest level."""
         return len(self.fem) >= 3
 
     def series(self, key: str) -> tuple[list[float], list[float]]:
@@ -66,9 +66,9 @@ class Check(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE.
+    """A value of the formulas that `check` prints; `judged` if a row compares it with FE.
 
-    The last four are as in `verify.form.quantity.Quantity`.
+    The last four fields are as in `verify.form.quantity.Quantity`.
     """
 
     key: str
@@ -84,13 +84,13 @@ class Output:
 
 @dataclass(frozen=True, kw_only=True)
 class Dynamic:
-    """Part of a case that only `check --dynamic` computes: a course in time, compiled first.
+    """Part of a case that only `check --dynamic` computes: motion in time, with compiled code.
 
-    `run(inputs, values)` takes the formulas' values and gives further ones in SI units; it imports
-    what is compiled inside its body. The other functions take the inputs and all values together.
-    `run`, or any of them, raises ArithmeticError or ValueError in one line where there is no
-    answer. `overall` is the verdict of both parts together, and the findings that stand in the
-    place of the first one of the formulas.
+    `run(inputs, values)` receives the values of the formulas and returns further values in SI
+    units; it imports compiled code in its body. The other functions receive the inputs and all
+    values. If there is no answer, each of them raises ArithmeticError or ValueError with one line.
+    `overall` returns the verdict of both parts together, and the findings that replace the first
+    finding of the formulas.
     """
 
     run: Callable[[Any, Values], Values]
@@ -104,9 +104,9 @@ class Dynamic:
 
 @dataclass(frozen=True, kw_only=True)
 class Portion:
-    """Some of a case's finite-element values for less time, for sweeps that need no others.
+    """Part of the finite-element values of a case, computed in less time, for sweeps of few rows.
 
-    `fem(inputs, level)` gives the values `keys`, equal to those of the case's `fem` on the same
+    `fem(inputs, level)` returns the values `keys`, equal to those of `fem` of the case on the same
     mesh; `levels` are at least three, coarse to fine.
     """
 
@@ -118,11 +118,11 @@ class Portion:
 
 @dataclass(frozen=True, kw_only=True)
 class Scan:
-    """A region about the default inputs over which a case's formulas are measured for the report.
+    """Region about the default inputs in which the formulas of a case are compared for the report.
 
-    `vary` holds axes as `freewheel sweep` takes them, "z=3:12:4"; `only` parts of the names of the
-    rows that are swept, all where empty. `star` varies one input at a time instead of all together,
-    `at` sets others to other than default values, "e=2mm".
+    `vary` are axes in the form of `freewheel sweep`, "z=3:12:4"; `only` are parts of the names of
+    the rows to compare (empty: all rows). `star` varies one input at a time instead of all
+    together; `at` gives other inputs values that are not the default, "e=2mm".
     """
 
     vary: tuple[str, ...]
@@ -138,11 +138,11 @@ def _unknown(case_id: str) -> "Case":
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """One subject of one paper.
+    """One subject of one paper, with its formulas, reference and checks.
 
-    `analytic(inputs)` and `reference(inputs, level)` share no code; `reference` imports meshes and
-    fem inside its body, so that formulas alone start fast; `method` says what it is. `levels` run
-    from coarse to fine.
+    `analytic(inputs)` and `reference(inputs, level)` share no code. `reference` imports meshes and
+    fem in its body, so that formulas start fast; `method` is its name. `levels` are from coarse to
+    fine.
     """
 
     finder: ClassVar[Callable[[str], "Case"]] = staticmethod(_unknown)  # the registry sets it

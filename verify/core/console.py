@@ -27,7 +27,7 @@ def verdict_lines(report: Report) -> list[str]:
 
 
 def print_rows(rows: Sequence[Row]) -> None:
-    """The judged rows in short, reasons of those that did not pass, and the closing sentences."""
+    """Print the judged rows in short form, reasons of rows that did not pass, and the summary."""
     print(title(rows))
     lines = aligned([_numbers_first(cells) for cells in row_cells(rows)])
     print_wrapped(*(f"  {line}" for line in lines))

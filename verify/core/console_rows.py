@@ -15,9 +15,9 @@ Causes = Mapping[tuple[Status, str, str], list[Row]]
 
 
 def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
-    """Head and lines of the table of rows; convergence that passed has no line.
+    """Head and lines of the table of rows; convergence rows that passed are omitted.
 
-    The column of references is headed "FE" where all of them are; otherwise each is named.
+    The column of references has the head "FE" if all references are finite elements.
     """
     shown = shown_rows(rows)
     every = all(reference_name(row) == FE for row in shown if row.reference is not None)

@@ -20,7 +20,7 @@ NO_ROOM = ("full", "disk I/O")  # in messages of SQLite
 
 @dataclass(frozen=True)
 class Database:
-    """A file in a format of a number, which `tables` make; a file of a later one is refused."""
+    """A file in a format with a number, whose tables `tables` makes; later formats are refused."""
 
     path: Path
     tables: Sequence[str]
@@ -42,12 +42,12 @@ class Database:
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
-        """A connection for reading, also on a full disk and in a read-only folder."""
+        """A connection for reading; it also works on a full disk and in a read-only folder."""
         with self._named_errors("read"), _closed(self._readable()) as database:
             yield database
 
     def compact(self) -> None:
-        """Give free pages back to the file system, which needs as much room for a while."""
+        """Return free pages to the file system; this temporarily needs the same amount of space."""
         with self._named_errors("stored"), _closed(self._prepared(None)) as database:
             database.isolation_level = None
             database.execute("VACUUM")
@@ -127,7 +127,7 @@ def _closed(database: sqlite3.Connection) -> Iterator[sqlite3.Connection]:
 
 
 def _write_ahead(database: sqlite3.Connection, patience: float) -> None:
-    """Let readers and a writer work at once; SQLite does not wait itself where two begin a file."""
+    """Let readers and a writer work at the same time; SQLite does not wait if two create a file."""
     end = time.monotonic() + patience
     while True:
         try:

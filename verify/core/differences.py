@@ -1,10 +1,10 @@
 """Difference of formula and reference, and the allowed difference, in display format.
 
-One convention: (formula - reference)/reference, so that a positive difference is a formula of the
-larger magnitude also where both are negative, and the difference lies in the same interval as the
-expected model error. If a row has another scale than its reference, the difference is
-(formula - reference)/scale: with the sign of the values; the scale is named next to it.
-Balances and orders are plain numbers; facts have no difference.
+One convention: (formula - reference)/reference. A positive difference is a formula with the larger
+magnitude, also if both values are negative; the difference is in the same interval as the expected
+model error. If a row has another scale than its reference, the difference is (formula -
+reference)/scale, with the sign of the values; the scale is named next to it. Balances and orders
+are plain numbers; facts have no difference.
 """
 
 import math
@@ -21,8 +21,8 @@ FEWEST, MOST = 2, 8  # significant digits
 class Difference:
     """A difference `value` with its expanded uncertainty `U`, both as fractions.
 
-    `of` names the scale they are fractions of, empty for the reference itself. `allowed` has the
-    ends between which a judged row passes. Without `percent` they are plain numbers.
+    `of` is the name of the scale, empty for the reference. `allowed` are the ends between which a
+    judged row passes. Without `percent`, the values are plain numbers.
     """
 
     value: float
@@ -40,7 +40,7 @@ def divisor(row: Row) -> float | None:
 
 
 def sense(row: Row) -> float:
-    """-1 where a larger value is a smaller magnitude: against a reference below zero; else 1."""
+    """-1 if the reference is negative, so that a larger value has a smaller magnitude; else 1."""
     of_reference = row.kind in COMPARED and not _scale_name(row) and row.reference
     return math.copysign(1.0, of_reference) if of_reference else 1.0
 
@@ -60,7 +60,7 @@ def difference(row: Row) -> Difference | None:
 def difference_texts(row: Row) -> tuple[str, str]:
     """Difference and allowed difference, such as "+0.0041 %" and "±0.0093 %"; empty for none.
 
-    Both have as many digits as it takes to see on which side of an end the difference lies.
+    Both have enough digits to show on which side of an end the difference lies.
     """
     found = difference(row)
     if found is None:
@@ -94,7 +94,7 @@ def significant(value: float, digits: int, *, signed: bool = False) -> str:
 
 
 def largest(rows: list[Row]) -> Row | None:
-    """The row of the largest difference of all that compare a formula value, judged or not."""
+    """The row with the largest difference of all rows with a formula value, judged or not."""
     compared = [row for row in rows if row.kind in COMPARED and difference(row) is not None]
     return max(compared, key=size, default=None)
 
@@ -115,7 +115,7 @@ def offset(row: Row) -> float | None:
 
 
 def _scale_name(row: Row) -> str:
-    """The name of the row's scale, empty if the scale is the compared value itself."""
+    """The name of the scale of the row, empty if the scale is the compared value."""
     itself = row.analytic is not None and row.scale == abs(row.analytic)
     return "" if itself and row.kind in COMPARED and row.reference else row.scale_name
 
@@ -132,7 +132,7 @@ def _shown(fraction: float, found: Difference) -> float:
 
 
 def _digits(numbers: list[float]) -> int:
-    """The fewest digits with which rounded numbers are ordered as the exact ones are."""
+    """The fewest digits with which rounded numbers have the order of the exact numbers."""
     exact = _order(numbers)
     for digits in range(FEWEST, MOST):
         if _order([float(f"{x:.{digits}g}") for x in numbers]) == exact:
@@ -141,7 +141,7 @@ def _digits(numbers: list[float]) -> int:
 
 
 def _order(numbers: list[float]) -> tuple[bool, ...]:
-    """Whether the first number lies between the others, and whether these differ."""
+    """Whether the first number lies between the others, and whether the others differ."""
     if len(numbers) == 1:
         return ()
     value, low, high = numbers

@@ -1,7 +1,8 @@
-"""What the project needs of the machine: versions of Python, shared libraries, Debian packages.
+"""Requirements of the project: versions of Python, shared libraries, Debian packages.
 
-Standard library only, and read by any Python 3.7, because the set-up (module system_packages)
-runs before there is a virtual environment. This is the one list of libraries and packages.
+Only the standard library is used, and Python 3.7 can read the file, because the set-up (module
+system_packages) runs before the virtual environment exists. Libraries and packages are listed only
+here.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ RENDER_SECONDS = 60.0
 
 
 def python_problem(version: Sequence[int]) -> str:
-    """Reason why Python `version` (major, minor, ...) is not supported, one line; "" if it is."""
+    """Reason in one line if Python `version` (major, minor, ...) is not supported, otherwise ""."""
     if OLDEST <= tuple(version[:2]) <= NEWEST:
         return ""
     minors = range(NEWEST[1], OLDEST[1] - 1, -1)
@@ -108,7 +109,7 @@ def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
 
 
 def remedy_for_pictures() -> str:
-    """What to install where pyvista can't draw, to follow the reason; nothing off Linux."""
+    """Packages to install if pyvista cannot draw, appended to the reason; only for Linux."""
     if sys.platform != "linux":
         return ""
     absent = [library for library in OPENGL if not loads(library)]
@@ -126,7 +127,7 @@ def missing_for_meshes(problem: str) -> str:
 
 
 def require_gmsh() -> None:
-    """Raise OSError, in one line with the packages to install, where gmsh cannot be imported."""
+    """Raise OSError with one line and the packages to install if gmsh cannot be imported."""
     try:
         importlib.import_module("gmsh")  # by name: a check of the libraries needs no gmsh
     except ModuleNotFoundError:  # the package, not a system library

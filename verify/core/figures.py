@@ -27,16 +27,16 @@ class Field:
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """How to draw one field: which data, in which unit, deformed how.
+    """How to draw one field: data, unit, deformation.
 
-    `data` names point or cell data of the field called `field`, `component` a column of it;
-    values are divided by `factor` to come in `unit`; no data draws in one colour. `mirror` lists
-    the coordinates ("x", "y") that reflection negates: "x" completes a part of a symmetric body
-    at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
-    `share` is how large the largest displacement is drawn over the body's size, where the usual
-    share would hide the shape. `window` (left, bottom, right, top) shows a part of the undeformed
-    body, displacements less their mean there. Of `decades` the data are powers of ten, which the
-    colour bar names in `unit`.
+    `data` is the name of point or cell data of `field`, `component` a column of them; values are
+    divided by `factor` to obtain `unit`; without data, the body has one colour. `mirror` lists the
+    coordinates ("x", "y") to be reflected: "x" completes a part of a symmetric body at the plane x
+    = 0. `width` extends a line to a ribbon that can be rotated [unit of the points]. `share` is the
+    drawn size of the largest displacement over the size of the body, if the default would hide the
+    shape. `window` (left, bottom, right, top) selects a part of the undeformed body, with
+    displacements relative to their mean there. With `decades`, the data are logarithms to base ten;
+    the colour bar states powers of ten in `unit`.
     """
 
     field: str
@@ -80,10 +80,10 @@ class Profile:
 
 @dataclass(frozen=True, kw_only=True)
 class Refinement:
-    """Errors on finer and finer meshes, log-log: how fast each quantity goes to its limit.
+    """Errors on increasingly fine meshes, log-log: convergence of each quantity.
 
-    Each of `errors`, a name and relative errors (m,), is drawn over `cells` (m,), how many lie on
-    the length that `x_label` names, beside a line of `order` through its last point.
+    Each of `errors`, a name and relative errors (m,), is drawn over `cells` (m,), the number of
+    cells on the length in `x_label`, with a line of slope `order` through its last point.
     """
 
     title: str
@@ -97,9 +97,9 @@ class Refinement:
 
 @dataclass(frozen=True, kw_only=True)
 class Dots:
-    """Values of one quantity side by side: name, value, half-width or None, and whose it is.
+    """Values of one quantity next to each other: name, value, half-width or None, and source.
 
-    The last is "formula", "fe" or "paper".
+    The source is "formula", "fe" or "paper".
     """
 
     title: str
@@ -110,9 +110,9 @@ class Dots:
 
 @dataclass(frozen=True, kw_only=True)
 class Curve:
-    """One of several curves: points x, y (m,), drawn as "line", "dashes" or "dots".
+    """A curve: points x, y (m,), drawn as "line", "dashes" or "dots".
 
-    Curves of one `colour` (0 to 5) belong together.
+    Curves with the same `colour` (0 to 5) belong together.
     """
 
     name: str
@@ -124,7 +124,7 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class Band:
-    """The range between two curves, `lower` and `upper` over x (m,), behind those of its colour."""
+    """The range between two curves, `lower` and `upper` over x (m,), with a `colour`."""
 
     name: str
     x: Array
@@ -135,11 +135,11 @@ class Band:
 
 @dataclass(frozen=True, kw_only=True)
 class Curves:
-    """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
+    """Curves on common axes with names below; y starts at `y_bottom` (default: zero or the lowest).
 
-    Curves are clipped at `y_top`. `x_names` puts names where x has the values given.
-    `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on, `x_log`
-    x; values that are not positive are left out.
+    Curves are clipped at `y_top`. `x_names` are names at given values of x. `bands` are drawn
+    behind the curves. `y_log` and `x_log` select logarithmic axes from the lowest value on; values
+    that are not positive are omitted.
     """
 
     title: str
@@ -157,11 +157,11 @@ class Curves:
 
 @dataclass(frozen=True, kw_only=True)
 class Map:
-    """Where a formula holds: its signed relative error `error` (k, m) over two parameters.
+    """Range of validity: signed relative error `error` (k, m) of a formula over two parameters.
 
-    Columns and rows have names, the first row at the bottom; cells are shaded by the first of the
-    `limits` that holds them. If the error is NaN there is nothing to compare, for the reason
-    `without`. `checked` (k, m) are the cells that `checked_name` is true of.
+    Columns and rows have names, the first row at the bottom. A cell has the shade of the first of
+    the `limits` that is not exceeded. If the error is NaN, there is nothing to compare, for the
+    reason `without`. `checked` (k, m) marks the cells for which `checked_name` is true.
     """
 
     title: str
@@ -179,7 +179,7 @@ class Map:
 
 @dataclass(frozen=True, kw_only=True)
 class Panel:
-    """A state of something thin: `lines` (m, 2) each, `faint` ones behind, `dots` (m, 2) on it."""
+    """A state of a thin body: `lines` (m, 2), `faint` lines behind, `dots` (m, 2) on it."""
 
     name: str
     lines: tuple[Array, ...]
@@ -189,7 +189,7 @@ class Panel:
 
 @dataclass(frozen=True, kw_only=True)
 class Shapes:
-    """States side by side, all to one scale, in `unit`; lines are `thickness` wide there."""
+    """States next to each other on one scale, in `unit`; lines have the real `thickness`."""
 
     title: str
     unit: str
@@ -210,11 +210,11 @@ class Zone:
 
 @dataclass(frozen=True, kw_only=True)
 class Zones:
-    """Which state holds where in a plane: zones stacked over `x` (m,) from y = 0 up to `y_top`.
+    """Regions of states in a plane: zones above each other over `x` (m,), from y = 0 to `y_top`.
 
-    A zone whose top is not above the zone below is not drawn. `curves` are drawn over
-    them; `point` is a place and its name. Zones are named where they lie, so that colours, which
-    `figures.css` makes distinct for the colour-blind and in print, need not be distinguished.
+    A zone whose top is not above the zone below is not drawn. `curves` are drawn over the zones;
+    `point` is a position and its name. Zones have their names inside; their colours need not be
+    distinguished, although `figures.css` makes them distinct for colour-blind readers and in print.
     """
 
     title: str
@@ -260,11 +260,11 @@ class Bars:
 
 @dataclass(frozen=True, kw_only=True)
 class Mode:
-    """A mode of turning shafts: for each shaft places z (m,) and displacements x, y (m,) there.
+    """A mode of rotating shafts: for each shaft, positions z (m,) and displacements x, y (m,).
 
-    Displacements are complex, of any size: at the time t they are the real parts of x e^{iωt} and
-    y e^{iωt}, ω > 0. A circle run through from x to y, y = -ix, is forward whirl of a shaft that
-    turns so; y = ix is backward whirl; x and y in phase stay in a plane.
+    Displacements are complex, with any scale: at the time t, they are the real parts of x e^{iωt}
+    and y e^{iωt}, ω > 0. y = -ix, a circle from x to y, is forward whirl of a shaft that rotates in
+    this sense; y = ix is backward whirl; if x and y are in phase, the motion is in a plane.
     """
 
     name: str
@@ -273,11 +273,11 @@ class Mode:
 
 @dataclass(frozen=True, kw_only=True)
 class Whirl:
-    """Modes of coaxial shafts in space and, on the page, in motion; all to one scale along z.
+    """Modes of coaxial shafts in space, animated on the page, on one scale along z.
 
-    `outlines` are z and radius (m,) of each shaft, a step as two points of one z; `names` call the
-    shafts. `supports` are the places z of bearings to ground, `links` those between shafts.
-    Lengths are in `unit`.
+    `outlines` are z and radius (m,) of each shaft; a step has two points with equal z. `names` are
+    those of the shafts. `supports` are the positions z of bearings to ground, `links` those between
+    shafts. Lengths are in `unit`.
     """
 
     title: str
@@ -294,10 +294,10 @@ class Whirl:
 class Campbell:
     """Natural frequencies (n, branches) over the speed (n,), in the units of the labels.
 
-    `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither); `names` stand at their
-    ends. `excitations` are lines through the origin: name and frequency per speed. `critical` are
-    speed, frequency and name of where they meet branches; `peers` speeds and frequencies (k,) of
-    `peers_name`. The speeds of operation, `range`, are shaded.
+    `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither); `names` are at the ends of
+    branches. `excitations` are lines through the origin: name and frequency per speed. `critical`
+    are speed, frequency and name of their intersections with branches; `peers` are speeds and
+    frequencies (k,) of `peers_name`. The `range` of operating speeds is shaded.
     """
 
     title: str
@@ -318,7 +318,7 @@ class Campbell:
 
 @dataclass(frozen=True, kw_only=True)
 class ParallelAxis:
-    """An upright axis from `low` to `high`, in `unit`, spaced by the logarithm where `log`."""
+    """A vertical axis from `low` to `high`, in `unit`; with `log`, it is logarithmic."""
 
     name: str
     unit: str
@@ -352,11 +352,11 @@ Figure = (
 class Shape:
     """A line of a sketch: `points` (n, 2) in the unit of the case, drawn as `style`.
 
-    Styles: "body" (closed outline, filled), "modelled" (closed: what finite elements take of
-    it), "hole" (closed, cut out), "line" (centre line of something thin), "axis", "faint",
-    "clamp" (hatched on the left of its direction), "load" (an arrow to its last point),
-    "dimension" (arrows at both ends, `label` between them), "angle" (an arc with both
-    arrows), "leader" (from the label to its last point) and "text" (`label` at its only point).
+    Styles: "body" (closed outline, filled), "modelled" (closed: the part that finite elements
+    model), "hole" (closed, cut out), "line" (centre line of a thin body), "axis", "faint", "clamp"
+    (hatched on the left of its direction), "load" (an arrow to its last point), "dimension" (arrows
+    at both ends, `label` between them), "angle" (an arc with both arrows), "leader" (from the label
+    to its last point) and "text" (`label` at its only point).
     """
 
     style: str
@@ -374,10 +374,10 @@ class Sketch:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaValue:
-    """A value of the analytic side in its display unit; `judged` where a row pairs it with FE.
+    """A value of the formulas in its display unit; `judged` if a row compares it with FE.
 
-    `form` is "as printed" or "corrected" where a formula has several; `safe` the side on which an
-    error does no harm, "too high" or "too low".
+    `form` is "as printed" or "corrected" if a formula has several forms; `safe` is the safe side,
+    "too high" or "too low".
     """
 
     key: str = ""

@@ -1,4 +1,4 @@
-"""Files that are whole or not there, whoever is killed when."""
+"""Files that are written completely or not at all, even if a process is killed."""
 
 import os
 import tempfile

@@ -35,13 +35,13 @@ TOP_LEVEL = ("case", "name", "inputs")
 
 
 class InputError(ValueError):
-    """Wrong input; the message is one line that names file, key, rule and value."""
+    """Wrong input; the message is one line with file, key, rule and value."""
 
 
 class EntryError(ValueError):
-    """A rule that the validator of a model finds violated in one entry of a table.
+    """Violation of a rule in one entry of a table, found by the validator of a model.
 
-    `entry` counts from 1; `key` is the input there, empty if the rule is of the whole entry.
+    `entry` is numbered from 1; `key` is the input, empty if the rule applies to the whole entry.
     """
 
     def __init__(self, table: str, entry: int, key: str, rule: str) -> None:
@@ -113,10 +113,10 @@ def quantity(
     example: str = "",
     **bounds: float,
 ) -> Any:
-    """A float input in `unit`; bounds gt, ge, lt, le are in that unit too.
+    """A float input in `unit`; the bounds gt, ge, lt, le are also in this unit.
 
-    `default` is the paper's number as text with its unit, a number where the unit is "1"; `claims`
-    is the printed value that it repeats ("paper:id").
+    `default` is the number of the paper as text with its unit (a number if the unit is "1");
+    `claims` is the printed value to which it is equal ("paper:id").
     `omitted` is the value if a parameter file omits the input; without it the input is required.
     An input without a default has an `example` with its unit, for templates.
     """
@@ -132,7 +132,7 @@ def quantity(
 
 
 def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: int) -> Any:
-    """A whole number; bounds gt, ge, lt, le."""
+    """A whole number with the bounds gt, ge, lt, le."""
     limits: dict[str, Any] = dict(bounds)
     return Field(
         default=default, json_schema_extra=_extra("1", symbol, what, claims, REQUIRED), **limits
@@ -154,7 +154,7 @@ def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> 
 
 
 def word(default: str, what: str) -> Any:
-    """An input that is one of a few words; left out, it is the default."""
+    """An input with one of several words as its value; if omitted, the default."""
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
 
 
@@ -163,7 +163,7 @@ def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> dict
 
 
 def meta(field: FieldInfo) -> dict[str, Any]:
-    """Unit, symbol, description and so on of one input."""
+    """Unit, symbol, description and other data of one input."""
     extra = field.json_schema_extra
     assert isinstance(extra, dict)
     return dict(extra)
@@ -221,7 +221,7 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
 
 
 def _quotes(error: tomllib.TOMLDecodeError, text: str) -> str:
-    """How the value with a unit is written that is no TOML for want of quotes; "" for others."""
+    """Correct form of a value with a unit that lacks quotes and is therefore no TOML; else ""."""
     place = re.search(r"at line (\d+)", str(error))
     line = text.split("\n")[int(place[1]) - 1] if place else ""
     bare = re.match(r"\s*([\w-]+)\s*=\s*([-+\d.][-+\d.eE]*\s*[A-Za-zµμ°%][^\"'#]*)", line)
@@ -234,7 +234,7 @@ def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:
 
 
 def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) -> Inputs:
-    """The inputs at `place`: "inputs" itself or an entry of a table, "inputs.supports[2]"."""
+    """The inputs at `place`: "inputs" or an entry of a table, "inputs.supports[2]"."""
     fields = model.model_fields
     if unknown := [key for key in raw if key not in fields]:
         raise InputError(
@@ -257,7 +257,7 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
 
 
 def missing(model: type[Inputs], needed: Sequence[str]) -> str:
-    """Required inputs that a file leaves out: their names, then what each one is."""
+    """Required inputs missing in a file: their names, then their descriptions."""
     about = {name: meta(model.model_fields[name]) for name in needed}
     told = [
         f"{name}: {one['what']}"
@@ -269,7 +269,7 @@ def missing(model: type[Inputs], needed: Sequence[str]) -> str:
 
 
 def _meant(key: str, model: type[Inputs]) -> str:
-    """The input whose name or symbol is like an unknown key, as a question; "" without one."""
+    """The input with a name or symbol similar to an unknown key, as a question; otherwise ""."""
     fields = {name: meta(field) for name, field in model.model_fields.items()}
     known = {one["symbol"].lower(): name for name, one in fields.items() if one["symbol"]}
     known |= {name.lower(): name for name in fields}

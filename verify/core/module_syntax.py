@@ -18,7 +18,7 @@ _PARSING = Lock()
 
 @dataclass(frozen=True)
 class Imported:
-    """An import statement of a module: at its top, and whether type checkers alone execute it."""
+    """An import statement of a module: whether it is at the top, and for type checkers only."""
 
     node: ast.Import | ast.ImportFrom
     at_top: bool
@@ -26,7 +26,7 @@ class Imported:
 
 
 def file_of(module: str) -> Path:
-    """The file of a module, imported or not; for a package its stub if it has one."""
+    """The file of a module, imported or not; for a package, its stub if it has one."""
     file = getattr(sys.modules.get(module), "__file__", None)
     if file is None:
         spec = find_spec(module)
@@ -38,10 +38,10 @@ def file_of(module: str) -> Path:
 
 
 def parsed(source: str) -> ast.Module:
-    """The syntax tree of a source, in one thread at a time.
+    """The syntax tree of a source; only one thread at a time makes a tree.
 
-    Python 3.11 counts the depth of all trees that it makes together: where threads take turns
-    within two of them it raises SystemError.
+    Python 3.11 adds up the depths of all trees in the making: if two threads make trees at the same
+    time, it raises SystemError.
     """
     with _PARSING:
         return ast.parse(source)
@@ -95,10 +95,10 @@ def last_name(node: ast.expr) -> str:
 
 
 def named(item: ast.AST, importer: str) -> Iterator[str]:
-    """Modules and names inside modules that an import statement names.
+    """Modules, and names in modules, that an import statement names.
 
-    A public name of a package stands for the one that its stub imports. The package counts as a
-    whole, with all of them, only where a statement binds it, or every name of it.
+    A public name of a package is replaced by the name that its stub imports. The whole package,
+    with all its names, is included only if a statement imports the package or all its names.
     """
     if isinstance(item, ast.Import):
         for alias in item.names:

@@ -1,4 +1,4 @@
-"""Results of the project as bytes for the store, and back: of its classes and of numpy alone."""
+"""Results as bytes for the store, and back; only classes of the project and numpy are allowed."""
 
 import pickle
 from enum import Enum

@@ -18,7 +18,7 @@ FIELD_WORDS = ("claims", "example", "what", "symbol")
 
 
 def is_of_project(name: str) -> bool:
-    """Whether a dotted name is a package of the project or something inside one."""
+    """Whether a dotted name is a package of the project or a name inside one."""
     return name.partition(".")[0] in PROJECT
 
 
@@ -28,8 +28,8 @@ Bound = Mapping[str, str]  # meaning of each imported name
 def plain(node: ast.AST, bound: Bound) -> str:
     """Text of a syntax tree without docstrings, messages and positions; the tree is unchanged.
 
-    It is the text of `ast.dump` in Python 3.11: with empty lists, which 3.13 leaves out, and
-    without `type_params`, which 3.12 added.
+    It equals the text of `ast.dump` in Python 3.11: with empty lists, which 3.13 omits, and without
+    `type_params`, which 3.12 added.
     """
     kind = type(node)
     changed = _CHANGED[kind](node, bound) if kind in _CHANGED else {}
@@ -52,7 +52,7 @@ def _text(value: object, bound: Bound) -> str:
 
 
 def _is_ours(node: object) -> bool:
-    """Whether a statement imports modules of the project and nothing else."""
+    """Whether a statement imports only modules of the project."""
     if isinstance(node, ast.ImportFrom):
         return bool(node.level) or is_of_project(node.module or "")
     return isinstance(node, ast.Import) and all(is_of_project(a.name) for a in node.names)

@@ -29,7 +29,7 @@ Show = Callable[[State], None]
 
 @contextmanager
 def shown(*, quiet: bool) -> Iterator[Show]:
-    """What a run calls with its state, four times a second or so."""
+    """Function that a run calls with its state about four times a second."""
     if quiet:
         yield lambda _state: None
     elif sys.stderr.isatty():
@@ -40,7 +40,7 @@ def shown(*, quiet: bool) -> Iterator[Show]:
 
 
 class Lines:
-    """Plain lines on stderr, at most one every few seconds."""
+    """Plain lines on stderr, with a pause of several seconds between lines."""
 
     def __init__(
         self, clock: Callable[[], float] = time.monotonic, stream: TextIO | None = None
@@ -61,7 +61,7 @@ def line(state: State) -> str:
 
 
 def names(running: Sequence[str]) -> str:
-    """The running levels, two at most."""
+    """The levels in progress, at most two."""
     more = f" and {len(running) - MOST_NAMES} more" if len(running) > MOST_NAMES else ""
     return ", ".join(running[:MOST_NAMES]) + more
 

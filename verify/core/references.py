@@ -1,4 +1,4 @@
-"""Reference of a formula: finite elements, or another method by its name.
+"""Name of the reference of a formula: finite elements, or another method.
 
 A case states the method of its reference; a row whose `partner` is set names another.
 """
@@ -12,7 +12,7 @@ FINITE_ELEMENTS = "finite elements"
 
 @dataclass(frozen=True)
 class Method:
-    """The references of a `case` in words; `alone` is the default of rows that name none."""
+    """The references of a `case` in words; `alone` is the default for rows without a method."""
 
     case: str = FINITE_ELEMENTS
     alone: str = FE
@@ -25,7 +25,7 @@ BY_STRIPS = Method("strips, sprags drawn point by point, integration in time", "
 
 
 def reference_name(row: Row) -> str:
-    """Whose value the formula of the row is compared with: "FE", or another method's name."""
+    """Method of the reference of a row: "FE", or the name of another method."""
     if row.fem is None or FINITE_ELEMENTS in row.quantity:
         return row.by
     return row.method

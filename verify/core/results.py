@@ -1,4 +1,4 @@
-"""Value types that a run produces and reports read. Nothing here computes or draws."""
+"""Data types of the results of a run, which reports read. Nothing is computed or drawn here."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ FE = "FE"  # finite elements, as method of a reference
 
 
 class Kind(StrEnum):
-    """What a row claims; see `verify.judging.judge` for when each passes."""
+    """Kind of claim of a row; `verify.judging.judge` states when each kind passes."""
 
     IDENTITY = "identity"
     ASYMPTOTIC = "asymptotic"
@@ -46,7 +46,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Published:
-    """A published value beside a row, in the row's unit."""
+    """A published value for a row, in the unit of the row."""
 
     document: str
     id: str
@@ -59,7 +59,7 @@ class Published:
 
 @dataclass(frozen=True, kw_only=True)
 class Partner:
-    """A value that is neither the formula nor the finite-element one."""
+    """A second value that is neither the formula nor the finite-element result."""
 
     by: str
     value: float
@@ -69,9 +69,10 @@ class Partner:
 class Grid:
     """Convergence of finite-element levels, and the data of their grid convergence index.
 
-    `levels` are values by relative mesh size, coarse to fine. With an order the index is
-    gci = factor |v3 - v2|/(r^used - 1). All but orders and `factor` is in `unit`: `scale` measures
-    round-off, and `allowed` is the limit of the index of a series without an order.
+    `levels` are values by relative mesh size, coarse to fine. If there is an order, the index is
+    gci = factor |v3 - v2|/(r^used - 1). All fields except orders and `factor` are in `unit`:
+    `scale` is the scale of round-off, `allowed` the limit of the index of a series without an
+    order.
     """
 
     unit: str
@@ -91,18 +92,18 @@ class Grid:
 class Row:
     """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
 
-    `method` is that of the reference `fem`; `interval` holds the expected signed model error of an
-    approximation; `levels` the reference's values by mesh size, coarse to fine, and `levels_u`
-    their standard uncertainties where a limit is fitted.
+    `method` is that of the reference `fem`; `interval` is the expected signed model error of an
+    approximation; `levels` are the values of the reference by mesh size, coarse to fine, and
+    `levels_u` their standard uncertainties if a limit is fitted.
 
-    `difference` is formula minus reference in approximations and against printed numbers. In all
-    other identities, in trends and limits the reference is judged by the formula: it is reference
-    minus formula. It is the residual of a balance and the margin of a fact.
+    `difference` is formula minus reference for approximations and printed numbers. For all other
+    identities, for trends and limits, the reference is judged by the formula: the difference is
+    reference minus formula. For a balance, it is the residual; for a fact, the margin.
     `verify.core.differences.offset` has one sign, formula minus reference, for all rows.
 
-    `formula` is the key of the case's value that is judged, `equation` its number in the paper or
-    its source, `form` which form of it, `safe` the side on which an error of it does no harm, and
-    `shares` are assumptions of both sides besides the inputs.
+    `formula` is the key of the judged value of the case, `equation` its number in the paper or its
+    source, `form` the form of the formula, `safe` the safe side of its error, and `shares` are
+    assumptions and data common to both sides, other than the inputs.
     """
 
     case: str
@@ -160,10 +161,9 @@ class Row:
 class CaseResult:
     """All results of one case; `name` is the name of the user's parameters, if any.
 
-    `refused` says why finite elements do not take these inputs, where they were not asked to.
-    `findings` are conclusions from the formulas in words, the verdict first.
-    `errors` are the tracebacks of errors inside the case. `cells` are the numbers of
-    cells of the `fields` by name.
+    `refused` is the reason why finite elements cannot solve these inputs, if they were not run.
+    `findings` are conclusions from the formulas in words, with the verdict first. `errors` are the
+    tracebacks of errors inside the case. `cells` are the numbers of cells of the `fields` by name.
     """
 
     id: str
@@ -222,7 +222,7 @@ class PaperCell:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperTable:
-    """A table as a paper prints it; without rows `note` says why. `errata` are about the whole."""
+    """A table as printed in a paper; `note` is the reason if it has no rows, `errata` its errata."""
 
     paper: str
     name: str
@@ -235,7 +235,7 @@ class PaperTable:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityAxis:
-    """An input that was varied, with its values in `unit` and the nominal one."""
+    """An input that was varied, with its values and its nominal value in `unit`."""
 
     name: str
     symbol: str
@@ -247,11 +247,11 @@ class ValidityAxis:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityLimit:
-    """Where a formula's error stays within `limit`: points by their verdict, and it in words.
+    """Region in which the error of a formula is within `limit`: points by verdict, and words.
 
-    `words` names the largest box of points that are all inside, whole error bars included, or of a
-    star the range of each input alone; `box` has the ranges, an input's name and two values in its
-    unit each.
+    `words` states the largest box of points that are all inside, including their error bars; for a
+    star, the range of each input alone. `box` contains the ranges: the name of an input and two
+    values in its unit.
     """
 
     limit: float
@@ -264,10 +264,11 @@ class ValidityLimit:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityRegion:
-    """What was measured of a formula over some inputs: errors (points,) and their bars, relative.
+    """Measured errors (points,) of a formula over some inputs, and their bars, relative.
 
-    Over a grid of one or two `axes`, the last one fastest; of a star the one along which the error
-    changes most. `breaks` names the input with which the middle limit is exceeded first.
+    They are over a grid of one or two `axes`, the last index fastest; for a star, over the axis
+    along which the error changes most. `breaks` is the input with which the middle limit is
+    exceeded first.
     """
 
     over: str
@@ -283,9 +284,9 @@ class ValidityRegion:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityCard:
-    """Where one formula may be used; `error`, `U` are those of its row at the default inputs.
+    """Range of validity of one formula; `error`, `U` are those of its row at the default inputs.
 
-    `tex` is the formula where the case shows it, `place` where it stands in the paper.
+    `tex` is the formula if the case states it, `place` its place in the paper.
     """
 
     case: str
@@ -315,10 +316,10 @@ class ValidityExact:
 
 @dataclass(frozen=True, kw_only=True)
 class Validity:
-    """The cards of one case; without a measurement `missing` says why.
+    """The cards of one case; `missing` gives the reason if nothing was measured.
 
-    `over` says what the exact ones were measured over, `others` which formulas were left out, and
-    `maps` which cases show more.
+    `over` states the range over which the exact formulas were compared, `others` the formulas that
+    were omitted, and `maps` the cases with further maps.
     """
 
     case: str
@@ -346,11 +347,11 @@ class ScaleInput:
 
 @dataclass(frozen=True, kw_only=True)
 class StudyAxis:
-    """An input that a study varies, its `own` value in `unit`; `log` where in equal ratios.
+    """An input that a study varies; `own` is its value at the case in `unit`; `log`: equal ratios.
 
-    `ratio` is `factor` times its value over the product of the inputs `per`; empty if none is
-    declared. `scales` tells whether a part of another size, all in proportion, has the same error
-    at the same ratios.
+    `ratio` is `factor` times its value over the product of the inputs `per`; it is empty if none is
+    declared. `scales` states whether a part of another size, with all inputs in proportion, has the
+    same error at the same ratios.
     """
 
     name: str
@@ -370,8 +371,9 @@ class StudyAxis:
 class StudiedFormula:
     """A formula at the points of a study: relative errors with bars, NaN if `problems` says why.
 
-    `by` names the reference, `of` the magnitude that errors are related to, empty for the reference
-    itself. `is_positive` states whether the reference is above zero at the default inputs.
+    `by` is the name of the reference, `of` that of the magnitude to which errors are related (empty
+    for the reference). `is_positive` states whether the reference is positive at the default
+    inputs.
     """
 
     quantity: str
@@ -418,10 +420,10 @@ class CrossState(StrEnum):
 class Crosscheck:
     """A number of the project and of a second solver on the same mesh and loads.
 
-    `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
-    `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
-    the id of the row that it stands beside, if any; `seconds` those of the project and of the other
-    solver.
+    `ours` and `theirs` are in `unit`; `difference` (theirs over ours, minus one) and `allowed` are
+    relative. `why` is the cause of a difference, or the reason why nothing was measured or no
+    solver can solve it. `row` is the id of the row to which it belongs, if any; `seconds` are those
+    of the project and of the other solver.
     """
 
     case: str
@@ -446,9 +448,9 @@ class Crosscheck:
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
+    """A change since a release: the `aspect` of a row, from `was` to `now`, in words.
 
-    `size` is the change of the value. A loosened demand or band needs the `reason` stated for it.
+    `size` is the change of the value. A loosened requirement or band needs a stated `reason`.
     """
 
     row: str
@@ -486,9 +488,9 @@ class Drift:
 class ReadingsTried:
     """A printed number that the first reading of its formula does not give, and other readings.
 
-    `readings` is the best of `hits` combinations that reproduce it, empty if none does, with its
-    `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
-    was tried, for that reason. `reference` names the number or the erratum, "paper:id".
+    `readings` is the best of `hits` combinations that give the number, empty if none does, with its
+    `value`; `chance` is the expected number of chance matches with as few changes. `missing` is the
+    reason if nothing was tried. `reference` is the number or the erratum, "paper:id".
     """
 
     reference: str
@@ -512,8 +514,8 @@ class ReadingsTried:
 class BudgetPart:
     """Contribution of one cause to a relative difference, by a rerun without it; `u` half-width.
 
-    None if there was no rerun, and `note` says why. What is `shared` by formula and finite
-    elements is no part of their difference and is not subtracted from it.
+    None if there was no rerun, with the reason in `note`. A cause `shared` by formula and finite
+    elements is not a part of their difference and is not subtracted from it.
     """
 
     cause: str
@@ -537,9 +539,9 @@ class BudgetJoint:
 class RowBudget:
     """Components of the difference (formula - FE)/scale of a row, all relative.
 
-    `remainder` is `total` less the parts, with the half-width `u`; `U` is the tolerance
-    of the row. `within` states of an identity whether both explain the remainder. `headline` rows
-    are drawn. `apart` states whether reruns explain a large difference; where not, `why`.
+    `remainder` is `total` minus the parts, with the half-width `u`; `U` is the tolerance of the
+    row. For an identity, `within` states whether both explain the remainder. `headline` rows are
+    drawn. `apart` states whether reruns explain a large difference; if not, `why` gives the reason.
     """
 
     quantity: str
@@ -559,9 +561,9 @@ class RowBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class CaseBudget:
-    """The budgets of one case's rows; without a measurement `missing` says why.
+    """The budgets of the rows of one case; `missing` gives the reason if nothing was measured.
 
-    `seconds` is the time of all its reruns together, on one processor.
+    `seconds` is the total time of its reruns on one processor.
     """
 
     case: str
@@ -574,7 +576,7 @@ class CaseBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class MutantGroup:
-    """Mutants of one group: `rows` and `tests` detected some, `apart` crashed or timed out.
+    """Mutants of one group: detected by `rows` or `tests`, or crashed or timed out (`apart`).
 
     `all` is their number; `tried` excludes the mutants in `apart`.
     """
@@ -610,8 +612,8 @@ class Survivor:
 class Caught:
     """The inserted faults that the suite detects; without a measurement `missing` states why.
 
-    `references` holds shares of rows that fail where their references are changed; `stale`
-    names the groups that were not measured for this code.
+    `references` contains the shares of rows that fail if their references are changed; `stale`
+    lists the groups that were not measured for this code.
     """
 
     date: str = ""
@@ -624,7 +626,7 @@ class Caught:
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """A whole run: judged cases, the ledgers and where the numbers come from.
+    """A complete run: judged cases, the ledgers and the origin of the numbers.
 
     `name` is the name of a user's parameter file; empty for the default inputs of the cases.
     """
@@ -657,5 +659,5 @@ class Report:
         return tuple(row for case in self.cases for row in case.rows)
 
     def count(self, status: Status) -> int:
-        """Rows of one status."""
+        """Number of rows with a status."""
         return sum(row.status is status for row in self.rows)

@@ -1,9 +1,9 @@
-"""Code on which a function depends, and its hash without words, names and places.
+"""Code on which a function depends, and a hash of it without words, names and places.
 
 Code is compared as a syntax tree without docstrings, comments, layout, messages of exceptions,
-descriptions of inputs and imports of project modules. A name that such an import binds
-stands for the code of its module, so that a module can be moved or renamed, and two modules
-cannot be swapped unnoticed.
+descriptions of inputs and imports of project modules. A name that such an import defines is
+replaced by the code of its module. Therefore, a module can be moved or renamed, and an exchange of
+two modules is noticed.
 """
 
 import ast
@@ -32,7 +32,7 @@ OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules with inputs of bot
 
 @cache
 def source_of(function: Any) -> str:
-    """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
+    """Hash of a `fem` function, the names that it uses, and the modules that it reaches."""
     return remembered("reference", function, lambda: _source_of(function))
 
 
@@ -72,7 +72,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 
 
 def group_hash(modules: Collection[str]) -> str:
-    """Hash of some modules' code, in which names imported from each other stand for their code."""
+    """Hash of the code of modules; names imported from each other are replaced by their code."""
     group = frozenset(modules)
     name = f"group of {' '.join(sorted(group))}"
     return remembered(name, group_hash, lambda: _group_hash(group), group)
@@ -104,7 +104,7 @@ def _digest(text: str) -> str:
 
 
 def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code of the names that a function's module gives it, and the modules that these import.
+    """Code of the names of its module that a function uses, and the modules that these import.
 
     The function of a case that is one class names its parts by `code`: module, class, members.
     """
@@ -137,9 +137,9 @@ def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[s
 
 
 def _read_off_a_case(module: str) -> frozenset[str]:
-    """The attributes that a module reads off a case: in the suite the object called q.
+    """The attributes of a case that a module reads: in the suite, those of the object q.
 
-    Modules outside the suite may call it anything: all that they read.
+    In modules outside the suite, the case can have any name: all attributes that they read.
     """
     return syntax.attributes(module, CASE if module.startswith("verify.cases.") else "")
 
@@ -182,7 +182,7 @@ def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
 def _part(
     module: str, owner: str, name: str, *, whole: bool
 ) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
-    """Code of one of these, the names that it reads, and the modules that it imports."""
+    """Code of one of these names, the names that it reads, and the modules that it imports."""
     node = _parts(module, owner)[name]
     reads = tuple(n.id for n in ast.walk(node) if isinstance(n, ast.Name))
     imported = tuple(_imported(node, module))
@@ -191,7 +191,7 @@ def _part(
 
 @cache
 def _borrowed(module: str, *, formulas: bool) -> dict[str, frozenset[str]]:
-    """Names that the imports of a module bind, with the modules that stand behind each."""
+    """Names defined by the imports of a module, with the modules to which each refers."""
     found: dict[str, set[str]] = {}
     for one in syntax.imports(module):
         for alias in one.node.names if one.at_top else ():
@@ -223,8 +223,9 @@ def _imported(part: ast.AST, importer: str) -> Iterator[str]:
 def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
     """Code that a whole module imports.
 
-    But for `whole`, without what it imports of analytic at its top: the other side's. Modules of
-    inputs are both sides': sizes and loads that they compute act on finite elements, too.
+    Unless `whole`, imports of analytic at the top of the module are excluded, because they belong
+    to the other side. Modules of inputs belong to both sides: sizes and loads that they compute
+    also act on finite elements.
     """
     for one in syntax.imports(module):
         if not one.for_types:
@@ -234,7 +235,7 @@ def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
 
 
 def _is_of_both(module: str) -> bool:
-    """Whether the code of analytic that a module imports counts for both sides."""
+    """Whether code of analytic that a module imports belongs to both sides."""
     return module.startswith("analytic.") or OF_BOTH.search(module) is not None
 
 
@@ -266,7 +267,7 @@ def _counts(name: str) -> bool:
 
 @cache
 def is_module(name: str) -> bool:
-    """Whether a dotted name is a module of the project, not a name inside one."""
+    """Whether a dotted name is a module of the project, and not a name inside a module."""
     if "." not in name:
         return find_spec(name) is not None
     parent = find_spec(name.rpartition(".")[0])
@@ -305,7 +306,7 @@ def _read(
 
 
 def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
-    """What the names stand for that a module imports only for others to import from it."""
+    """Meanings of names that a module imports only for import by others."""
     used = syntax.names(module)
     top = (one.node for one in syntax.imports(module) if one.at_top)
     names = {alias.asname or alias.name for node in top for alias in node.names}
@@ -315,7 +316,7 @@ def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
 
 @cache
 def _shallow(module: str) -> str:
-    """Hash of a module's code in which imported names stand for themselves, however renamed."""
+    """Hash of the code of a module; imported names are represented by their original names."""
     names = {name: full for _, name, full in syntax.aliases(module) if not is_module(full)}
     own = {name: full.rpartition(".")[2] for name, full in names.items()}
     return _digest(plain(syntax.tree(module), own))[:16]
@@ -323,10 +324,11 @@ def _shallow(module: str) -> str:
 
 @cache
 def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> Mapping[str, str]:
-    """What each name that an import of the project's modules binds stands for: their code.
+    """Meaning of each name defined by an import of a project module: its code.
 
-    Modules of `group` count in addition to `_counts`. A name of the other side, whose code does
-    not count (`_imported_by`), and one of any other module stand for themselves alone.
+    Modules of `group` are included in addition to those of `_counts`. A name of the other side,
+    whose code is not included (`_imported_by`), or of any other module is represented by the name
+    alone.
     """
     found = {}
     others = not whole and not _is_of_both(module)

@@ -1,8 +1,9 @@
-"""The project's files by content, and digests of all that a module may depend on.
+"""Files of the project by content, and digests of all files on which a module may depend.
 
-A module depends on itself, on the modules that its import statements name, also those inside
-functions, on theirs, and on data in the folder of any of these. Statements are found in the text,
-which takes a thousandth of the time of syntax trees; one in a docstring counts as well.
+A module depends on its file, on the modules in its import statements (including those in
+functions), on their dependencies, and on data in the folders of these modules. Statements are found
+in the text, which takes a thousandth of the time of syntax trees; a statement in a docstring is
+also included.
 """
 
 import ast
@@ -36,13 +37,13 @@ def digest() -> str:
 
 @cache
 def digest_of(*modules: str) -> str:
-    """Digest of all that some modules of the project may depend on, as files, and of Python."""
+    """Digest of all files on which some modules of the project may depend, and of Python."""
     contents = _contents()
     return _combined({file: contents[file] for file in _files_of(*modules)})
 
 
 def code_of(*modules: str) -> str:
-    """The same where comments and layout of Python do not count; to make it takes a second."""
+    """The same without comments and layout of Python code; it takes about a second."""
     contents, sources = _contents(), _sources()
     return _combined({
         file: _tree(sources[file]) if file.endswith(".py") else contents[file]
@@ -70,7 +71,7 @@ def _files_of(*modules: str) -> set[str]:
 
 
 def _meant(name: str) -> list[str]:
-    """A name that a statement imports, and those that it stands for in stubs of packages."""
+    """A name in an import statement, and the names to which stubs of packages map it."""
     package, _, last = name.rpartition(".")
     public = _public(package)
     if last == "*":

@@ -1,7 +1,7 @@
-"""Hashes of sources, stored while no file changes that they may depend on.
+"""Hashes of sources, stored until a file changes on which they may depend.
 
-To hash the code that a function depends on takes the syntax trees of hundreds of modules, some ten
-seconds for all cases. What was found is stored with a digest of those files.
+The hash of the code on which a function depends needs the syntax trees of hundreds of modules,
+about ten seconds for all cases. The results are stored with a digest of these files.
 """
 
 import atexit
@@ -73,9 +73,9 @@ def share() -> None:
 
 
 def remembered(name: str, function: Any, make: Callable[[], T], modules: Collection[str] = ()) -> T:
-    """Result of `make` for a function of the project, from the memory where one is in use.
+    """Result of `make` for a function of the project, from the stored hashes if these are in use.
 
-    It may depend on the imports of the function's module, or on the imports of `modules`.
+    It may depend on the imports of the module of the function, or on the imports of `modules`.
     """
     module = str(getattr(function, "__module__", ""))
     if not _used or not _is_of_project(module):

@@ -1,11 +1,11 @@
-"""Results that took time, in one SQLite file, by kind, subject and key.
+"""Results that take time to compute, in one SQLite file, by kind, subject and key.
 
-A key covers everything that a result depends on: an entry is never wrong, only unused. Every commit
-is whole, so that a process that is killed loses at most the entry that it was writing, and
-processes that run at the same time do not disturb each other.
+A key includes all data on which a result depends: an entry is never wrong, only unused. Every
+commit is complete: a process that is killed loses at most the entry that it was writing. Several
+processes can use the store at the same time.
 
-The file has two tables: `entries`, and when each was read last in `readings`. `PRAGMA user_version`
-is the number of its format; a file of a later format is refused.
+The file has two tables: `entries`, and the times of the last reading in `readings`. `PRAGMA
+user_version` is the number of its format; a file with a later format is refused.
 """
 
 import io
@@ -53,7 +53,7 @@ FORGET = (
 
 @dataclass(frozen=True)
 class Group:
-    """Entries of one kind and subject: how many, their bytes, when the first and last were made."""
+    """Entries of one kind and subject: number, bytes, dates of the first and the last."""
 
     kind: str
     subject: str
@@ -64,14 +64,14 @@ class Group:
 
 
 class Store:
-    """The entries in a folder; `kind` names the study that made one, `subject` its case."""
+    """The entries in a folder; `kind` is the study that made an entry, `subject` its case."""
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / FILE
         self._database = Database(self.path, TABLES, FORMAT)
 
     def load(self, kind: str, keys: Sequence[str]) -> dict[str, bytes]:
-        """The content of those keys that have an entry; OSError if the file cannot be read."""
+        """Contents of the keys that have an entry; OSError if the file cannot be read."""
         parts = [keys[k : k + AT_ONCE] for k in range(0, len(keys), AT_ONCE)]
         named = [(f"AND key IN ({','.join('?' * len(part))})", part) for part in parts]
         return self._read(kind, named)
@@ -106,7 +106,7 @@ class Store:
             database.execute("BEGIN IMMEDIATE")
 
     def dates(self, kind: str, keys: Sequence[str]) -> dict[str, tuple[float, int]]:
-        """When each of those keys was made [s since 1970], and its bytes; OSError as `load`."""
+        """Date [s since 1970] and bytes of the entries of these keys; OSError as for `load`."""
         if not self._database.is_there():
             return {}
         question = "SELECT made, LENGTH(content) FROM entries WHERE kind = ? AND key = ?"
@@ -125,7 +125,7 @@ class Store:
             )]  # fmt: skip
 
     def clear(self, kind: str = "", subject: str = "") -> int:
-        """Remove the entries of a kind and subject, by default all; how many they were."""
+        """Remove the entries of a kind and subject, by default all; returns their number."""
         if not self._database.is_there():
             return 0
         with self._database.writing() as database:

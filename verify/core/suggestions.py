@@ -8,7 +8,7 @@ LIKE = 0.4  # of difflib's ratio: below, names have nothing in common
 
 
 def nearest(name: str, known: Iterable[str], *, most: int = FEW, between: str = ", ") -> str:
-    """Known names in words, those like `name` first; of more than `most` how many are left out."""
+    """Known names in words, those similar to `name` first; at most `most`, then a count."""
     every = list(known)
     like = get_close_matches(name, every, n=most, cutoff=LIKE)
     order = [*like, *(one for one in every if one not in like)]

@@ -1,8 +1,8 @@
-"""Before the set-up: the Python in use and system libraries, installed by apt-get where allowed.
+"""Checks before the set-up: Python and system libraries, installed by apt-get if permitted.
 
-Standard library only, and read by any Python 3.7: the module runs as a script before
-there is a virtual environment. Exit status 0 or, after one line that names what to do, 2; 130
-after Ctrl-C.
+Only the standard library is used, and Python 3.7 can read the file: the module runs as a script
+before the virtual environment exists. The exit status is 0; 2 after one line with the required
+action; 130 after Ctrl-C.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def line_to_run(libraries: Collection[str], venv: str, machine: Machine) -> str:
 
 
 def apt_install(packages: Sequence[str]) -> str:
-    """Install Debian packages without questions: "" where all is well, else apt-get's reason."""
+    """Install Debian packages without questions: "" if successful, otherwise the reason."""
     outdated = _update()
     status, output = _run([*INSTALL, *packages])
     if status and REPAIR in output:
@@ -100,7 +100,7 @@ def reason(output: str) -> str:
 
 
 def _update() -> str:
-    """Renew the package lists, after waiting for another apt-get: "" or why they are not new."""
+    """Update the package lists, after waiting for another apt-get: "" or the error."""
     end = time.monotonic() + LOCK_SECONDS
     while True:
         _, output = _run([*APT, "update"])

@@ -25,7 +25,7 @@ def print_wrapped(*lines: str) -> None:
 
 
 def width() -> int:
-    """Columns of the terminal; 0 where output goes to a file or a pipe."""
+    """Number of columns of the terminal; 0 if the output is a file or a pipe."""
     if sys.stdout.isatty():
         return max(shutil.get_terminal_size().columns, LEAST)
     return 0

@@ -15,6 +15,6 @@ def tex(value: float, digits: int = 6) -> str:
 
 
 def factor(value: float, digits: int = 6) -> str:
-    """The same for a place behind a sign or a dot: negative numbers stand in brackets."""
+    """A number as a factor after a sign or a dot: negative numbers have brackets."""
     text = tex(value, digits)
     return f"({text})" if value < 0 else text

@@ -40,7 +40,7 @@ LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
 
 
 def system_of(raw: Any) -> System:
-    """The system of a file's inputs: inch where most of its lengths, or else most units, are."""
+    """Unit system of a file: inch if most of its lengths, or else most of its units, are."""
     given = list(_units_in(raw))
     lengths = [unit for unit in given if units.dimensions(unit) == LENGTH]
     inch = [bool(INCH_WORDS & set(re.findall(r"[A-Za-z_]+", u))) for u in lengths or given]
@@ -119,7 +119,7 @@ def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
 
 
 def _text(number: str, factor: float) -> str:
-    """A number of a sentence, converted, with as many digits as it had within some bounds."""
+    """A converted number of a sentence, with its number of digits, within bounds."""
     sign, bare = ("±", number[1:]) if number[0] == "±" else ("", number)
     value = float(bare.replace(",", "")) * factor
     digits = len(re.sub(r"e.*|[-+.,]", "", bare).lstrip("0"))

@@ -205,7 +205,7 @@ def dimensions(unit: str) -> frozenset[tuple[str, float]]:
 
 
 def _parsed(unit: str) -> "pint.Unit":
-    """`N m`, `kg/m^3`, `1/mm`: parsed factor by factor, so that no text takes long."""
+    """`N m`, `kg/m^3`, `1/mm`: parsed factor by factor, so that no text takes a long time."""
     parts: list[str] = []
     at, unit = 0, unit.replace("²", "^2").replace("³", "^3")
     if unit.count("%") > 1:

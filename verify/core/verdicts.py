@@ -43,7 +43,7 @@ class Verdict(StrEnum):
 class Side:
     """From which to which value, in `unit`, an input was varied.
 
-    `ratio_ends` are both values divided by powers of other inputs, as the dimensionless `ratio`.
+    `ratio_ends` are the ends of the dimensionless `ratio`: both values over powers of other inputs.
     """
 
     name: str
@@ -73,11 +73,11 @@ class DesignRange:
 class VerdictRange:
     """Range in which the error of a formula is within `limit`, in words, and its number of points.
 
-    `over` states the varied inputs of the study of a case, `studied` their ends, `held` the
-    constant inputs that differ from the default; `box` contains the ranges within the limit, one at
-    a time if `is_star`, and is empty if no point is within it. `interpolation` is by how much
-    the error at a point differs at most from a straight line between its neighbours, None if no
-    point has two.
+    `over` are the varied inputs of the study of a case, `studied` their ends, `held` the constant
+    inputs that differ from the default. `box` contains the ranges within the limit, one input at a
+    time if `is_star`; it is empty if no point is within the limit. `interpolation` is the largest
+    difference of the error at a point from a straight line between its neighbours; None if no point
+    has two.
     """
 
     case: str
@@ -99,15 +99,15 @@ class FormulaVerdict:
 
     `source` cites the paper, by its first author and year.
 
-    `error`, `U` belong to the default inputs, at `worst_row`, of the largest error; `above` and
-    `below` are the largest errors on both sides over all points, bars included. `within` is the
-    accuracy class of ACCURATE and of PART. `is_of_part` states whether the errors are against the
-    part itself, or only against its idealisation; `model` states how well the formula solves
-    that where `rows` set it beside the part. `points` counts inputs beside the paper's,
-    `unsolved` those without an answer; `own_only` are cases without a study. `misprint` is the
-    change from the corrected to the printed value, None if no row has both. `caution`
-    is a failure beside the errors, demonstrated by `caution_row`; `readings` states the range of
-    the value by the readings that the paper leaves open.
+    `error`, `U` are those at the default inputs, of `worst_row`, the row with the largest error;
+    `above` and `below` are the largest errors on both sides over all points, including error bars.
+    `within` is the accuracy class for ACCURATE and PART. `is_of_part` states whether the errors are
+    relative to the part, or only to a model with the same idealisation; `model` is the error
+    relative to such a model if `rows` also compare with the part. `points` is the number of points
+    at other inputs than those of the paper, `unsolved` the number without an answer; `own_only` are
+    cases without a study. `misprint` is the change from the corrected to the printed value, None if
+    no row has both. `caution` is a failure that is not an error, detected by `caution_row`;
+    `readings` is the range of the value for the readings that the paper leaves open.
     """
 
     id: str

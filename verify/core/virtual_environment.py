@@ -1,9 +1,9 @@
-"""A virtual environment from a lock with hashes; an interrupted set-up is continued.
+"""A virtual environment from a lock file with hashes; an interrupted set-up is continued.
 
-Standard library only: the module is run as a script (FOLDER LOCK) by the Python that the
-environment is for. Packages are installed in small groups. What a killed set-up had downloaded
-is not downloaded again, also where the index lets `pip` cache nothing.
-Exit status 0, or 2 after one line that names the reason.
+Only the standard library is used: the module is run as a script (FOLDER LOCK) by the Python of the
+new environment. Packages are installed in small groups. Files that a killed set-up has downloaded
+are not downloaded again, even if the index does not let `pip` cache them. The exit status is 0, or
+2 after one line with the reason.
 """
 
 from __future__ import annotations
@@ -62,14 +62,14 @@ def installed(site: Path) -> set[str]:
 
 
 def normalized(name: str) -> str:
-    """A package's name as the lock has it."""
+    """The name of a package in the form of the lock file."""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def remove_incomplete(site: Path) -> list[str]:
-    """Forget packages whose installation was killed, so that they are installed again.
+    """Remove packages whose installation was killed; they are then installed again.
 
-    pip writes RECORD last, and puts a package that it replaces aside with a "~" in its name.
+    pip writes RECORD last, and renames a package that it replaces with a "~" in its name.
     """
     found = site.glob("*.dist-info")
     killed = [x for x in found if not (x / "RECORD").is_file() or x.name.startswith("~")]
@@ -102,7 +102,7 @@ def site_packages(folder: Path) -> Path:
 
 
 def create(folder: Path) -> None:
-    """Make an empty environment with pip in place of whatever `folder` is."""
+    """Make an empty environment with pip, which replaces the present content of `folder`."""
     if folder.is_symlink() or folder.is_file():
         folder.unlink()
     shutil.rmtree(folder, ignore_errors=True)
@@ -113,8 +113,9 @@ def create(folder: Path) -> None:
 def run(words: list[str], log: Path, **environ: str) -> None:
     """Run a command with its output in `log`; raise SetUpError with its reason if it fails.
 
-    Ctrl-C kills it without a warning, so that pip does not delete what it has downloaded. It has
-    the lock of `alone` too: where this process is killed alone, the next set-up waits for its end.
+    Ctrl-C kills the command immediately, so that pip does not delete its downloads. The command
+    also has the lock of `alone`: if only this process is killed, the next set-up waits for the
+    command.
     """
     with log.open("w", encoding="utf-8") as output:
         done = subprocess.run(  # noqa: S603 - the project's command
