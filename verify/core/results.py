@@ -222,7 +222,7 @@ class PaperCell:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperTable:
-    """A table as printed in a paper; `note` is the reason if it has no rows, `errata` its errata."""
+    """A table as printed in a paper; `note` is the reason for a lack of rows."""
 
     paper: str
     name: str

@@ -33,9 +33,9 @@ Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "di
 
 @dataclass(frozen=True)
 class GridConvergence:
-    """Convergence of a series: `gci` [unit of the values], observed `order` where there is one.
+    """Convergence of a series: `gci` [unit of the values], observed `order` if there is one.
 
-    `used` and `factor` are p and F of the index, where it was made with an order.
+    `used` and `factor` are p and F of the index, if it was computed with an order.
     """
 
     behaviour: Behaviour
@@ -62,9 +62,9 @@ def grid_convergence(
 ) -> GridConvergence:
     """Judge how `values` on meshes of size `h` converge.
 
-    Differences grow, and the series diverges, where |v3 - v2| exceeds |v2 - v1| scaled to the
-    ratios of the meshes (a series in log h keeps it) by more than iteration can explain, 4 u_it,
-    and round-off. A last difference that round-off may make has neither growth nor sign nor order:
+    Differences grow, and the series diverges, if |v3 - v2| exceeds |v2 - v1| scaled to the ratios
+    of the meshes (as for a series in log h) by more than the iteration error, 4 u_it, and
+    round-off. If the last difference may be round-off, it has neither growth nor sign nor order:
     the index is a multiple of the spread, :func:`unresolved_multiple`.
 
     Parameters
@@ -117,20 +117,20 @@ def grid_convergence(
 
 
 def unresolved_multiple(fine: float, coarse: float, scale: float) -> float:
-    """Index over the spread of the last three values where the last difference is round-off.
+    """Index over the spread of the last three values if the last difference is round-off.
 
-    1 where both differences are well below `ROUND_OFF` of the scale, 3 from there on, as for every
-    series without an order; linear in between, so that no index jumps at the limit.
+    1 if both differences are well below `ROUND_OFF` of the scale; 3 from there on, as for every
+    series without an order; linear in between, so that the index is continuous.
     """
     limit = ROUND_OFF * scale
     return 1 + 2 * _ramp(max(abs(fine), abs(coarse)), limit / 2, limit)
 
 
 def safety_factor(observed: float, formal: float) -> float:
-    """F of the index: 1.25 where the orders are within 0.5, 3 beyond 0.55, linear in between.
+    """F of the index: 1.25 for orders within 0.5, 3 beyond 0.55, linear in between.
 
-    An order of exactly half an order more or less is common (a singularity), and must not decide by
-    its last bits between two indices that differ by 2.4.
+    A difference of half an order is common (a singularity); without the transition, its last bits
+    would decide between two indices that differ by a factor of 2.4.
     """
     share = _ramp(abs(observed - formal), NEAR_FORMAL, FAR_FROM_FORMAL)
     return FACTOR + (LARGE_FACTOR - FACTOR) * share
@@ -148,7 +148,7 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
     .. math:: r_{21}^p \frac{r_{32}^p - 1}{r_{21}^p - 1} = \frac{v_2 - v_3}{v_1 - v_2}
 
-    The left side grows with p, so that one bracketed root is the only one.
+    The left side increases with p; therefore, the bracketed root is unique.
     """
 
     def excess(p: float) -> float:
@@ -168,17 +168,17 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
-    r"""Largest increase by iteration of the order observed in the last three values.
+    r"""Largest increase, due to iteration, of the order observed in the last three values.
 
-    Each may be off by ± u. The order is lowest where the middle one is off in one direction and the
-    other two are off in the other, whatever the ratios of the meshes; the logarithm of the ratio
-    of differences then falls by
+    Each value may have the error ± u. The order is lowest if the error of the middle value is
+    opposite to the errors of the other two, for any ratios of the meshes; the logarithm of the
+    ratio of differences then decreases by
 
     .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)
         - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)
 
-    which is divided by its slope in p, :func:`slope_of_ratio`. That has no turning point: the
-    smaller one of both ends bounds it.
+    which is divided by its derivative by p, :func:`slope_of_ratio`. The derivative is monotonic:
+    the smaller of its values at both ends is the bound.
     """
     (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
     fine, coarse, r21, r32 = abs(v1 - v2), abs(v2 - v3), h2 / h1, h3 / h2
@@ -191,7 +191,7 @@ def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: floa
 
 
 def slope_of_ratio(p: float, r21: float, r32: float) -> float:
-    r"""Derivative by p of the logarithm of the ratio that belongs to the order p; ln r for one r.
+    r"""Derivative by p of the logarithm of the ratio for the order p; ln r for equal ratios r.
 
     .. math:: \ln r_{21} + \frac{\ln r_{32}}{1 - r_{32}^{-p}} - \frac{\ln r_{21}}{1 - r_{21}^{-p}}
     """

@@ -63,8 +63,8 @@ def approximation(
 ) -> Verdict:
     """Signed model error m = formula/reference - 1 with U_m inside the expected interval.
 
-    Without an interval the row is SHOWN. `difference` is formula - reference; detects is the
-    smallest relative change of the formula that takes m out of the narrowed interval.
+    Without an interval, the row is SHOWN. `difference` is formula - reference; detects is the
+    smallest relative change of the formula that moves m out of the narrowed interval.
     """
     if not all(map(math.isfinite, (formula, reference, U))) or reference == 0:
         return Verdict(Status.FAIL, "not converged")
@@ -94,7 +94,7 @@ def approximation(
 
 
 def fact(margin: float, U: float) -> Verdict:
-    """Held where the margin exceeds its uncertainty, not held where it is below the negative."""
+    """Met if the margin exceeds its uncertainty; not met if it is below minus this uncertainty."""
     if not (math.isfinite(margin) and math.isfinite(U)):
         return Verdict(Status.FAIL, "not converged")
     if margin > U:
@@ -130,9 +130,9 @@ class LimitFit:
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
     """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
 
-    For every q the constants follow linearly; the best q is searched in (0, 10]. The stated
-    standard uncertainties `u` may have one sign at all points, as for similar meshes: their
-    effects on a constant add up. Scatter about the fit counts instead where it does more, as
+    For each q, the constants are linear; the best q is searched for in (0, 10]. The stated standard
+    uncertainties `u` may have one sign at all points, as for similar meshes: their effects on a
+    constant are added. If the scatter about the fit has a larger effect, it is used instead, as
     independent errors.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
@@ -184,8 +184,8 @@ def quadratic_coefficient(
 ) -> tuple[float, float]:
     """The c of d = c eps^2 + e eps^4 by weighted least squares, and its expanded uncertainty.
 
-    The standard uncertainties `u` of the points may all have one sign, as the uncertainties of
-    similar meshes do: their effects on c add up.
+    The standard uncertainties `u` of the points may all have one sign, as for similar meshes: their
+    effects on c are added.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     if x.size < 3 or not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma) & (sigma > 0))):

@@ -11,9 +11,10 @@ from verify.judging.claims import Claim
 
 @dataclass(frozen=True, kw_only=True)
 class Misprint(Claim):
-    """A printed form that contradicts itself: NOTE with its ledger entry `erratum` ("paper:id").
+    """A printed form that contradicts other statements: NOTE with its ledger entry `erratum`.
 
-    `margin` gives how surely, and in words; where it does not, the ledger is wrong: FAIL.
+    `margin` returns the margin of the contradiction, and words; without a margin, the ledger is
+    wrong: FAIL.
     """
 
     kind = Kind.FACT

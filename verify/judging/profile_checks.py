@@ -23,7 +23,7 @@ def l2_error(error: Array, norm: Array, weight: Array) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class ProfileError(Identity):
-    """The L2 distance of a profile from the exact one vanishes with the mesh, as its order says."""
+    """The L2 distance of a profile from the exact profile vanishes with the mesh at its order."""
 
     swept = False  # needs the pressures of every integration point
 
@@ -39,7 +39,7 @@ class ProfileError(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Within(Fact):
-    """A profile within the acceptance figure `accepted` of another, and its error.
+    """A profile within the acceptance figure `accepted` of another profile, and its error.
 
     `margin` is the figure minus the error.
     """
@@ -82,10 +82,10 @@ class Coefficient(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Estimated(Approximation):
-    """A model beside the half-space; at user inputs convergence counts where the model does.
+    """A model against the half-space; user inputs must converge if the model does.
 
-    Where their allowed difference is not known beforehand, what the half-space leaves undecided is
-    reported with the difference, and is no failure.
+    If the allowed difference is not known beforehand, a difference that the half-space does not
+    resolve is reported and is no failure.
     """
 
     def rows(self, context: Context) -> list[Row]:

@@ -13,10 +13,10 @@ from verify.judging.judge import numerical_uncertainty
 def along(context: Context, key: str, *, formal: float, scale: float) -> tuple[Array, Array]:
     """Values (m,) of the finest level at fixed points and their standard uncertainty (m,).
 
-    `key` names arrays (m,) that every level evaluated at the same points; `formal` is the order
-    of their largest error. A fixed point has another place in its cell on every mesh, so that
-    its differences follow no order; their largest over all points do, and one uncertainty, from
-    the grid convergence of that, holds for the whole profile.
+    `key` is the name of arrays (m,) that every level evaluated at the same points; `formal` is the
+    order of their largest error. A fixed point has another position in its cell on each mesh; its
+    differences therefore have no order. The largest difference over all points has an order, and
+    one uncertainty, from its grid convergence, is used for the whole profile.
     """
     h = [result.h for result in context.fem]
     values = np.array([result.arrays[key] for result in context.fem])

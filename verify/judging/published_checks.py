@@ -16,7 +16,7 @@ NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judge
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedClaim(Claim):
-    """A formula value `analytic` beside the printed `reference`: "paper:id" or a value."""
+    """A formula value `analytic` against the printed `reference`: "paper:id" or a value."""
 
     paper_only: bool = True
 
@@ -85,7 +85,7 @@ class PrintedMeasurement(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Contradiction(PrintedClaim):
-    """A printed number that the paper's formulas contradict: NOTE, with its ledger entry.
+    """A printed number that contradicts the formulas of the paper: NOTE, with its ledger entry.
 
     `analytic` must exceed the printed `reference` by more than U; else the ledger is wrong and
     the row fails. `erratum` names the entry ("paper:id").
@@ -118,7 +118,7 @@ class Contradiction(PrintedClaim):
 class Adopted(PrintedClaim):
     """A printed number that is adopted: NOTE, for the reason `why`.
 
-    Beside it is the value of `analytic`, where there is one.
+    The value of `analytic` is stated with it, if there is one.
     """
 
     kind = Kind.FACT

@@ -1,8 +1,8 @@
-"""Claims that two values of one thing agree within a figure stated beforehand.
+"""Claims that two values of one quantity agree within a figure stated beforehand.
 
-The figure is an acceptance of the subject, what a paper states, or the suite's requirement with its
-reason; it is never taken from the finite elements of the row. Such a claim is judged like any
-comparison, with its detection limit.
+The figure is an acceptance figure of the subject, a statement of a paper, or the requirement of the
+suite with its reason; it is never taken from the finite elements of the row. Such a claim is judged
+like any comparison, with its detection limit.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,8 @@ BOTH_WAYS = "twice the acceptance figure, which holds on both sides"
 class Pair:
     """A value, its reference, and U of the reference, in SI; the error in words.
 
-    `allowed` is the signed model error that the figure leaves where it speaks of something else.
+    `allowed` is the signed model error that the figure permits if the figure refers to another
+    value.
     """
 
     value: float
@@ -38,11 +39,11 @@ class Pair:
 
 @dataclass(frozen=True, kw_only=True)
 class Stated(Claim):
-    """Common part of claims with a figure, which holds and is judged for the paper's numbers only.
+    """Common part of claims with a figure, which is valid and judged for the paper's inputs only.
 
-    At user inputs the error is SHOWN, unless the figure holds `everywhere`.
+    At user inputs, the error is SHOWN, unless the figure is valid `everywhere`.
     `source` is the origin of the figure: `SUBJECT`, a place in a paper, or `suites`.
-    `by` names the method of the reference, finite elements where empty.
+    `by` is the method of the reference, finite elements if empty.
     """
 
     accepted: float
@@ -69,9 +70,9 @@ class Stated(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Agreement(Stated):
-    """One value within ± `accepted` of another, relative: an approximation with that interval.
+    """One value within ± `accepted` of another, relative: an approximation with this interval.
 
-    Of many such pairs `pair(context)` gives the one with the largest difference.
+    If there are many such pairs, `pair(context)` returns the pair with the largest difference.
     """
 
     kind = Kind.APPROXIMATION
@@ -98,10 +99,10 @@ class Agreement(Stated):
 
 @dataclass(frozen=True, kw_only=True)
 class Deviation(Stated):
-    """The size of a difference over a field or a set, relative to the whole: zero is expected.
+    """The norm of a difference over a field or a set, relative to the whole; zero is expected.
 
-    `size(context)` gives it with its expanded uncertainty, and the error in words. Both sides
-    solve the same problem; what moves one of them by p of the whole moves the size by p at most.
+    `size(context)` returns it with its expanded uncertainty, and the error in words. Both sides
+    solve the same problem; a change of one of them by p of the whole changes the norm by at most p.
     """
 
     kind = Kind.IDENTITY
@@ -124,9 +125,9 @@ class Deviation(Stated):
 
 
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
-    """The pair of two equal-sized arrays with the largest difference, `u` its relative U.
+    """The pair of two equal-sized arrays with the largest difference; `u` is its relative U.
 
-    Of pairs whose differences are equal except for round-off the first, on any processor.
+    If differences are equal except for round-off, the first pair is returned, on any processor.
     """
     off = np.ravel(values / references - 1)
     size = np.abs(off)

@@ -1,4 +1,4 @@
-"""The command `deep`: studies too long for a run, measured once and read by reports."""
+"""The command `deep`: long studies, measured once and read by reports."""
 
 from collections.abc import Sequence
 
@@ -15,9 +15,9 @@ STUDIES = {study.name: study for study in (DEEP_CASES, VALIDITY, BUDGET)}
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     """Run the named studies not yet measured for the present code, by default all of them.
 
-    "validity" and "validity:CASE" measure where formulas hold, "budget" and "budget:CASE" of what
-    differences are made; other names are those of deep cases. 0 where everything was measured, 1
-    where a part failed.
+    "validity" and "validity:CASE" measure ranges of validity, "budget" and "budget:CASE" the causes
+    of differences; other names are those of deep cases. Returns 0 if everything was measured, 1 if
+    a part failed.
     """
     where = Where(jobs)
     chosen = [(study, _chosen(study, names)) for study in STUDIES.values()]

@@ -21,7 +21,7 @@ class DeepCases(Study):
         return case.id
 
     def chosen(self, names: Sequence[str]) -> list[Case]:
-        """The cases of these ids; ValueError with ids like an unknown one."""
+        """The cases with these ids; ValueError that names ids similar to an unknown one."""
         try:
             return [registry.find(name, self.cases()) for name in names]
         except ValueError as error:

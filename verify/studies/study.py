@@ -28,7 +28,7 @@ class Study:
         return f"{self.name}:{case.id}"
 
     def chosen(self, names: Sequence[str]) -> list[Case]:
-        """The cases that names select: the study's name all, "NAME:CASE" one; InputError."""
+        """The selected cases: the name of the study selects all, "NAME:CASE" one; InputError."""
         known = {case.id: case for case in self.cases()}
         selected = [name.partition(":")[2] for name in names if name != self.name]
         for case_id in selected:

@@ -36,7 +36,7 @@ def regrid(g: Grid) -> tuple[GridConvergence, float]:
 
 
 def levels(g: Grid) -> list[Step]:
-    """One line a level: relative mesh size, value, change from the coarser one."""
+    """One line per level: relative mesh size, value, change from the coarser level."""
     found: list[Step] = []
     before: float | None = None
     for h, v in g.levels:
@@ -116,7 +116,7 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
 
 
 def _floored(g: Grid, gci: float, how: str) -> str:
-    """Derivation of the index, with the floor where the floor decides."""
+    """Derivation of the index, with the lower bound if this bound applies."""
     if gci > FLOOR * g.scale:
         return how
     return f"max({how}, {FLOOR:g} of the scale {short(g.scale)})"

@@ -13,7 +13,7 @@ Step = tuple[str, str]  # name of the step, and its derivation
 
 @dataclass(frozen=True)
 class Derivation:
-    """The steps to a verdict; `u_num` in the row's unit where finite elements have one."""
+    """The steps to a verdict; `u_num` in the unit of the row if it has finite elements."""
 
     steps: tuple[Step, ...]
     verdict: judge.Verdict
@@ -78,7 +78,7 @@ def _share(row: Row) -> str:
 
 
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
-    """The smallest relative change that certainly makes the row fail, and the required one."""
+    """The smallest relative change that is certain to make the row fail, and the required one."""
     if verdict.detects is None or not math.isfinite(verdict.detects):
         known = verdict.tolerance is not None and math.isfinite(verdict.tolerance)
         why = "the row fails already" if known else "the uncertainty is not finite"

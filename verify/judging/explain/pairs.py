@@ -1,4 +1,4 @@
-"""Rows that set one value beside another: formula, finite elements, printed number."""
+"""Rows that compare two values: formula, finite elements, printed number."""
 
 import math
 
@@ -23,7 +23,7 @@ from verify.papers.digits import half_last_digit
 
 
 def identity(row: Row) -> Derivation:
-    """Finite elements and formula solve one problem."""
+    """Finite elements and formula solve the same problem."""
     assert row.grid is not None
     assert row.analytic is not None
     assert row.scale is not None
@@ -182,7 +182,7 @@ def deviation(row: Row) -> Derivation:
 
 
 def shown(row: Row) -> Derivation:
-    """A formula beside a number that states no uncertainty."""
+    """A formula and a number without a stated uncertainty."""
     assert row.analytic is not None
     assert row.difference is not None
     reference = row.analytic - row.difference

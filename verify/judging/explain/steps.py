@@ -34,9 +34,9 @@ def steps(row: Row) -> tuple[Step, ...]:
 
 
 def derive(row: Row) -> Derivation:
-    """Judge the row again from the numbers that it keeps, and say how.
+    """Judge the row again from its stored numbers, and state each step.
 
-    A row that was not run, or whose finite elements failed, keeps its verdict and says only that.
+    A row that was not run, or without finite elements by an error, has only its verdict.
     """
     if row.grid is not None:
         found = PAIRED[row.kind](row)

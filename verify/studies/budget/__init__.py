@@ -1,1 +1,1 @@
-"""Error budgets: one cause of the difference of formula and finite elements changed, rerun."""
+"""Error budgets: reruns of a comparison without one cause of its difference."""

@@ -1,8 +1,8 @@
 """The arithmetic of a budget: contribution of each cause, remainder, and their uncertainty.
 
-The error of a row is m = (formula - FE)/scale, for most rows formula/FE - 1. A cause contributes
-c = m - m', where m' is the error with that cause alone removed: what goes when the cause goes. What
-all contributions leave of m is the remainder.
+The error of a row is m = (formula - FE)/scale, for most rows formula/FE - 1. The contribution of a
+cause is c = m - m', where m' is the error without this cause alone. The remainder is m minus all
+contributions.
 """
 
 import math
@@ -19,7 +19,7 @@ LARGE = 0.2  # of the total: from there on two causes are removed together as we
 class Part:
     """Contribution of a cause, and its numerical uncertainty (half-width), both relative.
 
-    Without a number `note` says why. What is `shared` by both sides does not count.
+    `note` gives the reason if there is no number. A cause `shared` by both sides is not included.
     """
 
     name: str
@@ -71,10 +71,11 @@ def balance(total: float, parts: Sequence[Part]) -> Balance:
 def removed(
     name: str, pairs: Sequence[tuple[float, float]], *, finest: float, shared: bool
 ) -> Part:
-    """The part of a cause from errors (with it, without it) on meshes, coarse to fine.
+    """Contribution of a cause, from errors (with it, without it) on meshes, coarse to fine.
 
-    Read on the finest of them; it is as uncertain as the finest two differ, with one mesh alone as
-    the error there is off that on the case's `finest`.
+    It is evaluated on the finest mesh; its uncertainty is the difference between the two finest
+    meshes. With one mesh only, it is the difference of the error there from that on the `finest`
+    mesh of the case.
     """
     found = [with_it - without for with_it, without in pairs]
     if not found or not all(map(math.isfinite, found)):
@@ -84,7 +85,7 @@ def removed(
 
 
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
-    """Change by a mesh beyond the finest; the remaining error, by the order, is its uncertainty.
+    """Change by a mesh beyond the finest; the remaining error, by the order, is the uncertainty.
 
     `h` are both mesh sizes, `order` the order of the series or NaN.
     """
@@ -109,7 +110,7 @@ def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: 
 
 
 def observed(h: Sequence[float], v: Sequence[float], formal: float | None, scale: float) -> float:
-    """Order by which values on three meshes converge, at most the formal one; NaN without one."""
+    """Order of convergence of values on three meshes, at most the formal order; NaN if none."""
     if len(v) < 3 or not all(map(math.isfinite, v)) or not scale > 0:
         return math.nan
     grid = grid_convergence(h, v, formal=formal, scale=scale)

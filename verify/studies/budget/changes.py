@@ -12,7 +12,7 @@ from verify.judging.budget_statement import Argument, Change, Constant
 
 @contextmanager
 def changed(changes: Sequence[Change]) -> Iterator[None]:
-    """While the body runs, `changes` hold; whatever happens, all is as before afterwards.
+    """Apply `changes` while the body runs; afterwards, the previous state is restored in any event.
 
     Code that imports functions while it runs, as the `fem` functions of cases do, gets the changed
     ones. LookupError if a name is not there, RuntimeError if what should be called with
@@ -50,7 +50,7 @@ def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
 
 
 def _like(original: Any, counted: Callable[..., Any]) -> Any:
-    """What is called instead of `original`: a class remains one, with the same instances."""
+    """Replacement of `original`: the replacement of a class is a class with the same instances."""
     if not isinstance(original, type):
         return functools.partial(counted, original)
 

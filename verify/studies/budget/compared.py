@@ -1,4 +1,4 @@
-"""Values that a row compares at one solution: formula, finite elements, and their scale."""
+"""Values that a row compares for one solution: formula, finite elements, and their scale."""
 
 import math
 from dataclasses import dataclass, replace

@@ -50,7 +50,7 @@ def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
 
 
 def headline(plan: Plan, rows: Sequence[Found]) -> str:
-    """The row that is drawn: the one named, else the first approximation, else none."""
+    """The row that is drawn: the named row, otherwise the first approximation, otherwise none."""
     if plan.says.headline:
         return plan.says.headline
     first = (one for one in rows if one.pair.kind is Kind.APPROXIMATION)

@@ -1,7 +1,7 @@
 """The budgets of rows whose formula is itself a cause: a corrected formula replaces it.
 
-The corrected formula replaces the row's formula first, and all other causes are removed from what
-remains: the remainder of the row is that of the corrected formula.
+The corrected formula first replaces the formula of the row. All other causes are then removed from
+the remaining error: the remainder of the row is that of the corrected formula.
 """
 
 import math
@@ -39,7 +39,7 @@ def _twin(pair: Pair, by: Corrected | None) -> Pair:
 def _printed(
     pair: Pair, twin: RowBudget, by: Corrected, plan: Plan, solutions: Solutions
 ) -> RowBudget:
-    """The budget of the row from its twin's: both formulas beside the same finite elements."""
+    """The budget of the row from that of the corrected row: both formulas, same finite elements."""
     step = Step(plan.case.id, (AS_IT_IS,), plan.case.levels[-1])
     total = values(pair, inputs_of(plan, step), solutions[step]).error
     change = total - twin.balance.total

@@ -55,7 +55,7 @@ class _Reader:
         return values(pair, inputs_of(self.plan, step), found) if found else NONE
 
     def why(self, causes: tuple[str, ...], level: int) -> str:
-        """Reason why there is no such value."""
+        """Reason why the value does not exist."""
         found = self.solutions.get(Step(self.plan.case.id, causes, level))
         return "not run" if found is None else found.problem or "no such value without it"
 
@@ -110,7 +110,7 @@ class _Reader:
         return Part(f"{Cause.ITERATION}: {note}", 0.0, u, note=note)
 
     def joints(self, pair: Pair, known: Balance) -> tuple[Joint, ...]:
-        """By how much pairs of large causes do more together than one by one."""
+        """Excess of the joint contribution of pairs of large causes over the sum of both."""
         reruns = self.plan.reruns
         names = [name for name in known.large if name in reruns and not reruns[name].after]
         return tuple(self._joint(pair, both) for both in combinations(names, 2))

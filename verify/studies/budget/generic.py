@@ -34,7 +34,7 @@ def reached(case: Case) -> frozenset[str]:
 
 
 def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
-    """The tolerances of the solvers that a case reaches, each `factor` times itself."""
+    """The tolerances of the solvers that a case uses, each multiplied by `factor`."""
     modules = reached(case)
     return tuple(
         Constant(target, factor) for target in TOLERANCES if target.partition(":")[0] in modules
@@ -53,7 +53,7 @@ def without(case: Case) -> tuple[Without, ...]:
 
 
 def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
-    """Contacts by an exact law, integrated at more points; none where there is no such contact."""
+    """Contacts with an exact law, integrated at more points; none if there is no such contact."""
     modules = reached(case)
     return tuple(
         Rerun(

@@ -36,14 +36,14 @@ class Plan:
 
     @property
     def without(self) -> tuple[Without, ...]:
-        """Causes that are absent; the statements of the case come first."""
+        """Causes that are absent; those stated by the case come first."""
         own = {one.cause: one for one in self.says.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
     def before(self, rerun: Rerun) -> tuple[str, ...]:
-        """What is removed already where this cause is; LookupError for words of no rerun."""
+        """Causes that are removed before this one; LookupError for words without a rerun."""
         if not rerun.after:
             return (AS_IT_IS,)
         return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
@@ -68,7 +68,7 @@ class Step:
 
 
 def rows(case: Case) -> tuple[Pair, ...]:
-    """Rows that set a value of formulas beside one of finite elements."""
+    """Rows that compare a value of the formulas with a value of finite elements."""
     return tuple(
         Pair(
             name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
@@ -79,7 +79,7 @@ def rows(case: Case) -> tuple[Pair, ...]:
 
 
 def first(plan: Plan) -> tuple[Step, ...]:
-    """The steps that need no others: every cause alone."""
+    """The steps that need no other steps: every cause alone."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
     if plan.says.finer:
@@ -113,7 +113,7 @@ def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
 
 
 def inputs_of(plan: Plan, step: Step) -> Any:
-    """The inputs of a step; what the causes change follows one after the other. ValueError."""
+    """The inputs of a step; changes of several causes are applied in order. ValueError."""
     found = plan.case.inputs()
     for name in step.causes:
         if name in plan.reruns:

@@ -29,7 +29,7 @@ FORMAT = 1
 
 @dataclass(frozen=True)
 class Solution:
-    """Values [SI] by key of both sides; `problem` says in a line why there are none."""
+    """Values [SI] by key of both sides; `problem` is the reason in one line if there are none."""
 
     formulas: Mapping[str, float]
     fe: Mapping[str, float]
@@ -40,9 +40,9 @@ class Solution:
 
 
 def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
-    """The solution of a step: from the store, or computed and stored, whatever goes wrong in it.
+    """The solution of a step, from the store or computed and stored; errors are stored as well.
 
-    MemoryError and OSError if the machine fails: that is no result.
+    MemoryError and OSError if the machine fails: this is not stored as a result.
     """
     store = None if folder is None else Store(folder)
     if store is not None and (stored := _stored(store, key(plan, step))) is not None:
@@ -92,7 +92,7 @@ def _usual(plan: Plan, q: Any, level: int, folder: Path | None) -> FemResult:
 
 
 def key(plan: Plan, step: Step) -> str:
-    """The name of a solution: everything that it depends on."""
+    """The name of a solution, from all data on which it depends."""
     q = plans.inputs_of(plan, step).model_dump()
     parts = [str(FORMAT), json.dumps(q, sort_keys=True, default=str), str(step.level)]
     parts += [code_of(plan, name) for name in step.causes]

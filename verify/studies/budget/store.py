@@ -1,4 +1,4 @@
-"""Budgets of a case: a record that is current while code, inputs and reruns stand."""
+"""Budgets of a case: a record that is valid for unchanged code, inputs and reruns."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -38,9 +38,9 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
-    """The lines of a report on these cases: stored ones, those not measured, those without solver.
+    """Lines of a report on these cases: stored results, those not measured, those without solver.
 
-    Cases without a comparison say why; a report on such cases alone shows nothing.
+    A case without a comparison gives the reason; a report on such cases only has no line.
     """
     found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross)]
     if not found:

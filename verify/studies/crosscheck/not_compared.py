@@ -1,4 +1,4 @@
-"""Cases that no second solver takes, and why."""
+"""Cases that no second solver can solve, with reasons."""
 
 from collections.abc import Mapping
 

@@ -13,11 +13,11 @@ from fem.rotor.model import Link, Rotor, Support
 def asked(
     rotor: Rotor, speeds: Sequence[float], count: int, unbalance: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """The rotor with its pieces cut by `rotor.refine`, and the requested results.
+    """The rotor with its pieces divided into `rotor.refine` elements, and the requested results.
 
-    `unbalance` has nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node that is the
-    probe. ValueError for shafts that turn at other speeds than the rotor, and for bearings that
-    ROSS has not.
+    `unbalance` contains nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node of the
+    probe. ValueError for shafts at other speeds than that of the rotor, and for bearings that ROSS
+    does not have.
     """
     if any(shaft.ratio != 1 for shaft in rotor.shafts):
         raise ValueError("ROSS has one speed for all coaxial shafts: a ratio must be 1")

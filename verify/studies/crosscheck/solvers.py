@@ -1,4 +1,4 @@
-"""Second solvers: whether they are there, and how they solve a deck."""
+"""Second solvers: whether they are installed, and how they solve a deck."""
 
 import json
 import os
@@ -27,7 +27,7 @@ RERUN = {
 
 @dataclass(frozen=True)
 class Solver:
-    """A solver with its version; without one, `missing` says why."""
+    """A solver with its version; if it is not installed, `missing` gives the reason."""
 
     name: str
     version: str = ""
@@ -81,9 +81,9 @@ def interpreter() -> Path | None:
 
 
 def solve(name: str, deck: Path, limit: float = LONG) -> float:
-    """Solve a deck and store the answer next to it; seconds without the start of an interpreter.
+    """Solve a deck and store the results next to it; seconds exclude the start of an interpreter.
 
-    RuntimeError with the last output of the solver, or over the `limit` in seconds.
+    RuntimeError with the last output of the solver if it fails or exceeds the `limit` in seconds.
     """
     if name == CALCULIX:
         return running.run_deck(deck, limit=limit).wall

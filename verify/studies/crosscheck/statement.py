@@ -14,8 +14,8 @@ Numbers = Mapping[str, float]
 class Quantity:
     """One number of a comparison: its name, and the row of the case to which it belongs.
 
-    With `beside` it is another number than the row's, of the same problem. Both solvers may differ
-    by `allowed`, relative, and `why` says what makes so much of a difference.
+    With `beside`, it is another number than that of the row, for the same problem. Both solvers may
+    differ by `allowed`, relative; `why` is the reason for a difference of this size.
     """
 
     name: str
@@ -29,10 +29,10 @@ class Quantity:
 
 @dataclass(frozen=True, kw_only=True)
 class Posed:
-    """A problem that the project has solved, ready for the other solver.
+    """A problem solved by the project, ready for the other solver.
 
-    `ours` in SI units and the `seconds` that they took; `write` puts the problem's file, the deck,
-    into a folder, and `read` finds the same numbers beside a deck that was solved.
+    `ours` are the numbers in SI units, `seconds` their time; `write` writes the input file (deck)
+    into a folder, and `read` reads the same numbers from a solved deck.
     """
 
     ours: Numbers
@@ -44,10 +44,10 @@ class Posed:
 
 @dataclass(frozen=True, kw_only=True)
 class Cross:
-    """A problem of a case that a second solver takes too.
+    """A problem of a case that a second solver can also solve.
 
-    `pose` solves it here, on the very mesh that the other solver is given; it imports meshes and
-    fem inside its body. `what` says in a line what is solved.
+    `pose` solves it in this project, on the same mesh as the other solver; it imports meshes and
+    fem in its body. `what` describes the problem in one line.
     """
 
     id: str

@@ -19,7 +19,7 @@ DIGITS = 9  # significant, of numbers of both sides
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """One comparison as it came out: numbers of both sides in SI units, seconds, unknowns."""
+    """Result of one comparison: numbers of both sides in SI units, seconds, unknowns."""
 
     solver: str
     version: str
@@ -31,10 +31,10 @@ class Found:
 
 
 def code_of(cross: Cross) -> str:
-    """Hash of all that a comparison's numbers come from, at both sides.
+    """Hash of all data and code from which the numbers of a comparison follow, on both sides.
 
-    Sources of the project's side, of what poses the problem and reads its answer, the case's
-    inputs, and the rows that it stands beside.
+    Sources of the side of the project, of the code that writes the problem and reads its results,
+    the inputs of the case, and the rows to which it belongs.
     """
     pose = getattr(cross.pose, "func", cross.pose)
     case = find(cross.case)

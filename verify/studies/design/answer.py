@@ -9,7 +9,7 @@ NOTHING = "no candidate meets all limits"
 
 
 def answer(outcome: Outcome) -> Answer:
-    """Holds where a spring was chosen and finite elements confirm it."""
+    """ "holds" if a spring was chosen and finite elements confirm it."""
     if outcome.chosen is None:
         return Answer(design=None, failures=(NOTHING,))
     i, s = outcome.candidate, outcome.search

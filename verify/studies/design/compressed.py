@@ -1,4 +1,4 @@
-"""A candidate pressed together: geometrically exact beam whose leaves touch."""
+"""A compressed candidate: geometrically exact beam with self-contact."""
 
 from dataclasses import dataclass
 
@@ -19,12 +19,12 @@ NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by 
 
 @dataclass(frozen=True)
 class Curve:
-    """Displacements and forces `U`, `F` (k,) [m, N] from the origin on.
+    """Displacements and forces `U`, `F` (k,) [m, N], starting at the origin.
 
-    `touches` [m] is the first of them at which leaves touch, inf where they don't; `height` [m]
-    what the spring takes across up to U_w, `couple` [N m] the largest bending couple at U_w. It is
-    not `whole` where an equilibrium was not found before the stroke: how the spring goes on is
-    unknown then.
+    `touches` [m] is the first displacement at which leaves touch, inf if they do not; `height` [m]
+    is the transverse space of the spring up to U_w, `couple` [N m] the largest bending couple at
+    U_w. It is not `whole` if no equilibrium was found before the end of the stroke: the behaviour
+    beyond is unknown.
     """
 
     U: Array
@@ -50,9 +50,9 @@ class Curve:
 
 
 def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) -> Curve:
-    """Candidate `i`, whose head moves beyond `stroke` [m] in tenths of U_w.
+    """Candidate `i`, with its head displaced beyond `stroke` [m] in tenths of U_w.
 
-    If that ends well below the closed form's U_A its leaves are not watched.
+    If this is well below U_A by the closed form, contact of its leaves is not checked.
     """
     from fem.beam.large import LargeFrame
     from fem.beam.touching import SelfContact

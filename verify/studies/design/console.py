@@ -77,7 +77,7 @@ def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]
 
 
 def _decimal(value: float, digits: int, scale: float) -> str:
-    """A converted number, with about as many significant digits as it had before."""
+    """A converted number, with about as many significant digits as before."""
     return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
 
 
@@ -92,7 +92,7 @@ def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
 
 
 def verdict(v: Verified) -> str:
-    """In words; a formula that is off comes first."""
+    """Verdict in words; the error of a formula comes first."""
     if not v.agrees:
         return f"formula beyond ±{100 * v.limit:.2g} %"
     if v.curve.touches <= v.U_w:

@@ -21,10 +21,10 @@ STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compresse
 class Verified:
     """Results of finite elements for one candidate.
 
-    `k1` [N/m] at small displacements, its change with the mesh `mesh`, and `deviation`, formula
-    less finite elements; `curve` is that of large displacements. Shares of the finite elements'
-    values. `stress` [Pa] is that under F_w as it bends then; `room` [m] and `sigma` [Pa] are what
-    the task allows across and in bending.
+    `k1` [N/m] is the stiffness at small displacements, `mesh` its change with the mesh, and
+    `deviation` the formula minus finite elements, both relative to finite elements; `curve` is for
+    large displacements. `stress` [Pa] is the bending stress under F_w in the deformed state; `room`
+    [m] and `sigma` [Pa] are the permissible height and stress of the task.
     """
 
     k1: float
@@ -40,7 +40,7 @@ class Verified:
 
     @property
     def too_high(self) -> bool:
-        """Whether it takes more room across, pressed to U_w, than there is."""
+        """Whether its height at U_w exceeds the available space."""
         return self.curve.height > self.room
 
     @property
@@ -50,7 +50,7 @@ class Verified:
 
     @property
     def unsolved(self) -> bool:
-        """Whether its curve ends without an equilibrium before it is known up to U_w and F_w."""
+        """Whether its curve ends without an equilibrium before U_w and F_w are reached."""
         end = float(self.curve.U[-1]) * (1 + ROUNDING)
         return not self.curve.whole and (self.U_w > end or isnan(self.delta))
 
@@ -61,7 +61,7 @@ class Verified:
 
     @property
     def agrees(self) -> bool:
-        """Whether the formula's stiffness lies within the limit, and the mesh settles that."""
+        """Whether the stiffness by the formula is within the limit, and the mesh is fine enough."""
         return abs(self.deviation) + self.mesh <= self.limit
 
     @property
@@ -71,7 +71,7 @@ class Verified:
 
     @property
     def fits(self) -> bool:
-        """Whether Eq. 11 holds, no leaves touch up to U_w, and space and strength suffice.
+        """Whether Eq. 11 is met, no leaves touch up to U_w, and space and strength are sufficient.
 
         An unsolved spring does not fit, since its behaviour is unknown.
         """
@@ -104,7 +104,7 @@ def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
 def verified(
     s: Springs, f: Formulas, members: Sequence[int], q: Demands, tell: Callable[[int, float], None]
 ) -> list[Verified]:
-    """All `members`; `tell` hears how many are done, and the seconds that the rest will take."""
+    """All `members`; `tell` receives the number of solved members and the remaining seconds."""
     found: list[Verified] = []
     start = time.monotonic()
     for done, i in enumerate(members):

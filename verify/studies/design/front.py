@@ -9,9 +9,9 @@ MEMBERS = 20
 
 
 def pareto(objectives: Array) -> Indices:
-    """Rows of (N, m) that no other row beats: as good in everything and better in something.
+    """Rows of (N, m) that no other row dominates: as good in all and better in one objective.
 
-    Every objective is to be small. Equal rows do not beat each other.
+    All objectives are minimised. Equal rows do not dominate each other.
     """
     order = np.lexsort(objectives.T[::-1])  # nobody is beaten by one that comes later
     left, found = order, []
@@ -25,7 +25,7 @@ def pareto(objectives: Array) -> Indices:
 
 
 def scaled(objectives: Array) -> Array:
-    """Every objective from 0, the best of the set, to 1, the worst; 0 where all are equal."""
+    """Every objective scaled from 0 (best of the set) to 1 (worst); 0 if all are equal."""
     low, high = objectives.min(axis=0), objectives.max(axis=0)
     return np.asarray((objectives - low) / np.where(high > low, high - low, 1.0))
 
@@ -38,8 +38,8 @@ def distance_to_ideal(objectives: Array) -> Array:
 def thinned(objectives: Array, most: int = MEMBERS) -> Indices:
     """At most `most` rows, nearest to the ideal point first.
 
-    That nearest one and the best of each objective are selected; then repeatedly the row with the
-    largest distance from those selected, in scaled objectives, until there are enough.
+    The nearest row and the best row of each objective are selected; then, repeatedly, the row with
+    the largest distance from the selected rows, in scaled objectives, until there are enough.
     """
     at, ideal = scaled(objectives), distance_to_ideal(objectives)
     taken = list(dict.fromkeys([int(ideal.argmin()), *map(int, at.argmin(axis=0))]))[:most]

@@ -158,7 +158,7 @@ class Task:
 
 
 def load(path: Path) -> Task:
-    """A design task from a parameter file; InputError states the fault in one line."""
+    """A design task from a parameter file; InputError states the error in one line."""
     case, name, raw = read_parameter_file(path)
     if case != CASE:
         raise InputError(

@@ -16,9 +16,9 @@ ROUND_OFF = 1e-12  # a limit that is just met is not violated
 
 @dataclass(frozen=True, kw_only=True)
 class Limit:
-    """`value` (N,) [SI] must be at most `bound`, or at least where `least`; `key` names the input.
+    """`value` (N,) [SI] must be at most `bound`, or at least if `least`; `key` is the input.
 
-    `scaled` turns a bound on `value` into a bound on the input: the margin is U_A/U_w - 1.
+    `scaled` converts a bound on `value` to a bound on the input: the margin is U_A/U_w - 1.
     """
 
     key: str
@@ -123,6 +123,6 @@ def _where(s: Springs, values: Array) -> Array:
 
 
 def _over(room: Array, U_w: Array) -> Array:
-    """Room over U_w; a spring that need not move has all the room."""
+    """Available space over U_w; infinite if the spring need not be displaced."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(U_w <= 0, np.inf, room / U_w)

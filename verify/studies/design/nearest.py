@@ -1,4 +1,4 @@
-"""Nearest candidate where nothing is feasible, and the limits to relax."""
+"""Nearest candidate if no candidate is feasible, and the limits to relax."""
 
 import operator
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ KEPT = {word: getattr(operator, rule) for rule, word in BOUNDS.items()}
 
 @dataclass(frozen=True)
 class Relaxation:
-    """Candidate `i` needs `limit` at `needed` [SI of the input] in the place of `given`."""
+    """Candidate `i` needs `limit` at `needed` [SI unit of the input] instead of `given`."""
 
     limit: Limit
     candidate: int
@@ -42,7 +42,7 @@ def relaxation(limit: Limit, i: int) -> Relaxation:
 
 
 def _least(excess: NDArray[np.float64]) -> int:
-    """The candidate with the least excess, the first of those that differ by round-off."""
+    """The candidate with the least excess; the first of those equal to round-off."""
     return int(np.argmax(excess <= excess.min() + ROUND_OFF))
 
 
@@ -60,9 +60,9 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """For every limit whose relaxing alone makes something feasible, the least that does so.
+    """For every limit that alone could be relaxed, the least relaxation with a feasible candidate.
 
-    What no input can be set to is left out.
+    Values to which no input can be set are omitted.
     """
     lonely = judged.possible & (judged.violations.sum(axis=0) == 1)
     found = []

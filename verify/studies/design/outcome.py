@@ -29,7 +29,7 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
-        """Something is feasible, finite elements meet the formula, and accept the chosen spring."""
+        """A candidate is feasible; finite elements confirm the formula and the chosen spring."""
         if self.chosen is None:
             return False
         if not self.verified:
@@ -48,8 +48,8 @@ def carry_out(
 ) -> Outcome:
     """Search, verify the front, and choose member number `choose`, counted from 1.
 
-    By default it is the first that finite elements accept, the members being sorted by their
-    distance to the ideal point; the very first where they accept none. `drawn` adds its curve.
+    By default, it is the first member that finite elements confirm, in the order of the distance to
+    the ideal point; if they confirm none, the first member. `drawn` adds its curve.
     """
     found = search(task)
     members = [int(i) for i in found.members]

@@ -19,7 +19,7 @@ OBJECTIVES = ("stress", "L_0", "room to A", "error of the stiffness")
 
 @dataclass(frozen=True)
 class Search:
-    """Everything that a design task comes to; indices count candidates."""
+    """All results of a design task; indices are numbers of candidates."""
 
     task: Task
     springs: Springs
@@ -46,7 +46,7 @@ class Search:
 
     @cached_property
     def nearest(self) -> Sequence[Relaxation]:
-        """Violations of the nearest candidate, where nothing is feasible."""
+        """Violations of the nearest candidate, if no candidate is feasible."""
         return () if self.front.size else nearest(self.judged)
 
 

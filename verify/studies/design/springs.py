@@ -42,7 +42,7 @@ class Springs:
 
 
 def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
-    """Every combination; springs of one n stand together."""
+    """Every combination; springs with equal n are adjacent."""
     names = ("n", "b", "alpha", "r", "L1")
     grid = np.meshgrid(*(np.array(ranges[name], dtype=float) for name in names), indexing="ij")
     flat = {name: values.ravel() for name, values in zip(names, grid, strict=True)}
@@ -53,8 +53,8 @@ def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
 class Formulas:
     """Results of the formulas for N springs, SI, (N,); NaN if no strip can be bent.
 
-    `f` is the width factor on E I; `k1_eqs_1_9` the stiffness as the paper has it, whatever the
-    demands say of arcs and ends; `U_cr` is inf where nothing sways.
+    `f` is the width factor on E I; `k1_eqs_1_9` is the stiffness as in the paper, independent of
+    the input on arcs and ends; `U_cr` is inf if there is no buckling.
     """
 
     L0: Array
@@ -76,7 +76,7 @@ class Formulas:
 def width_factors(springs: Springs, demands: Demands) -> Array:
     """Stiffening of each strip by its width, as given or computed for its leaves.
 
-    A leaf's factor depends on h over its length alone: between samples of that it is interpolated.
+    The factor of a leaf depends only on h over its length; it is interpolated between samples.
     """
     if demands.width_factor is not None:
         return np.full(len(springs), demands.width_factor)

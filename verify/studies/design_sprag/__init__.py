@@ -1,1 +1,1 @@
-"""Design of a sprag clutch's crown: the one with the lowest pressures in its engagements."""
+"""Design of the crown of a sprag: the crown with the lowest pressures in engagements."""

@@ -7,7 +7,7 @@ from verify.studies.design_sprag.outcome import Outcome
 
 
 def answer(outcome: Outcome) -> Answer:
-    """Holds where all pressures are within the limit and the half-space confirms them."""
+    """ "holds" if all pressures are within the limit and the half-space confirms them."""
     task = outcome.task
     k = int(outcome.pressures.argmax())
     what = f"largest pressure, {task.torques[k]:g} N m, with the crown {named(outcome.crown)}"

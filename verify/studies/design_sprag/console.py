@@ -137,7 +137,7 @@ def band(outcome: Outcome, k: int) -> str:
 
 
 def pressure(outcome: Outcome, known: Known, k: int, *, ends: bool) -> str:
-    """A largest pressure; where the ends are loaded, the number of slices or strips."""
+    """A largest pressure; if the ends are loaded, with the number of slices or strips."""
     text = f"{outcome.largest(known)[0, k] / MPa:.0f}"
     return f"{text} (edge-loaded, {so_many(outcome, k)})" if ends else text
 
@@ -157,7 +157,7 @@ def remarks(outcome: Outcome) -> list[str]:
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Bounds at which the optimal crown lies without a penalty."""
+    """Bounds reached by the optimal crown without a disadvantage."""
     return [
         f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gains nothing "
         f"({value_of(b.parameter, b.beyond)} was tried)"
@@ -167,14 +167,14 @@ def at_bounds(outcome: Outcome) -> list[str]:
 
 
 def on_edge(outcome: Outcome) -> list[str]:
-    """Advice where a crown without tolerance is close to edge loading."""
+    """Advice if a crown without tolerance is close to edge loading."""
     if not (outcome.search.single and outcome.on_edge):
         return []
     return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less it is edge-loaded"]
 
 
 def compared(outcome: Outcome) -> list[str]:
-    """Pressures of the table that may be compared, where there is a tolerance."""
+    """Pressures of the table that may be compared, if there is a tolerance."""
     if outcome.search.single:
         return []
     return [
@@ -196,7 +196,7 @@ def surely(outcome: Outcome) -> str:
 
 
 def by_slices(outcome: Outcome) -> list[str]:
-    """The optimal crown by slices at the largest torque, of the known crowns in the ranges."""
+    """The optimal crown by slices at the largest torque, among known crowns in the ranges."""
     task, known = outcome.task, outcome.search.model.known
     if task.wishes.contacts == "slices":
         return []

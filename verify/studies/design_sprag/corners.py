@@ -7,10 +7,10 @@ from verify.studies.design_sprag.inputs import Task
 
 
 def corners(task: Task, crowns: Array) -> Array:
-    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), the nominal ones first.
+    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), nominal crowns first.
 
-    The whole profile grows with its drop: K_1 and z_m are times 1 ± t_z/z_m. A crown that would
-    begin beyond the middle begins there.
+    The whole profile is scaled with its drop: K_1 and z_m are multiplied by 1 ± t_z/z_m. A crown
+    that would begin beyond the middle begins at the middle.
     """
     z_m = crowns[:, 2]
     found = [crowns]

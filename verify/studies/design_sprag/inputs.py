@@ -65,7 +65,7 @@ class Wishes(EngagementInputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `clutch` with its crown now, and SI bounds of (K_1, K_2, z_m).
+    """A design task: `clutch` with its present crown, and SI bounds of (K_1, K_2, z_m).
 
     `assumed` are the inputs that the file left out.
     """
@@ -92,7 +92,7 @@ class Task:
 
 
 def load(path: Path) -> Task:
-    """A design task from a parameter file; InputError states the fault in one line."""
+    """A design task from a parameter file; InputError states the error in one line."""
     case, name, raw = read_parameter_file(path)
     if case not in (CASE, CLUTCH):
         raise InputError(f'{path}: case: needs case = "{CASE}" or "{CLUTCH}", got {case[:60]!r}')
@@ -130,7 +130,7 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
 
 
 def unable(task: Task) -> str:
-    """Reason why the clutch does not hold one of the torques at rest for any crown; or empty."""
+    """Reason why the clutch cannot hold one of the torques at rest with any crown; or empty."""
     for T in task.torques:
         q = ClutchFormulas(**(task.clutch.model_dump() | {"T": T}))
         state = verdict(q)

@@ -14,8 +14,8 @@ SHARP = 3.0  # times its strip's pressure, which an end that carries counts
 class Known:
     """Results of n crowns (n, 3) under m torques: N_max [N] (n, m), and pressures under it [Pa].
 
-    `slices` (n, m, slices) are those of the clutch's slices; `strips` those on a half-space, as
-    many along the sprag as the torque's contact needs, (n, strips) for each torque.
+    `slices` (n, m, slices) are the pressures of the slices of the clutch; `strips` are those on a
+    half-space, (n, strips) for each torque, with the number of strips that the contact needs.
     """
 
     crowns: Array
@@ -45,11 +45,11 @@ class Known:
         return self.strips[torque] if contacts == "strips" else self.slices[:, torque]
 
     def counted(self, contacts: Contacts, torque: int) -> Array:
-        """The same as a search counts them.
+        """Pressures in the form that a search compares.
 
-        On a half-space the pressure at an end that carries grows without limit, as the root of
-        how narrow a strip is asked for: strips of b/3 count there as those of b/27 would, some
-        micrometres. Slices count as they are, as in the paper.
+        On a half-space, the pressure at a loaded end increases without limit as strips become
+        narrower, with the square root. Pressures of strips of width b/3 are therefore scaled to
+        strips of b/27, some micrometres. Pressures of slices are not changed, as in the paper.
         """
         p = self.along(contacts, torque)
         if contacts == "slices":
@@ -57,6 +57,6 @@ class Known:
         return np.column_stack([SHARP * p[:, 0], p[:, 1:-1], SHARP * p[:, -1]])
 
     def largest(self, contacts: Contacts) -> Array:
-        """Largest pressures (n, m) [Pa], as they are counted."""
+        """Largest pressures (n, m) [Pa] in this form."""
         m = self.N_max.shape[1]
         return np.column_stack([self.counted(contacts, k).max(axis=1) for k in range(m)])

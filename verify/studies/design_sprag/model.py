@@ -1,7 +1,7 @@
-"""The true model: engagements of the clutch with any crown, stored on disk at once.
+"""The true model: engagements of the clutch with any crown, stored on disk immediately.
 
-Forces are those of the clutch's slices, which hardly know the crown's ends: pressures under them
-are found by slices and by strips on a half-space.
+Forces are those of the slices of the clutch, on which the ends of the crown have little effect.
+Pressures under these forces are computed by slices and by strips on a half-space.
 """
 
 import json
@@ -38,7 +38,7 @@ One = tuple[Array, Array]  # N_max (m,) and pressures (m, slices) of a crown
 
 
 class Model:
-    """The clutch under its torques; `known` grows by every crown that it is asked for."""
+    """The clutch under its torques; each evaluated crown is added to `known`."""
 
     def __init__(
         self, q: EngagementInputs, torques: tuple[float, ...], middle: Crown, *, jobs: int,
@@ -60,7 +60,7 @@ class Model:
     def answers(self, crowns: Array) -> Known:
         """Answers for crowns (n, 3), z_m = 0 for none.
 
-        NoLockError if one does not lock, another ArithmeticError if one is not solved.
+        NoLockError if an engagement does not lock; another ArithmeticError if it is not solved.
         """
         return self._known(crowns, self._engaged(crowns))
 
@@ -125,7 +125,7 @@ class Model:
 
 
 def engagements(answer: list[One] | str | Lost) -> list[One]:
-    """The crowns' forces and pressures in an answer of `some_fem`, or an error as it says."""
+    """Forces and pressures of the crowns in a result of `some_fem`, or the error in it."""
     if isinstance(answer, Lost):
         raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
     if isinstance(answer, str):
@@ -134,7 +134,7 @@ def engagements(answer: list[One] | str | Lost) -> list[One]:
 
 
 def key(task: Task) -> str:
-    """Hexadecimal name of a chunk's answers, by everything that they depend on."""
+    """Hexadecimal name of the results of a chunk, from all data on which they depend."""
     q, torques, crowns, by = task
     clutch = with_crown(q, None).model_dump(exclude={"K_1", "K_2", "z_m", "T", "p_lim", "R_p"})
     task_text = json.dumps([clutch, torques, crowns, by], sort_keys=True)

@@ -29,7 +29,7 @@ MOST_JOBS = 2
 
 @dataclass(frozen=True)
 class Bound:
-    """A bound that the optimal crown is at: its parameter's number, and what `beyond` gains."""
+    """A bound that the optimal crown reaches: number of its parameter, and gain `beyond` it."""
 
     parameter: int
     beyond: float
@@ -42,11 +42,12 @@ class Bound:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """The chosen crown (3,); of m torques: the optimal crown of each (m, 3), its pressure (m,).
+    """The chosen crown (3,); for m torques, the optimal crown of each (m, 3), its pressure (m,).
 
-    `worst` (m,) [Pa] is the chosen crown's within its tolerance, as it is counted; `chosen`, `now`
-    and `without` are the true model's answers for it, the given crown and none; `predicted`
-    and `true` what is minimised, by kriging and truly, where the search ended.
+    `worst` (m,) [Pa] are pressures of the chosen crown within its tolerance, as compared in the
+    search; `chosen`, `now` and `without` are results of the true model for it, the given crown and
+    no crown; `predicted` and `true` are the minimum by kriging and by the true model at the end of
+    the search.
     """
 
     task: Task
@@ -98,7 +99,7 @@ class Outcome:
 
     @property
     def verified(self) -> bool:
-        """Whether a half-space, where it was asked, agrees on every crown and torque."""
+        """Whether a half-space, if used, agrees for every crown and torque."""
         return all(check.agrees for check in self.checks)
 
     @property
@@ -107,10 +108,10 @@ class Outcome:
 
 
 def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> Outcome:
-    """The optimal crown of a task; InputError, in a line, where there is none to be trusted.
+    """The optimal crown of a task; InputError, in one line, if there is none that can be trusted.
 
-    The line says whether engagements do not lock, or were not solved, which says nothing about the
-    clutch.
+    The line states whether engagements do not lock or were not solved; the latter is no statement
+    on the clutch.
     """
     try:
         with progress.shown(quiet=quiet) as show:
@@ -194,7 +195,7 @@ def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[
 
 
 def _around(values: Array, mask: Array, at: float) -> Array:
-    """Ends of the stretch of rising `values` around `at` where `mask` is true."""
+    """Ends of the range of ascending `values` around `at` in which `mask` is true."""
     outside = values[~mask.astype(bool)]
     below, above = outside[outside < at], outside[outside > at]
     inside = values[mask.astype(bool)]

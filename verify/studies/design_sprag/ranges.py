@@ -9,7 +9,7 @@ from verify.core.inputs import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class Range:
-    """A parameter's range: its unit, the `default`, and the bounds that a range has to keep.
+    """The range of a parameter: its unit, the `default`, and the bounds that a range must meet.
 
     The lower bound is greater than `above`, the higher at most `most`, both in the unit.
     """
@@ -28,7 +28,7 @@ class Range:
         return f"greater than {self.text(self.above)} and at most {self.text(self.most)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, float]:
-        """Both bounds in SI; InputError states the fault in one line."""
+        """Both bounds in SI units; InputError states the error in one line."""
         parts = raw.split(":") if isinstance(raw, str) else []
         if len(parts) != 2:
             raise InputError(f'{where}: a range is "low : high", got {repr(raw)[:60]}')

@@ -1,4 +1,4 @@
-"""The search: a factorial of engagements, kriging of it, its optimum, and the true model there."""
+"""The search: a factorial of engagements, kriging, its optimum, and the true model there."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -48,11 +48,11 @@ class Search:
 
     @property
     def single(self) -> bool:
-        """Whether a crown is judged by itself: no tolerance."""
+        """Whether a crown is judged without its neighbours: no tolerance."""
         return not (self.task.wishes.t_z or self.task.wishes.t_y)
 
     def fit(self, like: Surrogates | None = None) -> Surrogates:
-        """Kriging of all that is known."""
+        """Kriging of all known results."""
         return fitted_fem(self.model.known, self.task.wishes.contacts, self.wide, like)
 
     def worst(self, crowns: Array) -> Array:
@@ -69,9 +69,9 @@ class Search:
         return p
 
     def prepare(self) -> None:
-        """The factorial, and kriging that has stood its test; PoorSurrogateError if none does.
+        """The factorial, and kriging that has passed its test; PoorSurrogateError if none has.
 
-        Random crowns that were not known judge it; then they are known, too.
+        Random crowns that were not known are used for the test; afterwards, they are known as well.
         """
         contacts = self.task.wishes.contacts
         start = crowns_of(full_factorial(self.wide, self.levels))
@@ -101,7 +101,7 @@ class Search:
             return
 
     def least(self, worth: Worth) -> "Infilled[Array, Worst]":
-        """The crown of the least worth: kriging's optimum, made known until both agree."""
+        """The crown with the least value: kriging's optimum, evaluated until both agree."""
         find = {"evolution": evolve, "genetic": genetic}[self.task.wishes.method]
 
         def search(objective: Objective, box: Box) -> Found:
@@ -125,7 +125,7 @@ class Search:
 
 @dataclass(frozen=True, eq=False)
 class Worst:
-    """What is made least, by kriging, of crowns as kriging takes them."""
+    """The function to minimise by kriging, of crowns in the coordinates of kriging."""
 
     search: Search
     worth: Worth

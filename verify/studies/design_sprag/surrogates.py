@@ -1,8 +1,8 @@
-"""Kriging of the largest pressures, a regime of the sprag's length for itself, torque by torque.
+"""Kriging of the largest pressures, separately for regimes along the sprag and for each torque.
 
-Regimes follow the end inwards: the end strip, which falls off steeply as the crown deepens until
-it carries nothing, those beside it, where the contact ends, and all others. K_1 and
-z_m count by their logarithms: what they change fades as they grow.
+The regimes from the end inwards are: the end strip, whose pressure decreases steeply as the crown
+becomes deeper until it is zero; the strips next to it, at the end of the contact; all others. K_1
+and z_m are used as logarithms, because their effect decreases as they increase.
 """
 
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ POWER = 2.0  # of the pressure: a force per length
 
 
 def logs(crowns: Array) -> Array:
-    """Crowns (n, 3) as kriging takes them: (ln K_1, K_2, ln z_m)."""
+    """Crowns (n, 3) in the coordinates of kriging: (ln K_1, K_2, ln z_m)."""
     return np.column_stack([np.log(crowns[:, 0]), crowns[:, 1], np.log(crowns[:, 2])])
 
 
@@ -49,7 +49,7 @@ class Surrogates:
 def fitted_fem(
     known: Known, contacts: Contacts, box: Box, like: Surrogates | None = None
 ) -> Surrogates:
-    """Kriging of all that is known; with the length scales of `like`, where they are given."""
+    """Kriging of all known results; with the length scales of `like`, if given."""
     from analytic.surrogate.kriging import Kriging
     from analytic.surrogate.largest import Largest, fit_largest
 
@@ -71,10 +71,10 @@ def fitted_fem(
 def regimes(
     along: Array, contacts: Contacts, u: Array
 ) -> tuple[list[Array], list[NDArray[np.bool_]]]:
-    """Largest pressures (n,) of each regime and where it is present, of pressures (n, strips).
+    """Largest pressures (n,) of each regime and its presence, from pressures (n, strips).
 
-    A regime counts where it carries. One that carries in too few or too similar designs for kriging
-    counts everywhere; one that never carries is left out.
+    A regime is used for crowns with which it carries load. If it carries load in too few or too
+    similar designs for kriging, it is used for all crowns; if it never does, it is omitted.
     """
     from analytic.surrogate.terms import trend_terms
 

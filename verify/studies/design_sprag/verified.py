@@ -25,8 +25,9 @@ NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells
 class Check:
     """A crown (3,) under one torque: largest pressures [Pa] by every model, the force N [N].
 
-    `which` is "nominal" or "worst": the nominal crown or the worst within its tolerance. `twice` is
-    by twice the slices; `coarse` by the half-space with fewer cells, of which `end` is the last.
+    `which` is "nominal" or "worst": the nominal crown, or the worst within its tolerance. `twice`
+    is for twice the number of slices, `coarse` for the half-space with fewer cells, of which `end`
+    is the last.
     """
 
     which: str
@@ -69,10 +70,10 @@ class Check:
 
     @property
     def agrees(self) -> bool:
-        """Whether the contacts that the crown was chosen by are within the limit, its ends free.
+        """Whether the contacts used for the choice are within the limit, with unloaded ends.
 
-        If the ends carry, the pressure there grows with ever narrower cells: a largest one
-        that happens to agree says nothing.
+        If the ends are loaded, the pressure increases with ever narrower cells: accidental
+        agreement of a largest pressure is no evidence.
         """
         return self.end == 0 and abs(self.off(self.judged)) <= LIMIT
 
@@ -108,7 +109,7 @@ def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -
 
 
 def unloading(model: Model, check: Check) -> float | None:
-    """The drop z_m [m] from which on the ends are unloaded, at the same K_1 and K_2; else None."""
+    """The least drop z_m [m] with unloaded ends, for the same K_1 and K_2; or None."""
     k = model.torques.index(check.T)
     crowns = np.repeat(check.crown[None], STEPS, axis=0)
     crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)

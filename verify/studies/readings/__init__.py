@@ -1,1 +1,1 @@
-"""Search for the reading of inputs and number that reproduces what a paper prints."""
+"""Search for the reading of inputs and result that gives a printed number."""

@@ -6,7 +6,7 @@ from verify.papers.digits import half_last_digit, number
 
 
 def is_misprint(value: float, printed: str) -> bool:
-    """Whether a value, with as many digits as the printed number, differs from it in one.
+    """Whether a value, with as many digits as the printed number, differs from it in one digit.
 
     >>> is_misprint(27.6596, "27.86"), is_misprint(27.6596, "27.66"), is_misprint(7.66, "27.66")
     (True, False, False)
@@ -15,7 +15,7 @@ def is_misprint(value: float, printed: str) -> bool:
 
 
 def misprints(value: float, printed: str) -> Iterator[float]:
-    """All numbers that differ from a value in one of the digits that `printed` has."""
+    """All numbers that differ from a value in one of the digits of `printed`."""
     unit = 2 * half_last_digit(printed)
     return (int(text) * unit for text in _changed(_in_place(value, printed)))
 
@@ -26,7 +26,7 @@ def _in_place(value: float, printed: str) -> str:
 
 
 def _changed(text: str) -> Iterator[str]:
-    """Each digit in turn as any other; the first one is no zero."""
+    """Each digit replaced by each other digit; the first digit is not zero."""
     for n, digit in enumerate(text):
         if digit.isdigit():
             for other in "0123456789":

@@ -1,7 +1,7 @@
 """Readings of roller freewheels and of the polyhedral ring: Nagler et al., Belcin et al.
 
-Their papers print few numbers. Here a printed equation is reread, against what the geometry or a
-balance gives for the example of the ledger.
+Their papers print few numbers. Here, readings of a printed equation are compared with the result of
+the geometry or of a balance for the example of the ledger.
 """
 
 import math
@@ -95,7 +95,7 @@ def _side_readings() -> tuple[Reading, ...]:
 
 
 def first_torque(q: Mapping[str, Any]) -> float:
-    """Torque of Eq. 21 [N m], with 360°/β in its left side once too often where `extra`."""
+    """Torque of Eq. 21 [N m]; with `extra`, 360°/β is once too often on its left side."""
     delta, d_m = (q["d_e"] - q["d_i"]) / 2, (q["d_e"] + q["d_i"]) / 2
     p_2 = q["p_t"] - 2 * delta * q["E"] * q["j_D"] / (q["d_i"] * d_m)
     psi = math.atan(q["e"] / (q["d_i"] / 2 * math.cos(math.pi / q["z"])))

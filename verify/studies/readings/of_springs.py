@@ -83,7 +83,7 @@ def _arc_readings() -> tuple[Reading, ...]:
 
 
 def _end_readings() -> tuple[Reading, ...]:
-    """The angles of the end arcs, beside radii."""
+    """Readings of the angles of the end arcs, in addition to radii."""
     return (
         switched("head", "quarter circle in the head", head=QUARTER),
         switched("tail", "quarter circle in the tail", tail=QUARTER),

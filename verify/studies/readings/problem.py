@@ -9,13 +9,13 @@ from verify.studies.readings.search import Formula, Inputs, Outcome, Reading, se
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """A number of a paper that its formula, as first read, does not give.
+    """A number of a paper that its formula does not give with the first reading.
 
-    `reference` names the printed value or the erratum ("paper:id"). For an erratum of a formula
-    `derived` is what a balance or the geometry gives, to the digits that are sure, in `unit`: it is
-    the printed formula then that is reinterpreted. `errata` name the readings in the ledger. Inputs
-    that a paper chose are exact, those that it computed or measured are rounded by `rounding`.
-    With `parts` all of their numbers are to be met by the same readings.
+    `reference` is the printed value or the erratum ("paper:id"). For an erratum of a formula,
+    `derived` is the result of a balance or of the geometry in `unit`, with its certain digits;
+    readings are then applied to the printed formula. `errata` are readings in the ledger. Inputs
+    chosen by a paper are exact; inputs that it computed or measured are rounded by `rounding`. With
+    `parts`, the same readings must give all of their numbers.
     """
 
     reference: str
@@ -52,7 +52,7 @@ class Problem:
         return self.unit if self.derived else published(self.reference).unit
 
     def search(self, most: int = 0) -> Outcome:
-        """All combinations of at most `most` readings, as many as the problem asks where 0."""
+        """All combinations of at most `most` readings; 0 selects the number of the problem."""
         if self.parts:
             return together([part.search(most or self.most) for part in self.parts])
         return search(

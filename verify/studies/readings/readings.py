@@ -1,4 +1,4 @@
-"""Readings that any formula may need, by the kind of its inputs."""
+"""Readings for any formula, by the kind of its inputs."""
 
 import math
 from collections.abc import Callable
@@ -9,12 +9,12 @@ ROOT = "the number itself"
 
 
 def doubled(name: str, symbol: str = "") -> Reading:
-    """A diameter for a radius, a whole length for half of it."""
+    """A diameter instead of a radius, a whole length instead of half of it."""
     return _scaled(name, symbol, 2.0, f"2 {symbol or name} for {symbol or name}")
 
 
 def halved(name: str, symbol: str = "") -> Reading:
-    """A radius for a diameter, half a length for the whole."""
+    """A radius instead of a diameter, half a length instead of the whole."""
     return _scaled(name, symbol, 0.5, f"{symbol or name}/2 for {symbol or name}")
 
 
@@ -43,7 +43,7 @@ def angle(name: str, symbol: str = "") -> list[Reading]:
 
 
 def count(name: str, symbol: str = "") -> list[Reading]:
-    """One less and one more; the total of all for each, and each for the total."""
+    """One less and one more; the total instead of one part, and one part instead of the total."""
     s = symbol or name
     return [
         Reading(name=f"{s} − 1 for {s}", of=s, inputs=lambda q: {name: q[name] - 1}),
@@ -63,7 +63,7 @@ def elastic(E: str, nu: str) -> list[Reading]:
 
 
 def result() -> list[Reading]:
-    """Factors that a number may be off by: both sides, mean for largest, per cent."""
+    """Possible factors of a number: both sides, mean instead of largest, per cent."""
     factors = {
         "both sides for one": 2.0,
         "one side for both": 0.5,

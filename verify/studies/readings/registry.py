@@ -1,4 +1,4 @@
-"""Every number whose meaning is searched, and those that nothing can be searched for."""
+"""All numbers whose meaning is searched for, and numbers for which no search is possible."""
 
 from verify.studies.readings.of_freewheels import PROBLEMS as FREEWHEELS
 from verify.studies.readings.of_sprags import PROBLEMS as SPRAGS

@@ -1,12 +1,13 @@
-"""The readings of inputs and result that reproduce a printed number, and how many would by chance.
+"""Readings of inputs and result that give a printed number, and the expected chance matches.
 
-A printed number that the formula does not give may mean something else: a diameter for a radius,
-one side for both, plane strain for plane stress. Every combination of a few readings is tried. It
-reproduces the number where it is within half the last printed digit plus what the rounding of the
-inputs leaves open. The more readings are tried, the more of them fit by chance: how many would
-fit a number that has nothing to do with the formula is reported with the result. Readings crowd
-about the first one, and so do printed numbers that are wrong for another reason: what would fit is
-counted for such near numbers and for any within a factor of 2, and the larger count holds.
+If the formula does not give a printed number, the number may have another meaning: a diameter
+instead of a radius, one side instead of both, plane strain instead of plane stress. Every
+combination of a few readings is tried. It matches if the difference is within half the last printed
+digit plus the effect of rounded inputs. The more readings are tried, the more of them match by
+chance; the expected number of matches with a number unrelated to the formula is reported. Results
+of readings are concentrated near the first reading, and so are printed numbers that are wrong for
+another reason. Therefore, matches are counted both for near numbers and for any number within a
+factor of 2, and the larger count is used.
 """
 
 import math
@@ -31,9 +32,9 @@ LEAST_DIGITS = 99.5  # units of the last printed place
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
-    """One change by name, of the inputs or of the result; those `of` one thing exclude each other.
+    """One change by name, of the inputs or of the result; changes `of` one thing are exclusive.
 
-    `rounding` is how far off inputs may be under this reading.
+    `rounding` is the possible error of inputs under this reading.
     """
 
     name: str
@@ -45,7 +46,7 @@ class Reading:
 
 @dataclass(frozen=True, kw_only=True)
 class Tried:
-    """A combination of readings with what it gives, and `off`, how far rounded inputs move it."""
+    """A combination of readings with its result; `off` is the effect of rounded inputs."""
 
     readings: tuple[str, ...]
     value: float
@@ -60,9 +61,10 @@ class Tried:
 class Outcome:
     """Result of a search. `as_it_stands` is None if the formula has no value.
 
-    `hits` have the fewest changes first, of those what leaves least open; `chance[k]` is how many
-    combinations of at most k changes would meet a number that is anywhere within a factor of 2 of
-    the printed one, or of 1.15 where more would. `found` is all that has a value.
+    `hits` are sorted by the number of changes, then by the effect of rounding; `chance[k]` is the
+    number of combinations of at most k changes that would match a number anywhere within a factor
+    of 2 of the printed one, or of 1.15 if this gives more. `found` are all combinations with a
+    value.
     """
 
     printed: str
@@ -104,11 +106,11 @@ def search(
 ) -> Outcome:
     """Try all combinations of at most `most` readings against the printed number.
 
-    `formula` gives the number in its printed unit from `inputs`; `rounding` says how far off single
-    inputs may be, half their last printed digit. With `digits` one misprinted digit of what the
-    formula gives as it stands counts as a reading too, where three or more are printed: of fewer
-    any number is a misprint. `progress` gets how many combinations of all are done. ValueError
-    if the printed text is no number, or zero.
+    `formula` returns the number in its printed unit from `inputs`; `rounding` is the possible error
+    of single inputs, half of their last printed digit. With `digits`, one misprinted digit in the
+    result of the unchanged formula is also a reading, if at least three digits are printed: with
+    fewer, any number would be a misprint. `progress` receives the number of finished combinations.
+    ValueError if the printed text is no number, or zero.
     """
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
@@ -162,7 +164,7 @@ def _outcome(
 
 
 def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
-    """Hits in their rank, without hits that add only ineffective changes to an earlier one."""
+    """Hits in their order, without hits that only add ineffective changes to an earlier one."""
     kept: list[Tried] = []
     for hit in sorted(hits, key=lambda t: (t.changes, t.off, abs(t.value - value))):
         if not any(
@@ -175,9 +177,9 @@ def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
 
 
 def together(outcomes: Sequence[Outcome]) -> Outcome:
-    """One search for several numbers: readings that reproduce all of them at once.
+    """One search for several numbers: readings that give all of them together.
 
-    The outcomes are of the same readings on other inputs. Numbers are those of the first one.
+    The results are for the same readings with other inputs. Numbers are those of the first.
     """
     first = outcomes[0]
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]
@@ -234,15 +236,15 @@ def _chances(
 
 
 def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
-    """Of accidental hits by their changes the sums of at most 0, 1, ..., the largest of all."""
+    """Sums of chance matches with at most 0, 1, ... changes; the largest of all."""
     return tuple(max(sum(sums[: k + 1]) for sums in by_span) for k in range(len(by_span[0])))
 
 
 def window(value: float, half: float, printed: float, span: float) -> float:
     """The probability that a number is within `half` of `value`.
 
-    It is anywhere within a factor `span` of `printed`, spread evenly in its logarithm, and has
-    the sign of the printed one.
+    It is anywhere within a factor `span` of `printed`, uniform in its logarithm, and has the sign
+    of the printed number.
 
     >>> round(window(100.0, 1.0, 100.0, 2.0), 4)
     0.0144
@@ -287,7 +289,7 @@ class _Evaluated:
         return value if value is not None and math.isfinite(value) else None
 
     def _read(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
-        """Readings of inputs come first, each on what came before, then those of the result."""
+        """Readings of inputs are applied first, one after the other, then those of the result."""
         for reading in chosen:
             if reading.inputs:
                 inputs = {**inputs, **reading.inputs(inputs)}

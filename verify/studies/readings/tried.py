@@ -12,7 +12,7 @@ from verify.studies.readings.search import Outcome
 def searches(cases: Collection[str]) -> tuple[ReadingsTried, ...]:
     """Searches for other meanings of printed numbers, in named cases or without a formula.
 
-    Nothing where none of the cases has such a number.
+    Empty if none of the cases has such a number.
     """
     found = tuple(record(p, p.search()) for p in PROBLEMS if p.case in cases)
     return (*found, *map(_missing, WITHOUT_FORMULA)) if found else ()

@@ -47,7 +47,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Tolerance:
-    """One input and by how much it may be off its nominal value [SI], uniformly distributed."""
+    """One input and the tolerance of its nominal value [SI], uniformly distributed."""
 
     name: str
     symbol: str
@@ -121,9 +121,9 @@ def _symbol(name: str, symbol: str) -> str:
 
 
 def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> Inputs:
-    """The inputs with other values [SI] by name; InputError if they then make no sense.
+    """The inputs with other values [SI] by name; InputError if these inputs are invalid.
 
-    `at` says in its message where the inputs stand.
+    `at` states the position of the inputs in its message.
     """
     model = type(inputs)
     given: dict[str, Any] = {name: getattr(inputs, name) for name in model.model_fields}

@@ -14,17 +14,17 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Box:
-    """Ranges of indices, both ends included, one for each axis, and how many points they hold."""
+    """Ranges of indices, including both ends, for each axis, and the number of points in them."""
 
     ranges: tuple[tuple[int, int], ...]
     points: int
 
 
 def largest_box(inside: Flags) -> Box | None:
-    """The box with the most points, all inside, in a grid of any dimension; None if none is.
+    """The box with the most points, all inside, in a grid of any dimension; None if there is none.
 
-    Of equal boxes, the one that begins first on the first axis where they differ. Grids with more
-    than MOST_BOXES boxes give one that cannot be widened, which another may exceed.
+    Among equal boxes, the one that begins first on the first axis on which they differ. Grids with
+    more than MOST_BOXES boxes give a box that cannot be widened, although a larger box may exist.
     """
     if not inside.any():
         return None
@@ -64,9 +64,9 @@ def _grown(inside: Flags) -> Box:
 
 
 def _deepest(inside: Flags) -> Sequence[int]:
-    """A point whose neighbours are inside furthest around; the grid's edge doesn't count against.
+    """The point with the widest surroundings inside; the edge of the grid is no limit.
 
-    Layer after layer is taken off as long as points are left.
+    Layers are removed one by one as long as points remain.
     """
     left = inside
     while True:

@@ -20,7 +20,7 @@ MOST_ROWS = 10  # the worst ones
 
 
 def table(found: Outcome) -> tuple[list[str], bool]:
-    """A line a row: largest error, shares inside the limits, and where if there is room for it."""
+    """One line per row: largest error, shares inside the limits, and the place if possible."""
     shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
     inside = [_inside(plan, course) for course in shown]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
@@ -51,18 +51,18 @@ def table(found: Outcome) -> tuple[list[str], bool]:
 
 
 def _room(lines: Sequence[tuple[str, ...]]) -> int:
-    """Characters of a line that the columns but the first leave."""
+    """Number of characters of a line for the first column."""
     return WIDE - max(map(len, aligned([("", *line[1:]) for line in lines])))
 
 
 def shortened(names: Sequence[str], room: int) -> list[str]:
-    """Names of at most `room` characters: longer ones lose words, those first that most have."""
+    """Names of at most `room` characters: longer names lose words, the most common words first."""
     common = Counter(word for name in names for word in set(name.split()))
     return [name if len(name) <= room else _cut(name, common, room) for name in names]
 
 
 def _cut(name: str, common: Mapping[str, int], room: int) -> str:
-    """The name without words that most others have too, those in its middle first."""
+    """The name without words that most other names also have, those in its middle first."""
     words = name.split()
     middle = (len(words) - 1) / 2
     order = sorted(range(len(words)), key=lambda k: (-common[words[k]], abs(k - middle)))
@@ -78,7 +78,7 @@ def _cut(name: str, common: Mapping[str, int], room: int) -> str:
 
 
 def _gapped(words: Sequence[str], kept: Set[int]) -> str:
-    """The words that remain, "…" where some are left out."""
+    """The remaining words, with "…" for omitted words."""
     shown = (word if k in kept else "…" for k, word in enumerate(words))
     return " ".join(word for word, _ in groupby(shown))
 
@@ -94,7 +94,7 @@ def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
 
 
 def worst(found: Outcome) -> list[Course]:
-    """The courses, the one with the largest error first, those without any last."""
+    """The results, the one with the largest error first, those without any error last."""
     sizes = {id(c): -1.0 if (n := largest(c)) is None else abs(float(c.error[n]))
              for c in found.courses}  # fmt: skip
     return sorted(found.courses, key=lambda c: -sizes[id(c)])

@@ -58,8 +58,9 @@ class Scatter:
     """Scatter of one quantity over the sample, and the inputs that cause it.
 
     `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN if n is 0.
-    `noise` is the mean square of the finite elements' standard uncertainty, of the variance.
-    `indices` are in the order of the plan's tolerances, or empty for the reason `why`.
+    `noise` is the share of the variance that the standard uncertainty of the finite elements causes
+    (mean square). `indices` have the order of the tolerances of the plan, or are empty for the
+    reason `why`.
     """
 
     n: int
@@ -74,12 +75,12 @@ class Scatter:
 
     @property
     def ranked(self) -> tuple[Index, ...]:
-        """The indices, the largest total one first."""
+        """The indices, in descending order of the total index."""
         return tuple(sorted(self.indices, key=lambda one: -one.total.value))
 
     @property
     def widest(self) -> float:
-        """The width of the widest interval of all indices, 0 where there are none."""
+        """The width of the widest interval of all indices, 0 if there are none."""
         every = (e for one in self.indices for e in (one.first, one.total))
         return max((e.high - e.low for e in every), default=0.0)
 
@@ -99,7 +100,7 @@ class Within:
 class Indices:
     """Sensitivity of one pair in a sample: formula, finite elements and the formula's error.
 
-    Indices are from `rows` rows of the base sample; `dropped` others lack a point.
+    Indices are from `rows` rows of the base sample; `dropped` rows lack a point.
     """
 
     pair: Pair
@@ -135,7 +136,7 @@ def _within(course: Course, first: int, limit: float) -> Within:
 
 
 def _scatter(plan: Plan, values: Array, U: Array, of: Points, rows: Flags) -> Scatter:
-    """`of` are the points to take moments of, `rows` the base rows to take indices of."""
+    """`of` are the points for moments, `rows` the base rows for indices."""
     y = values[of]
     if not len(y):
         return Scatter(0, *(np.nan,) * 6, (), "no point has an answer")
@@ -154,7 +155,7 @@ def _share(part: float, whole: float) -> float:
 
 
 def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
-    """Reason why there are no indices, "" where there are."""
+    """Reason why there are no indices, "" if there are."""
     if rows < LEAST_ROWS:
         return f"{rows} complete rows of the sample are too few, it takes {LEAST_ROWS}"
     if sd <= STEADY * float(np.abs(y).max()):
@@ -165,10 +166,10 @@ def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
 
 
 def terms(a: Array, b: Array, mixed: Array) -> Array:
-    """What the indices are means of, (n, 2 + 2 d), from results at the rows of A, B and the mixed.
+    """Terms (n, 2 + 2 d) with the indices as means, from results at rows of A, B and mixed rows.
 
-    `a` and `b` are (n,), `mixed` (d, n): A with one column of B. Results are taken from their
-    mean, which no index depends on but how far its estimate scatters.
+    `a` and `b` are (n,), `mixed` (d, n): A with one column of B. Results are relative to their
+    mean; this does not change the indices, but reduces the scatter of their estimates.
     """
     mean = (a.mean() + b.mean()) / 2
     a, b, mixed = a - mean, b - mean, mixed - mean

@@ -37,7 +37,7 @@ def box_in_words(plan: Plan, one: Region) -> str:
 
 
 def break_in_words(plan: Plan, one: Region) -> str:
-    """The input that first takes the formula out of the limit; "" where there is none."""
+    """The input with which the formula first exceeds the limit; "" if there is none."""
     if one.base is None:
         return ""
     start = "" if one.nominal else f"from {place(plan.axes, one.base)}, "

@@ -17,7 +17,7 @@ class Course:
     """One pair over all points of the plan, in its order.
 
     `formula`, `fe`, `U` [SI], `error` = (formula - FE)/scale and its expanded uncertainty
-    `U_error` are (m,), NaN if there is none; `problems` say why, "" where there is one.
+    `U_error` are (m,), NaN if there is none; `problems` give the reasons, "" if there is a value.
     """
 
     pair: Pair
@@ -31,7 +31,7 @@ class Course:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A solved sweep and its courses, one for each pair that was chosen."""
+    """A solved sweep and its results, one for each selected pair."""
 
     solved: Solved
     courses: tuple[Course, ...]

@@ -25,10 +25,10 @@ DOUBTFUL = 0.01  # of a value: allowed scatter of a series that does not converg
 
 @dataclass(frozen=True)
 class Pair:
-    """A row that sets the formula's value `analytic` beside the finite elements' `fem`, by keys.
+    """A row that compares the values `analytic` (formula) and `fem` (finite elements), by keys.
 
-    `scale` is the key of the natural magnitude that a difference is related to; the finite-element
-    value itself where empty. `by` names what stands in the place of finite elements, if anything.
+    `scale` is the key of the natural magnitude of the difference; if empty, the finite-element
+    value. `by` is the name of the method used instead of finite elements, if any.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Pair:
 
     @property
     def plain(self) -> bool:
-        """Whether the claim compares the two values as they are, and does not derive others."""
+        """Whether the claim compares the two values directly, without deriving others."""
         return type(self.claim).rows in (Identity.rows, Approximation.rows)
 
 
@@ -83,9 +83,9 @@ def signature(pair: Pair) -> list[Any]:
 
 
 def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
-    """The pairs whose name contains one of the texts `only`, all without; InputError for none.
+    """The pairs whose name contains one of the texts `only`, all if empty; InputError if none.
 
-    A text that is a whole name means that row alone.
+    A text that is a complete name selects only this row.
     """
     every = pairs(case)
     if not every:
@@ -207,7 +207,7 @@ def _judged(
 
 
 def _index(grid: GridConvergence, v: Sequence[float]) -> float:
-    """Grid convergence index; three times the scatter where there is no order, inf if large."""
+    """Grid convergence index; three times the scatter if there is no order, inf if large."""
     if grid.converges:
         return grid.gci
     scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))

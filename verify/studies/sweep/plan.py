@@ -44,7 +44,7 @@ def grid(
     case: Case, name: str, inputs: Inputs, chosen: tuple[Pair, ...], vary: Sequence[str],
     *, star: bool = False,
 ) -> Plan:  # fmt: skip
-    """All combinations of the axes, the last one fastest; with `star` one input at a time."""
+    """All combinations of the axes, the last index fastest; with `star`, one input at a time."""
     axes = tuple(axis(inputs, text) for text in vary)
     _once([one.name for one in axes], "--vary")
     if star:

@@ -1,7 +1,7 @@
-"""One point of a sweep: formulas and finite elements at one set of inputs, solved anywhere.
+"""One point of a sweep: formulas and finite elements at one set of inputs, in any process.
 
-What comes back holds every number that rows are compared by, level by level, so that other rows,
-or a changed rule of judging, need no new solution.
+The result contains all numbers that rows compare, level by level. Other rows, or a changed rule of
+judging, therefore need no new solution.
 """
 
 import time
@@ -21,15 +21,15 @@ from verify.studies.sweep.pairs import LEVELS, whole
 
 
 class OtherCodeError(RuntimeError):
-    """A process solves with other code than the one that asked."""
+    """A process solves with other code than the client."""
 
 
 @dataclass(frozen=True)
 class Solution:
     """Result of a point: values [SI] by key, of finite elements by level, coarse to fine.
 
-    `u_it` holds the largest iteration uncertainty of all levels. The problems say in one line why
-    there are no values of a side. A point is `lost` where the process died or the machine failed.
+    `u_it` is the largest iteration uncertainty of all levels. The problems state in one line why
+    there are no values on a side. A point is `lost` if the process died or the machine failed.
     """
 
     formulas: Mapping[str, float]

@@ -1,4 +1,4 @@
-"""A sweep for other programs: everything that was asked, found and spent, as JSON."""
+"""A sweep for other programs: request, results and run times as JSON."""
 
 import math
 from collections import Counter
@@ -20,7 +20,7 @@ SCHEMA = 1
 
 
 def record(found: Outcome, repeat: str) -> dict[str, Any]:
-    """The sweep as JSON takes it, `repeat` being the command that repeats it.
+    """The sweep in JSON form; `repeat` is the command that repeats it.
 
     schema       1; changes whenever something below changes
     name, case, command
@@ -43,8 +43,8 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
     solved_by    portion, levels, code (hashes of the sources of formulas and fe), versions
     timing       points, wall_s, busy_s, workers, known, overhead: of the run that wrote this
 
-    Values are in the unit that stands with them, errors are shares (0.02 is 2 %), and what there
-    is none of is null.
+    Values have the unit stated with them, errors are fractions (0.02 is 2 %), and null means that
+    there is no value.
     """
     plan = found.solved.plan
     kind = "sample" if plan.base else "star" if plan.star else "grid"

@@ -1,8 +1,8 @@
 """Range of use of a formula: the points at which its error stays within a limit.
 
-A point is inside a limit where the whole error bar is, outside where all of it is beyond, and
-undecided between; unsolved where there are no two values to compare. A box is a product of ranges
-of the axes, all of whose points are inside.
+A point is inside a limit if the whole error bar is within the limit, outside if the whole error bar
+is beyond it, and otherwise undecided; it is unsolved if there are not two values to compare. A box
+is a product of ranges of the axes in which all points are inside.
 """
 
 from collections.abc import Iterator, Sequence
@@ -28,7 +28,7 @@ Points = NDArray[np.intp]
 
 @dataclass(frozen=True)
 class Range:
-    """Values [SI] of an axis from `low` to `high`; `whole` where these are the axis's ends."""
+    """Values [SI] of an axis from `low` to `high`; `whole` if these are the ends of the axis."""
 
     axis: Axis
     low: float
@@ -38,11 +38,12 @@ class Range:
 
 @dataclass(frozen=True)
 class Break:
-    """What takes the formula out of a limit soonest, from the base point along one axis.
+    """The input with which the limit is exceeded first, from the base point along one axis.
 
-    `last` is the last value [SI] inside and `first` the next one, which is not; `at` where the
-    end of the error bar passes the limit between them, by straight interpolation, None where
-    `first` is unsolved or the axis has whole numbers only. `why` says why it is unsolved.
+    `last` is the last value [SI] inside and `first` the next value, which is not inside; `at` is
+    the value between them at which the end of the error bar reaches the limit by linear
+    interpolation, None if `first` is unsolved or the axis has whole numbers only. `why` is the
+    reason if it is unsolved.
     """
 
     axis: Axis
@@ -62,11 +63,11 @@ class Break:
 class Region:
     """The points of a sweep inside one `limit`, for one formula.
 
-    `box` is the largest box, with `held` points, empty if no point is inside; of a star, whose
+    `box` is the largest box, with `held` points, empty if no point is inside; for a star, whose
     axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
-    from which `breaks` is looked for: the nominal inputs (`nominal`), or the grid point next
-    to them, where they are inside, else the middle of the box. `at_nominal` is the verdict at the
-    nominal inputs, None if the grid doesn't hold them.
+    from which `breaks` is searched for: the nominal inputs (`nominal`) or the grid point nearest to
+    them, if it is inside, otherwise the middle of the box. `at_nominal` is the verdict at the
+    nominal inputs, None if the grid does not contain them.
     """
 
     limit: float
@@ -94,7 +95,7 @@ class Region:
 
 @dataclass(frozen=True)
 class Line:
-    """Points along one axis, all other inputs held: their values `x` [SI], rising, and rows."""
+    """Points along one axis with other inputs constant: values `x` [SI], ascending, and rows."""
 
     axis: Axis
     x: Array
@@ -136,7 +137,7 @@ def _region(plan: Plan, course: Course, limit: float) -> Region:
 
 
 def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """The largest box, the row of its middle, and how many points it holds."""
+    """The largest box, the row of its middle, and its number of points."""
     box = largest_box((found == INSIDE).reshape(plan.shape))
     if box is None:
         return (), None, 0
@@ -149,7 +150,7 @@ def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None
 
 
 def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """The longest range of each axis, and how many points they hold; a star has no other middle."""
+    """The longest range of each axis, and number of points; a star has no other middle."""
     ranges, rows = [], set[int]()
     for line in lines(plan, 0):
         if box := largest_box(found[line.points] == INSIDE):
@@ -182,7 +183,7 @@ def nominal_point(plan: Plan) -> int | None:
 
 
 def lines(plan: Plan, base: int) -> Iterator[Line]:
-    """The line along each axis through the point in row `base`; a star has those of its middle."""
+    """The line along each axis through the point in row `base`; for a star, those of its middle."""
     at = plan.points[base]
     for k, axis in enumerate(plan.axes):
         rows = np.flatnonzero((np.delete(plan.points, k, axis=1) == np.delete(at, k)).all(axis=1))
@@ -194,10 +195,10 @@ def lines(plan: Plan, base: int) -> Iterator[Line]:
 def _first_break(
     course: Course, found: Verdicts, every: Iterator[Line], limit: float
 ) -> Break | None:
-    """Soonest is by the share of the axis's length that lies between; None if it never breaks.
+    """The first is that with the least distance relative to the axis; None if no limit is exceeded.
 
-    A point without an answer ends a line, but a formula breaks where its error is beyond the limit:
-    the one without an answer is reported only where no line has such an end.
+    A point without an answer ends a line, but a limit is exceeded only by an error beyond it: a
+    point without an answer is reported only if no line has such an error.
     """
     best, least = None, (True, np.inf)
     for line in every:

@@ -29,9 +29,9 @@ MOST = 256  # points of a batch
 
 @dataclass(frozen=True)
 class Timing:
-    """Time of solving: `points` solved now in `wall` s, of which each process spent `busy`.
+    """Time of solving: `points` solved in `wall` s, of which the processes used `busy`.
 
-    `workers` processes were busy at the end; `known` points were there already.
+    `workers` is the number of processes at the end; `known` points existed before.
     """
 
     points: int
@@ -49,7 +49,7 @@ class Timing:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solution for each point of a plan, in its order, or why there is none.
+    """A solution for each point of a plan, in its order, or the reason why there is none.
 
     `inputs` has the inputs of each point, None if the rules of the inputs reject it.
     """
@@ -69,7 +69,7 @@ def solve(
     again: bool = False,
     show: Show = lambda _state: None,
 ) -> Solved:
-    """Every point of the plan, solved by the given engine, each stored at once.
+    """Every point of the plan, solved by the given engine; each is stored immediately.
 
     `again` repeats what failed before. OSError if points cannot be stored or gmsh not started,
     GoneError if the engine answers no more, KeyboardInterrupt: both state what is stored.
@@ -101,9 +101,9 @@ def versions(part: Portion) -> str:
 
 
 class _Points:
-    """The points of a plan, each with its inputs or the reason without, and its known values.
+    """The points of a plan, each with its inputs or the reason for their lack, and known values.
 
-    Points with the same inputs are one.
+    Points with equal inputs are solved once.
     """
 
     def __init__(self, plan: Plan, part: Portion, stored: Points, *, again: bool) -> None:
@@ -165,7 +165,7 @@ def _without_problems(one: Solution) -> Solution:
 
 
 class _Batches:
-    """Points go to the engine in batches: how long points take says how many go together."""
+    """Batches of points for the engine; the size of a batch follows from the time per point."""
 
     def __init__(self, points: _Points, show: Show, *, known: int, todo: Sequence[Task]) -> None:
         self.points = points
@@ -192,7 +192,7 @@ class _Batches:
         return tuple(self.waiting.popleft() for _ in range(size))
 
     def _size(self) -> int:
-        """Points that take about BATCH together; single ones until it is known, and at the end."""
+        """Number of points that take about BATCH; single points at the beginning and at the end."""
         if not self.busy:
             return 1
         fair = len(self.waiting) // (4 * self.workers)

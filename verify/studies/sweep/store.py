@@ -1,6 +1,6 @@
-"""Solved points in the store: each side of a point by all that it depends on.
+"""Solved points in the store; the key of each side has all data on which it depends.
 
-A point is read again while the code stands that solved it, each side for itself.
+A stored side of a point is used as long as its code is unchanged, independent of the other side.
 """
 
 import hashlib
@@ -115,7 +115,7 @@ def lacking(found: Solution | None) -> tuple[bool, bool]:
 
 
 def joined(old: Solution | None, new: Solution) -> Solution:
-    """A solution with the sides of both, the new one's first."""
+    """A solution with the sides of both, those of the new one first."""
     if old is None:
         return new
     formulas = new if new.formulas or new.problem_formulas else old

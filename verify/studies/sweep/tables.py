@@ -1,6 +1,6 @@
 """A sweep as CSV: its points, ranges of validity, causes of the scatter.
 
-Nothing in them depends on how long something took, or where it was solved.
+The tables do not depend on run times or machines.
 """
 
 import csv
@@ -23,7 +23,7 @@ Cell = str | int | float | None
 
 
 def statuses(found: Outcome) -> tuple[str, ...]:
-    """For each point whether both sides were solved, the inputs refused, or the solution failed."""
+    """For each point: both sides solved, inputs refused, or solution failed."""
     return tuple(
         SOLVED if not problem else REFUSED if problem.startswith(f"{REFUSED}:") else FAILED
         for problem in found.problems
@@ -31,7 +31,7 @@ def statuses(found: Outcome) -> tuple[str, ...]:
 
 
 def reasons(found: Outcome) -> tuple[str, ...]:
-    """For each point why there is nothing to compare, in all or some of the rows; "" for most."""
+    """For each point, the reason why nothing can be compared, in all or some rows; "" for most."""
     told = []
     for n, problem in enumerate(found.problems):
         rows = Counter(course.problems[n] for course in found.courses if course.problems[n])

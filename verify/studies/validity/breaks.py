@@ -1,4 +1,4 @@
-"""The input that first takes a formula out of a limit, in words."""
+"""The input with which a formula first exceeds a limit, in words."""
 
 from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Region
 from verify.studies.validity import messages as words
@@ -11,7 +11,7 @@ ALREADY = {
 
 
 def breaks(found: Region) -> str:
-    """The input that first takes the formula out of the limit, and its start, in words."""
+    """The input with which the formula first exceeds the limit, and its value there, in words."""
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"

@@ -1,4 +1,4 @@
-"""The validity cards of a run: what was measured of each formula, beside the row of the run."""
+"""The validity cards of a run: measured ranges of each formula, with the row of the run."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -19,7 +19,7 @@ _GREEK = {
 
 
 def place(case: Case, pair: Pair) -> str:
-    """The equation and paper that a row is about, by its name or the ledger's; else the case's."""
+    """The equation and paper of a row, by its name or the ledger; otherwise those of the case."""
     named = f"{case.id}/{pair.name}"
     known = [
         f"Eq. {equation.number}" for paper in papers() for equation in paper.equations
@@ -34,8 +34,8 @@ def place(case: Case, pair: Pair) -> str:
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
     """The formula of an approximation as the case writes it; empty if that is not certain.
 
-    An equation counts whose left side is the row's symbol. Of several formulas with one symbol it
-    is that of the row which names the same equation of the paper.
+    An equation is used if its left side is the symbol of the row. If several formulas have this
+    symbol, it is that of the row with the same equation number of the paper.
     """
     if "printed" in pair.name:
         return ""

@@ -1,4 +1,4 @@
-"""The study of where formulas hold: the scans of a case, solved like any sweep and stored."""
+"""The study of ranges of validity: scans of a case, solved like any sweep and stored."""
 
 import time
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from verify.studies.validity import store
 
 
 def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
-    """Solve the scans of each case, store their errors and print how many points there were.
+    """Solve the scans of each case, store their errors and print the number of points.
 
     An interrupted run continues where it was. False if processes died or the machine failed:
     such a case is not stored. Points that finite elements do not solve are results, and counted.

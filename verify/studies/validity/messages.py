@@ -16,14 +16,14 @@ def number(value: float) -> str:
 
 
 def span(axis: Axis, low: float, high: float) -> str:
-    """From one value [SI] to another: "δ_1 3 to 8 mm", "z = 12" for one alone."""
+    """From one value [SI] to another: "δ_1 3 to 8 mm"; "z = 12" for a single value."""
     if low == high:
         return f"{axis.symbol} = {quantity(axis, low)}"
     return f"{axis.symbol} {_ends(axis, low, high)}"
 
 
 def alone(axis: Axis, low: float, high: float) -> str:
-    """The range [SI] of an input with all others held: "T alone 5 to 15 N m"."""
+    """The range [SI] of an input with all others constant: "T alone 5 to 15 N m"."""
     if low == high:
         return f"{axis.symbol} alone at {quantity(axis, low)}"
     return f"{axis.symbol} alone {_ends(axis, low, high)}"
@@ -63,7 +63,7 @@ def held_with_meaning(plan: Plan) -> str:
 
 
 def constant(plan: Plan) -> tuple[InputValue, ...]:
-    """The inputs that a plan holds at another value than the default."""
+    """The constant inputs of a plan with other values than the default."""
     default, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
     return tuple(
         one for one, usual in zip(plan.inputs.display(), default.display(), strict=True)

@@ -44,7 +44,7 @@ def _limit(found: Region, *, star: bool) -> ValidityLimit:
 def box_words(found: Region, *, star: bool) -> str:
     """The largest box, a range for each axis, or of a star the range of each input alone.
 
-    Text with "all" or "none" if it applies.
+    The text contains "all" or "none" if it applies.
     """
     if found.everywhere:
         return "all that was measured"
@@ -58,7 +58,7 @@ def _range(one: Range) -> str:
 
 
 def _alone(ranges: Sequence[Range]) -> str:
-    """Ranges that hold one at a time; whole axes are combined at the end."""
+    """Ranges of single inputs; complete axes are combined at the end."""
     told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
     return "; ".join([*told, f"{whole} alone throughout"] if whole else told)

@@ -1,1 +1,1 @@
-"""Problems of the project as decks for calculix, run there, and its answers read back."""
+"""Problems of the project as decks for calculix; runs of calculix, and their results."""

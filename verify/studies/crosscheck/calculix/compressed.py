@@ -1,4 +1,4 @@
-"""A whole accordion spring as a strip of plane strain that is pressed and touches itself."""
+"""A whole accordion spring as a plane-strain strip that is compressed until it touches itself."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -24,9 +24,10 @@ def compressed(
     line: Mapping[str, Any], b: float, moves: Sequence[float], *, per_arc: int = 6,
     per_leaf: int = 12, material: Elastic = STEEL,
 ) -> Problem:  # fmt: skip
-    """The guided head moved along x by each of the `moves`; the tail is held at mid-leaf.
+    """The guided head is displaced along x by each of the `moves`; the tail is fixed at mid-leaf.
 
-    `line` as `meshes.spring.path.accordion` takes it, with whole end leaves; any two neighbouring
+    `line` has the form of `meshes.spring.path.accordion` with whole end leaves; any two
+    neighbouring
     units may touch.
     """
     pieces = list(accordion(**line, tail="mid-leaf", tips=True))
@@ -56,5 +57,5 @@ def compressed(
 
 
 def _facing(unit: int, cells: Iterable[int]) -> list[Side]:
-    """The side on which units `unit` and `unit` + 1 meet."""
+    """The side of contact between units `unit` and `unit` + 1."""
     return faces(cells, RIGHT if unit % 2 else LEFT)

@@ -1,8 +1,8 @@
 """Contact problems of `fem.contact` as decks for calculix.
 
-Contact is a penalty there, surface to surface: a pressure of a slope times the overlap, and
-friction another one. The project's has none, and takes circles and flats for what they are;
-calculix takes the parabolas of the cells' sides. Obstacles become strips of elements that are held.
+In calculix, contact and friction are surface-to-surface penalties: pressure = slope times overlap.
+The project uses no penalty, and exact circles and flats; calculix uses the parabolic sides of the
+cells. Obstacles become strips of elements with fixed nodes.
 """
 
 from collections.abc import Mapping, Sequence
@@ -38,9 +38,10 @@ TURN = 1 / 180  # of what is turned: calculix makes two degrees of it, and tells
 class Settings:
     """Settings of a calculix run.
 
-    `slope` [stress/length] of the pressure over the overlap; `stick` of the friction over the slip,
-    in slopes. Linear solver, threads, increments of each step (`cut` shorter where needed), pairing
-    and lines of *CONTROLS as calculix has them; `full` integration of the elements.
+    `slope` [stress/length] is the ratio of pressure to overlap; `stick` is the ratio of friction to
+    slip, in units of `slope`. Linear solver, threads, increments of each step (`cut`: automatic
+    reduction), pairing and lines of *CONTROLS are in calculix' notation; `full`: full integration
+    of the elements.
     """
 
     slope: float
@@ -55,7 +56,7 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDeck:
-    """The successive states of a contact problem, as calculix is given them.
+    """The successive states of a contact problem in the form of a calculix deck.
 
     `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
     drawn that the project takes off its gaps. ValueError if there are such and no shift, for
@@ -116,7 +117,7 @@ class ContactDeck:
 
     @property
     def share(self) -> float:
-        """Thickness of the deck over that of the problem, the ratio of the forces."""
+        """Thickness of the deck over that of the problem, which is the ratio of the forces."""
         return self.depth / self.bodies.thickness
 
     @property

@@ -29,7 +29,7 @@ def faces(cells: Iterable[int], side: int) -> list[Side]:
 
 
 class Held(NamedTuple):
-    """Component (0, 1) of nodes, held or, in a step, moved to `value`."""
+    """Component (0, 1) of nodes, fixed or, in a step, displaced to `value`."""
 
     nodes: Sequence[int] | Indices
     component: int
@@ -53,11 +53,11 @@ class Touching(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """Strips with supports, pairs of surfaces that touch, and steps of loads and movements.
+    """Strips with supports, pairs of surfaces that may touch, and steps of loads and displacements.
 
-    `linear` strips are taken as they lie; a `buckling` step finds factors on the loads, by cells of
-    full integration: with reduced ones calculix counts half of what stresses stiffen, and factors
-    come out twice as large.
+    `linear` strips are solved in the initial geometry. A `buckling` step finds factors on the loads
+    with fully integrated cells: with reduced integration, calculix includes half of the stress
+    stiffening, and the factors are twice too large.
     """
 
     points: Array

@@ -1,7 +1,7 @@
-"""Nodes and cells of a plane mesh as calculix counts them: vertices, then edges, from 1.
+"""Nodes and cells of a plane mesh in the numbering of calculix: vertices, then edges, from 1.
 
-Six-node triangles are the same elements there; eight-node quadrilaterals lack the centre node of
-the nine-node ones.
+Six-node triangles are the same elements in calculix; its eight-node quadrilaterals lack the centre
+node of nine-node cells.
 """
 
 from dataclasses import dataclass
@@ -28,14 +28,14 @@ class Numbering:
 
     @cached_property
     def of(self) -> Indices:
-        """The deck's node number (unknowns,) of every unknown, 0 where it has none."""
+        """The node number in the deck (unknowns,) of every unknown, 0 if it has none."""
         number = np.zeros(self.basis.N, int)
         number[self.dofs] = np.arange(1, self.count + 1)
         return number
 
     @cached_property
     def component(self) -> Indices:
-        """Component (unknowns,) of every unknown, from 1; 0 where the deck has no such node."""
+        """Component (unknowns,) of every unknown, from 1; 0 if the deck has no such node."""
         component = np.zeros(self.basis.N, int)
         component[self.dofs] = [[1], [2]]
         return component
@@ -64,7 +64,7 @@ class Numbering:
         return cells
 
     def body(self, name: str) -> Indices:
-        """Cells of a body, counted from 0; all where `name` is empty."""
+        """Cells of a body, numbered from 0; all if `name` is empty."""
         mesh = self.basis.mesh
         return np.asarray(mesh.subdomains[name]) if name else np.arange(mesh.nelements)
 
@@ -91,9 +91,9 @@ class Numbering:
         return list(zip((own + 1).tolist(), (match.argmax(axis=0) + 1).tolist(), strict=True))
 
     def spread(self, u: Array) -> Array:
-        """Displacements (unknowns,) from those at the deck's nodes (nodes, 2).
+        """Displacements (unknowns,) from those at the nodes of the deck (nodes, 2).
 
-        The centre of a nine-node cell moves as an eight-node one has it.
+        The centre of a nine-node cell has the displacement of an eight-node cell there.
         """
         found = np.zeros(self.basis.N)
         found[self.dofs] = u.T

@@ -1,4 +1,4 @@
-"""Rigid obstacles without a mesh as strips of elements, all of whose nodes are held."""
+"""Rigid obstacles without a mesh as strips of elements with all nodes fixed."""
 
 import math
 from dataclasses import dataclass
@@ -65,7 +65,7 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
 
 
 def _from_axis(reach: float) -> Array:
-    """Radii of nodes, fine about the axis: there calculix misses what touches a wide face."""
+    """Radii of nodes, fine near the axis: calculix misses contacts with a wide face there."""
     r = np.zeros(2 * RINGS + 1)
     r[::2] = reach * np.linspace(0.0, 1.0, RINGS + 1) ** 2
     r[1::2] = (r[:-1:2] + r[2::2]) / 2
@@ -73,7 +73,7 @@ def _from_axis(reach: float) -> Array:
 
 
 def _strip(out: Array, back: Array, centre: tuple[float, float]) -> Strip:
-    """Cells between two rows (2 k + 1, 2) of nodes; side 1 of each lies on `out`."""
+    """Cells between two rows (2 k + 1, 2) of nodes; side 1 of each is on `out`."""
     if _turns(out, back):
         out, back = out[::-1], back[::-1]
     n = len(out)
@@ -87,6 +87,6 @@ def _strip(out: Array, back: Array, centre: tuple[float, float]) -> Strip:
 
 
 def _turns(out: Array, back: Array) -> bool:
-    """Whether cells along `out` would run clockwise."""
+    """Whether cells along `out` would be clockwise."""
     (a, b), (c, d) = out[2] - out[0], back[0] - out[0]
     return bool(a * d - b * c < 0)

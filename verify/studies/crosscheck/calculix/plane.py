@@ -1,7 +1,7 @@
 """Plane and axisymmetric problems of `fem.plane` as decks for calculix.
 
-Mesh, materials, supports, ties and mean motions are those of the solved problem; loads are its
-nodal forces, or pressures and spins that calculix integrates itself.
+Mesh, materials, supports, ties and mean motions are those of the solved problem. Loads are its
+nodal forces, or pressures and centrifugal forces that calculix integrates.
 """
 
 import math
@@ -32,7 +32,7 @@ Materials = Elastic | Mapping[str, Elastic]
 
 @dataclass(frozen=True, kw_only=True)
 class Spin:
-    """Density and speed [rad/s] of a body that turns about the third axis."""
+    """Density and speed [rad/s] of a body that rotates about the third axis."""
 
     rho: float
     omega: float
@@ -40,11 +40,11 @@ class Spin:
 
 @dataclass(frozen=True, kw_only=True)
 class PlaneDeck:
-    """A solved problem as calculix is given it.
+    """A solved problem in the form of a calculix deck.
 
-    `pressures` are the boundaries whose load calculix integrates itself, in place of the nodal
-    forces of the solution; so does a `spin`. `brief` decks request displacements and stresses
-    alone, not for reactions and energies.
+    `pressures` are the boundaries whose load calculix integrates, in place of the nodal forces of
+    the solution; `spin` is the same for centrifugal forces. `brief` decks request only
+    displacements and stresses, not reactions and energies.
     """
 
     solution: PlaneSolution
@@ -101,7 +101,7 @@ class PlaneDeck:
 
 
 def depth(solution: PlaneSolution, assumption: Assumption) -> float:
-    """Thickness of a deck: that of the solution, but in plane stress a thin one."""
+    """Thickness of a deck: that of the solution; in plane stress, a small one."""
     if assumption != "plane stress":
         return solution.thickness
     return THIN * float(np.ptp(solution.basis.mesh.p, axis=1).max())
@@ -117,7 +117,7 @@ def write_mesh(
     deck: TextIO, numbering: Numbering, kind: str, materials: Materials, thickness: float, *,
     rho: float | None = None, x: Array | None = None,
 ) -> None:  # fmt: skip
-    """Nodes at `x` (2, nodes) or where the mesh has them, and the elements of each material."""
+    """Nodes at `x` (2, nodes), by default those of the mesh, and elements of each material."""
     places = numbering.x if x is None else x
     keywords.nodes(deck, np.arange(1, numbering.count + 1), places.T, "ALL")
     named = {"": materials} if isinstance(materials, Elastic) else dict(materials)
@@ -136,9 +136,9 @@ def write_mesh(
 class Supports:
     """Conditions, ties and mean motions of a solution, in the nodes of a deck.
 
-    Conditions along an axis are held nodes, others are equations; what an equation equals is the
+    Conditions along an axis are fixed nodes; other conditions are equations whose right side is the
     displacement of a separate node, numbered after the `first` ones. Mean motions `without` an
-    equation are left to themselves.
+    equation are free.
     """
 
     def __init__(
@@ -186,7 +186,7 @@ class Supports:
                 keywords.equation(deck, [*self.mean(k), (handle, 1, -1.0)])
 
     def values(self, u: Array) -> list[Term]:
-        """All that is held, with the displacements `u` (unknowns,) that it has."""
+        """All supported components, with their displacements in `u` (unknowns,)."""
         size = NOTHING * float(np.abs(u).max(initial=0.0))
 
         def kept(value: float) -> float:

@@ -1,4 +1,4 @@
-"""Run calculix on a deck and store its output beside the deck."""
+"""Run calculix on a deck and store its output next to the deck."""
 
 import os
 import re
@@ -48,9 +48,9 @@ def start() -> float:
 
 
 def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
-    """Run calculix on `deck`; RuntimeError with its output where it fails, or over the `limit`.
+    """Run calculix on `deck`; RuntimeError with its output if it fails or exceeds the `limit`.
 
-    `limit` is in seconds. Its output remains beside the deck, as a .log.
+    `limit` is in seconds. The output is stored next to the deck as a .log file.
     """
     command = [str(executable()), "-i", deck.stem]
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}

@@ -1,7 +1,8 @@
-"""Shells of `fem.shell` as decks for calculix: eight-node ones of reduced integration.
+"""Shells of `fem.shell` as decks for calculix: eight-node shells with reduced integration.
 
-Their nodes are those of the nine-node cells but for the centres. Calculix makes solids of one layer
-of them, with rigid knots where rotations are held: a clamp stiffens a share of its first cells.
+Their nodes are those of the nine-node cells, except the centres. calculix converts them to one
+layer of solids, with rigid knots at supported rotations: a clamp stiffens a part of its first
+cells.
 """
 
 from collections.abc import Sequence
@@ -50,6 +51,6 @@ class ShellDeck:
         return path
 
     def moved(self, path: Path, node: int) -> Array:
-        """Displacement (3,) of a node of the mesh beside a deck that was solved."""
+        """Displacement (3,) of a node of the mesh, from the results of a solved deck."""
         found = nodal(path.with_suffix(".frd"), "DISP")[:, :3]
         return np.asarray(found[np.searchsorted(self.used, node)])

@@ -1,6 +1,6 @@
-"""Bodies of `fem.solid` as decks for calculix: twenty-node bricks of reduced integration.
+"""Bodies of `fem.solid` as decks for calculix: twenty-node bricks with reduced integration.
 
-Their nodes are those of the 27-node cells but for the centres of faces and cells.
+Their nodes are those of the 27-node cells, except the centres of faces and cells.
 """
 
 from dataclasses import dataclass

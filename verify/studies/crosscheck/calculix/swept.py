@@ -18,10 +18,10 @@ from verify.studies.crosscheck.calculix.strips import Strip, strip
 class SweptDeck:
     """A strip of thickness `b` between the planes z = `levels`, odd ones holding middle nodes.
 
-    Symmetric about the first plane, and about the last one too where the edge is `held`; the tail
-    is clamped, the head's line moves along x by `move` and does not turn. Twenty-node bricks of
-    reduced integration are what calculix makes of its shells S8R, but without the rigid knots that
-    it puts where rotations are held.
+    Symmetric about the first plane, and about the last plane if the edge is `held`. The tail is
+    clamped; the line of the head is displaced along x by `move` without rotation. calculix converts
+    its shells S8R to the same twenty-node bricks with reduced integration, but with rigid knots at
+    supported rotations.
     """
 
     pieces: Sequence[Piece]

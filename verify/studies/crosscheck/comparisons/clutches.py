@@ -112,7 +112,7 @@ DRAWN: Any = {
 def quantities(
     normal: tuple[str, str], torque: tuple[str, str], within: Any = HERE
 ) -> tuple[Quantity, ...]:
-    """The four numbers of `both`, with the rows that they stand beside."""
+    """The four numbers of `both`, with the rows to which they belong."""
     return (
         Quantity(name="force on the inner part", row=normal[0], symbol="F", unit="N/mm",
                  beside=True, **within),

@@ -1,4 +1,4 @@
-"""Rollers, spheres, press fits and slipping discs in contact, beside calculix."""
+"""Rollers, spheres, press fits and slipping discs in contact, compared with calculix."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -69,7 +69,7 @@ def line(case: Any, solve: Any) -> Posed:
 
 
 def sphere(pair: Pair) -> Posed:
-    """A sphere at Hertz's approach, turned about its axis."""
+    """A sphere at Hertz's approach, as a body of revolution."""
     from fem.contact.point_contact import push
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings

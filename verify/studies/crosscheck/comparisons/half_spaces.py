@@ -1,4 +1,4 @@
-"""Rollers and a sphere on a half-space beside tamaas, on the same grids."""
+"""Rollers and a sphere on a half-space, compared with tamaas on the same grids."""
 
 import json
 from collections.abc import Callable, Mapping

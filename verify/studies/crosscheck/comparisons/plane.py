@@ -1,4 +1,4 @@
-"""Input of a plane problem for calculix, and the results read from its answer."""
+"""Input of a plane problem for calculix, and evaluation of its results."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""A roller in a race whose rim is held, beside calculix."""
+"""A roller in a race with a fixed rim, compared with calculix."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Rings under pressure, under sprags, in rotation, and polyhedral ones, beside calculix."""
+"""Rings under pressure, under sprags, in rotation, and polyhedral rings, compared with calculix."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -41,7 +41,7 @@ NODAL = "calculix extrapolates stresses to the nodes and averages them there"
 
 
 def lame(assumption: "Assumption") -> Posed:
-    """A thick ring under pressure in its bore and on its rim, which calculix integrates itself."""
+    """A thick ring under pressure in its bore and on its rim; calculix integrates the pressure."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring
@@ -84,7 +84,7 @@ def lame_quantities(assumption: str) -> tuple[Quantity, ...]:
 
 
 def rotation() -> Posed:
-    """A race that turns, whose centrifugal forces calculix integrates itself."""
+    """A rotating race; calculix integrates the centrifugal forces."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring
@@ -114,7 +114,7 @@ def rotation() -> Posed:
 
 
 def sprags(loaded: Wall) -> Posed:
-    """Half a pitch of a race under its sprags, guided at both cuts, one of them inclined."""
+    """Half a pitch of a race under its sprags, guided at both sections, one of them inclined."""
     from fem.plane.material import Elastic
     from fem.plane.patch import polar_nodes
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
@@ -155,7 +155,7 @@ def sprags_quantities(loaded: str, far: str) -> tuple[Quantity, ...]:
 
 
 def polyhedral(assumption: "Assumption") -> Posed:
-    """Half a sector of the polyhedral ring under pressure, guided at both cuts."""
+    """Half a sector of the polyhedral ring under pressure, with guides at both sections."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 

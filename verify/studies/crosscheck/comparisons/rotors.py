@@ -1,4 +1,4 @@
-"""Shafts and rotors of beam elements beside ROSS."""
+"""Shafts and rotors of beam elements, compared with ROSS."""
 
 import json
 from collections.abc import Sequence
@@ -65,10 +65,10 @@ def system(speeds: Sequence[float]) -> Posed:
 
 
 def sprags(node: int) -> Posed:
-    """Both rotors of the paper joined across by bearings and clutch, under the rig's unbalances.
+    """Both rotors of the paper with bearings and clutch between them, under the rig's unbalances.
 
-    ROSS's bearings hold x and y alone: the clutch's tilt and turn, the bearings along the axis and
-    the drive are left out at both sides.
+    Bearings in ROSS act in x and y only: both sides omit the tilting and torsional stiffness of the
+    clutch, the axial stiffness of bearings, and the drive.
     """
     from fem.rotor.model import Link, Support
 

@@ -1,4 +1,4 @@
-"""A loop of the accordion spring as solids beside calculix' bricks, and its strip's shell."""
+"""A loop of the accordion spring as solids and as a shell, compared with calculix' bricks."""
 
 from functools import partial
 from pathlib import Path
@@ -58,12 +58,12 @@ def narrow() -> Any:
 
 
 def stiffness(energy: float) -> float:
-    """Stiffness of the whole width, from the energy of half of it."""
+    """Stiffness of the whole width, from the energy of half the width."""
     return 2 * 2 * energy / MOVED**2
 
 
 def shell() -> Posed:
-    """The loop as a shell, beside bricks on cells of the same sizes."""
+    """The loop as a shell, compared with bricks of the same cell sizes."""
     from verify.studies.crosscheck.calculix.reading import strain_energy
     from verify.studies.crosscheck.calculix.swept import SweptDeck
 

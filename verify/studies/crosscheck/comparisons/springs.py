@@ -44,7 +44,7 @@ SMALL = 1e-3
 
 
 def continuum(assumption: Any) -> Posed:
-    """The spring as a plane body under one newton, on the very cells."""
+    """The spring as a plane body under 1 N, on the same cells."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.spring.strip import strip
@@ -77,7 +77,7 @@ def continuum(assumption: Any) -> Posed:
 
 
 def accordion(tail: Any, head: Any) -> Posed:
-    """The frame of curved elements under one newton, and a strip about the same line."""
+    """The frame of curved elements under 1 N, and a strip about the same line."""
     given: Any = ACCORDION.inputs()
     q = given.held(Ends("", "", head, tail))
     solved, seconds = timed(lambda: curved_frame(q, line_of(q, 2 * LEVEL)))
@@ -99,7 +99,7 @@ def accordion(tail: Any, head: Any) -> Posed:
 
 
 def aside() -> Posed:
-    """The guided head moved aside without load."""
+    """Lateral displacement of the guided head without load."""
     q: Any = BUCKLING.inputs()
     path = q.path | {"tail": "arc"}
     one = spring(q, path, q.b, LEVEL)
@@ -168,7 +168,7 @@ def drift(share: float) -> Posed:
 
 
 def curve() -> Posed:
-    """A guided spring of six units, pressed until its tips have touched its leaves."""
+    """A guided spring of six units, compressed until its tips touch its leaves."""
     q: Any = CURVE.inputs()
     line = dict(q.path) | {"n": UNITS}
     wide = 1 / (1 - q.nu**2)

@@ -1,4 +1,4 @@
-"""Struts of a sprag clutch between two rigid hubs, beside springs of calculix."""
+"""Struts of a sprag clutch between two rigid hubs, compared with springs of calculix."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """The inner hub displaced and tilted under T, and then turned back."""
+    """The inner hub displaced and tilted under T, and then returned."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
@@ -42,7 +42,7 @@ def struts() -> Posed:
 
 
 def named(loads: Array) -> dict[str, float]:
-    """Force aside, moment of the tilt and torque (2, 3) by name."""
+    """Lateral force, tilting moment and torque (2, 3) by name."""
     return {
         f"{name}{words}": float(value)
         for row, words in zip(loads, ("", ", back"), strict=True)
@@ -51,7 +51,7 @@ def named(loads: Array) -> dict[str, float]:
 
 
 def written(rest: "Joint", moves: Array, path: Path) -> Path:
-    """The deck: a spring for each strut, pressed as it lies, between held and joined nodes.
+    """The deck: a spring for each strut, with its present force, between fixed and joined nodes.
 
     An additional spring on a separate node gives calculix an unknown to solve for.
     """

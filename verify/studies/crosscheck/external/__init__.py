@@ -1,1 +1,1 @@
-"""Scripts that second solvers run in a separate environment: JSON in, JSON out."""
+"""Scripts for the separate environment of second solvers: JSON in, JSON out."""

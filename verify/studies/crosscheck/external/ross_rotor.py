@@ -11,7 +11,7 @@ from typing import Any
 
 
 def main(asked: Path, answer: Path) -> None:
-    """Solve the problem `asked`, as `verify.studies.crosscheck.rotors` writes it."""
+    """Solve the problem `asked`, in the form of `verify.studies.crosscheck.rotors`."""
     answer.write_text(json.dumps(solve(json.loads(asked.read_text("utf-8")))), "utf-8")
 
 
