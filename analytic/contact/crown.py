@@ -2,9 +2,9 @@ r"""Crowns of rollers: drop of the profile towards the ends.
 
 A long contact under a uniform load per length W/l indents, away from its ends, by
 :math:`\frac{W}{\pi l E^*}\ln[1 - (2y/l)^2]` more than in the middle. A crown of that shape
-(Lundberg's) keeps the pressure uniform, but falls without end at the ends; Johns and Gohar cut it
-off at the drop that the end itself needs, Fujiwara and Kawase gave it a straight middle and a drop
-z_m at the end:
+(Lundberg's) gives a uniform pressure, but its drop is infinite at the ends. Johns and Gohar limit
+the drop to the value that is required at the end; Fujiwara and Kawase use a straight middle part
+and a drop z_m at the end:
 
 .. math::
     z = -A \ln\left[1 - \left(1 - e^{-z_m/A}\right) t^2\right], \qquad

@@ -49,7 +49,7 @@ class HubForce:
         return float(2 * np.abs(self.forces[0]))
 
     def __call__(self, zeta: Complex) -> Values:
-        """Potentials at points of the ring, infinite under a force itself and refused there."""
+        """Potentials at points of the ring; ValueError at the point of a force (infinite)."""
         if np.any(np.abs(np.asarray(zeta)[..., None] - self.points) < 1e-12 * self.sector.r_e):
             raise ValueError("stress and displacement are infinite at the hub's point force itself")
         return _flamant(self.sector, self.points, self.forces, zeta).plus(self.correction(zeta))

@@ -46,7 +46,7 @@ class RollerLoad:
         largest = float(np.abs(zeta).max())
         if largest > DEEPEST * self.sector.r_e:
             raise ValueError(
-                f"points may go to {DEEPEST} of the loaded outside, got |zeta|={largest:g} m, "
+                f"points must have |zeta| <= {DEEPEST} d_e/2, got |zeta|={largest:g} m, "
                 f"d_e={self.sector.d_e:g} m"
             )
         return _disc(self.sector, self.a, zeta).plus(self.correction(zeta))

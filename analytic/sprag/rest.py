@@ -1,4 +1,4 @@
-"""Start of an engagement: the blades alone press the sprags on their races."""
+"""Start of an engagement: only the energizing springs press the sprags on their races."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -11,11 +11,11 @@ from analytic.sprag.table import Table
 def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
     r"""theta_i, theta_e, phi, alpha [rad] and their speeds [rad/s] at the start, (8,).
 
-    The blades' moment is balanced with T_i = 0 by N and T_e: with c_e = OB - b_e
+    N and T_e balance the moment of the energizing springs; T_i = 0. With c_e = OB - b_e
 
     .. math:: T_e = -\frac{h N}{c_e}, \qquad K_r(\alpha_{max} - \alpha) = h N - b_e T_e.
 
-    ValueError if the blades would turn the sprag to its end.
+    ValueError if the energizing springs would rotate the sprag to the end of its profile.
     """
     slack = motion.alpha_max - table.origin
 

@@ -38,7 +38,7 @@ def compress_spring(
     if "head tip" not in line.nodes:
         raise ValueError("the centre line needs its free tips, which touch: tips=True")
     if not np.all(np.diff([0.0, *U]) > 0):
-        raise ValueError(f"displacements U [m] rise from above 0, got {list(U)}")
+        raise ValueError(f"displacements U [m] must be positive and ascending, got {list(U)}")
     A, G = b * h, E / (2 * (1 + nu))
     units = sorted((n for n in line.bodies if n.startswith("unit ")), key=lambda n: int(n[5:]))
     return compress(

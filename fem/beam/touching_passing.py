@@ -101,7 +101,7 @@ def _times(along: Array, off: Array) -> tuple[Array, Array]:
 
 
 def _on(along: Array, off: Array, time: Array) -> NDArray[np.bool_]:
-    """Whether a place in line with a chord is on it at a time (k, 1)."""
+    """Whether a point on the line of a chord is inside the chord at a time (k, 1)."""
     way, at = ((1 - time) * v[0] + time * v[1] for v in (along, off))
     share = (way * at).sum(axis=1) / (way**2).sum(axis=1)
     found: NDArray[np.bool_] = (share >= -ENDS) & (share <= 1 + ENDS)

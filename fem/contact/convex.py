@@ -58,7 +58,7 @@ class Piecewise:
             springs = max(SPRINGS * 0.1**step, LEAST_SPRINGS)
             way = self._factor(v, springs).solve(residual)
             v = v + self._length(v, way, residual) * way
-        if missed > size:  # bodies that move far away have strains by round-off, beyond all loads
+        if missed > size:  # round-off strains of bodies that move far away exceed all loads
             raise ArithmeticError(ADRIFT)
         raise ArithmeticError(
             f"the contact did not converge: after {MAX_STEPS} steps forces still miss by "

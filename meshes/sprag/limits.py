@@ -55,9 +55,9 @@ def check_beside(at: Placed, pitch: float) -> None:
     widest = int(np.argmax(width))
     if not width[widest] < pitch:
         raise ValueError(
-            f"sprags of the width b={sprag.b:g} m overlap each other: one takes "
-            f"{math.degrees(width[widest]):.4g} degrees at the radius {radius[widest]:g} m, of "
-            f"{math.degrees(pitch):.4g} for each"
+            f"sprags of the width b={sprag.b:g} m overlap each other: at the radius "
+            f"{radius[widest]:g} m, a sprag needs {math.degrees(width[widest]):.4g} degrees, "
+            f"available are {math.degrees(pitch):.4g}"
         )
 
 

@@ -105,7 +105,7 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
         ({"pole": (D, 0.5 * D)}, "within 45 degrees of"),
         ({"turn": radians(34)}, "turned by 34 degrees touches the inner race beyond a flank"),
         ({"turn": radians(24)}, "from a flank: its contact needs"),
-        ({"z": 20}, "one takes 19.05 degrees at the radius 0.01215"),
+        ({"z": 20}, "at the radius 0.01215.* m, a sprag needs 19.05 degrees"),
         ({"zones": (1e-4, 1.3e-3)}, "of the distance to the flank"),
         ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "about the wall"),
         ({"cells": 0}, "cells >= 1"),

@@ -81,8 +81,8 @@ def test_the_strip_covers_its_line_and_its_faces_are_as_long_as_their_turns_make
     assert set(mesh.subdomains) == {"arcs", "leaves"}
     outline = np.concatenate(list(mesh.boundaries.values()))
     np.testing.assert_array_equal(np.sort(outline), np.flatnonzero(mesh.f2t[1] < 0))
-    # an arc turned right by t is longer by t b/2 on the left; the quarters at both ends turn right
-    # together for even n and cancel for odd n, the others cancel within their unit
+    # an arc of angle t to the right is longer by t b/2 on the left; the effects of the quarters at
+    # both ends add up for even n and cancel for odd n, those of other arcs cancel within each unit
     mesh, total = sheet(n, tail, per_arc=16), arcs(n) + leaves(n, tail)
     extra = pi * B / 2 if n % 2 == 0 else 0
     # quadratic edges of pi/32 are off by h^4 / 120

@@ -68,7 +68,7 @@ def clutch(q: Any, _v: Values, part: Assessment) -> None:
 
 
 def _permissible(q: Any) -> Quantity | None:
-    """The largest slowly rising torque; the crown is the part's crown under its given torque."""
+    """The largest slowly rising torque, with the crown that was given or assumed for the part."""
     part_as_made = q.model_copy(update={"Q": crowned_for(q)})
     under = criteria_under(part_as_made, lambda _q: {}, clutch)
     return permissible(as_torque_grows(q), q.T, ", quasi-static", under)

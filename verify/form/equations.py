@@ -72,8 +72,9 @@ def symbols_of(case: Case) -> Symbols:
 def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     """The equation of a quantity, with numbers if it is arithmetic.
 
-    None if none is stated; CaseError if it gives another number than the code on the default
-    inputs. For other inputs cancellation may separate them: the inserted numbers are left out then.
+    None if no equation is stated; CaseError if, at the default inputs, it gives another number than
+    the code. At other inputs, both may differ by cancellation: the inserted numbers are then
+    omitted.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None
     if not tex:

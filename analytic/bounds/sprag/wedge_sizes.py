@@ -8,7 +8,7 @@ from analytic.sprag.bending import Triangle
 
 
 class State(Triangle, Protocol):
-    """A wedged sprag as the closure has it under its normal force, angles in rad."""
+    """A wedged sprag under its normal force, by the closure equations; angles in rad."""
 
     @property
     def N_e(self) -> Array: ...

@@ -67,7 +67,7 @@ def test_cells_that_fold_or_flatten_are_refused(kind, old, new):
 
 
 def test_a_fold_between_the_nodes_is_detected_at_a_quadrature_point():
-    # found at random among quadratic cells: from -3.9 to -0.05 at its nodes, 0.2 at a Gauss point
+    # a random quadratic cell with determinants of -3.9 to -0.05 at its nodes, 0.2 at a Gauss point
     nodes = np.array([
         (0, 0), (0, 1), (1, 1), (1, 0),
         (-0.072, 0.782), (0.203, 0.738), (0.973, 0.447), (0.72, -0.11), (0.698, 0.447),

@@ -57,7 +57,7 @@ def test_a_tied_sector_moves_as_the_ring_at_every_node(kind, z, swapped):
     [("tri6", {"bore": "n", "rim": {"t": 1e-3}}), ("quad4", {"bore": {"t": 1e-3}})],
 )
 def test_round_guides_go_on_across_the_cut(kind, supports):
-    # half-cell normals at the two ends of the bore would hold the tied corner altogether
+    # two different normals at the ends of the bore would prevent all motion of the tied corner
     z = 5
     part = solved(sector(kind, z), supports=supports, pressures={"rim": 1.0}, ties=[cyclic(z)])
     whole = solved(ring(kind, z), supports=supports, pressures={"rim": 1.0})

@@ -19,7 +19,7 @@ def spring(**more):
 
 
 def area(mesh):
-    """By the two diagonals of cells nearly parallelograms."""
+    """Areas from the two diagonals of cells, which are nearly parallelograms."""
     a, b, c, d = mesh.points[mesh.cells[:, :4]].swapaxes(0, 1)
     return np.linalg.norm(np.cross(c - a, d - b), axis=1).sum() / 2
 

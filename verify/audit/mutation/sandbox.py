@@ -148,7 +148,7 @@ def _end(pid: int) -> None:
 
 
 def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
-    """Fork a child for the task; the end of the pipe that it answers through, and its number."""
+    """Fork a child process for the task; returns the end of its result pipe, and its number."""
     out, into = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()

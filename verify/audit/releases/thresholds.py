@@ -42,7 +42,7 @@ class Figure:
 
     @property
     def is_loosened(self) -> bool:
-        """Whether it has grown, or is no longer there."""
+        """Whether the value has increased or no longer exists."""
         return self.was is not None and (self.now is None or self.now - self.was > self.limit)
 
     @property

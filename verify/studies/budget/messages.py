@@ -1,6 +1,6 @@
 """Reruns for the numerical part of a budget, named after the refinement of the case.
 
-The stored names state which level was solved after which; here they name the refinement.
+Stored names contain the numbers of levels; here, they are replaced by the kind of refinement.
 """
 
 import re

@@ -33,7 +33,7 @@ class Limit:
 
     @cached_property
     def excess(self) -> Array:
-        """Excess of the value over the bound, as a share of it, (N,); positive is a violation."""
+        """Excess of the value over the bound, relative to the bound, (N,); positive: violated."""
         beyond = self.bound - self.value if self.least else self.value - self.bound
         return np.where(np.isnan(self.value), np.inf, beyond / abs(self.bound))
 

@@ -7,7 +7,7 @@ from verify.studies.design_sprag.outcome import Outcome
 
 
 def answer(outcome: Outcome) -> Answer:
-    """ "holds" if all pressures are within the limit and the half-space confirms them."""
+    """The answer; it is "holds" if all pressures are within the limit, also by the half-space."""
     task = outcome.task
     k = int(outcome.pressures.argmax())
     what = f"largest pressure, {task.torques[k]:g} N m, with the crown {named(outcome.crown)}"

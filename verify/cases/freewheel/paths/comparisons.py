@@ -18,7 +18,7 @@ from verify.judging.checks import Accepted, Margin
 from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
 
-MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # accepted of mu_req, of the torque, of the load at slip
+MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # acceptance figures of mu_req, torque, load at slip
 ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
 STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
 SETTLES = 1 / 3  # creep of the last cycle over the first

@@ -27,7 +27,7 @@ QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # constant amplitudes and their number of cyc
 MU_REQ = {1.0: "mu_req_high", 0.3: "mu_req_low"}  # by sines of load case 3
 SOLVED = 1e-6  # relative tolerance of mu_req
 OTHERS = (0.6, 0.9)  # further sines, for the figure only
-TOGETHER = 0.95  # over the limit in load case 3: the first step from zero load
+TOGETHER = 0.95  # load of the first step over the limit load, in load case 3
 
 
 def solve(q: Any, level: int) -> Level:

@@ -13,7 +13,7 @@ DEFINITIONS = ("mid", "mean", "corner")
 
 
 def solve(q: MapInputs, level: int) -> Level:
-    """All flats with the wall and fillet of the inputs; on one level also the maps."""
+    """All numbers of flats, with wall and fillet of the inputs; on one level also the maps."""
     arrays: dict[str, Array] = {}
     if level == MAPPED:
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet)):

@@ -92,7 +92,7 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """Margin below one half of z_m's largest share of the mean drop, for the printed crowns."""
+    """One half minus the largest share of z_m in the mean drop, over the printed crowns."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
