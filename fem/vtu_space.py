@@ -49,7 +49,7 @@ def shell(solution: Any, **_more: Any) -> Content:
 def modes(solution: Any, *, rotor: Any, **_more: Any) -> Content:
     """Displacements of the numbered nodes of a rotor, whose neighbours on a shaft are joined."""
     if rotor is None:
-        raise ValueError("modes do not know where their nodes are: give rotor=")
+        raise ValueError("modes contain no positions of nodes: give rotor=")
     z, shaft = rotor.z, rotor.shaft_of
     inner = sum(len(s.elements) for s in rotor.shafts) * (rotor.refine - 1)
     if solution.shapes.shape[1] != z.size + inner:

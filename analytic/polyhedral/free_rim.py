@@ -98,7 +98,7 @@ def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeR
             break
     if not residual < WORST:
         raise ArithmeticError(
-            f"the series leaves {residual:.1e} of the load on the bore, allowed is {WORST:g}: "
+            f"the series errs by {residual:.1e} of the load on the bore, allowed is {WORST:g}: "
             f"z={sector.z}, d_e={sector.d_e:g} m, d_i={sector.d_i:g} m, rho={sector.rho:g} m "
             "are beyond its range"
         )

@@ -55,7 +55,7 @@ def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) ->
     [0.0, 180.0, 270.0]
     """
     if Z < 3:
-        raise ValueError(f"Z must be at least 3, got {Z}: two sprags hold nothing across")
+        raise ValueError(f"Z must be at least 3, got {Z}: two sprags carry no lateral load")
     if wrong := [j for j in missing if not 0 <= j < Z]:
         raise ValueError(f"missing sprags are counted from 0 to {Z - 1}, got {wrong[0]}")
     return np.asarray(psi_0 + 2 * np.pi * np.delete(np.arange(Z), list(missing)) / Z)
@@ -87,7 +87,7 @@ class SpragCoupling:
         if psi.ndim != 1 or not np.isfinite(psi).all():
             raise ValueError("psi needs one finite angle [rad] for each sprag")
         if np.unique(np.round(np.mod(psi, 2 * np.pi), 9)).size < 3:
-            raise ValueError("psi needs three different angles: two sprags hold nothing across")
+            raise ValueError("psi needs three different angles: two sprags carry no lateral load")
         _positive(self.R_i, "R_i", "m")
         _positive(self.k_n, "k_n", "N/m^n")
         if not 0 < self.nu < math.pi / 2:

@@ -30,7 +30,7 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
     2500.0
     """
     if Z < 3:
-        raise ValueError(f"Z must be at least 3, got {Z}: two sprags hold nothing across")
+        raise ValueError(f"Z must be at least 3, got {Z}: two sprags carry no lateral load")
     return np.asarray(_positive(T, "T", "N m") / (Z * _positive(d_t, "d_t", "m")))
 
 
@@ -114,7 +114,7 @@ def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
 
 def _number(Z: int) -> int:
     if Z < 3:
-        raise ValueError(f"Z must be at least 3, got {Z}: two sprags hold nothing across")
+        raise ValueError(f"Z must be at least 3, got {Z}: two sprags carry no lateral load")
     return Z
 
 

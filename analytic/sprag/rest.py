@@ -26,7 +26,7 @@ def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
 
     if excess(table.end) <= 0:
         raise ValueError(
-            f"the blades turn the sprag to its end at {table.end:.4g} rad before a load does, got "
+            f"the springs alone rotate the sprag to its end at {table.end:.4g} rad, got "
             f"K_r={motion.K_r} N m/rad, alpha_max={motion.alpha_max} rad"
         )
     alpha = brentq(excess, 0.0, table.end, xtol=1e-15) if excess(0.0) < 0 else 0.0

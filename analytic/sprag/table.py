@@ -100,7 +100,7 @@ def table(
         np.asarray(x, dtype=np.float64) for x in (alpha, N, OA, OB, OC_g, beta, gamma)
     )
     if N[0] != 0 or np.any(np.diff(N) <= 0) or np.any(np.diff(alpha) <= 0):
-        raise ValueError("states of a table must begin at N = 0 N and rise in N and alpha [rad]")
+        raise ValueError("states of a table must begin at N = 0 N; N and alpha must ascend")
     h = OC_g * (np.sin(beta + gamma) - np.asarray(N_e_over_N) * np.sin(gamma))
     b_i, b_e = OC_g * np.cos(beta + gamma) - OA, OB - OC_g * np.cos(gamma)
     root = np.sqrt(alpha - alpha[0])

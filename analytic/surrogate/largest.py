@@ -73,7 +73,7 @@ def fit_largest(
     if present is None:
         present = [np.ones(len(x), dtype=bool)] * len(values)
     if len(present) != len(values):
-        raise ValueError(f"{len(values)} regimes, but {len(present)} say where they are present")
+        raise ValueError(f"{len(values)} regimes, but presence is stated for {len(present)}")
     models = []
     if any(np.shape(regime) != (len(x),) for regime in values):
         raise ValueError(f"every regime needs a value for each of the {len(x)} designs")

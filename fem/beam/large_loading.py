@@ -100,7 +100,7 @@ def held_components(count: int, supports: Supports) -> Mask:
         for component in support:
             held[3 * node + _component(node, component)] = True
         if not isinstance(support, str) and any(support.values()):
-            raise ValueError(f"node {node}: supports hold at zero; move it with displaced()")
+            raise ValueError(f"node {node}: supports are at zero; use displaced() to move it")
     return held
 
 

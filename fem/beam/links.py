@@ -146,7 +146,7 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
     """
     own = np.linalg.svd(tied.B[:, free].toarray(), compute_uv=False)
     if free.sum() < tied.count or own[-1] < DEPENDENT:
-        raise ValueError("links repeat each other or join points that the supports hold already")
+        raise ValueError("links are redundant or join points that supports already fix")
     x, y = (points - points.mean(axis=0)).T / max(np.ptp(points, axis=0).max(), 1e-300)
     modes = np.zeros((len(points), 3, 3 * (int(part.max()) + 1)))
     node = np.arange(len(points))

@@ -168,7 +168,7 @@ def solve_supported(
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solve did not converge: the last correction still holds {change:.1e} "
+            f"the linear solver did not converge: the last correction contains {change:.1e} "
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
     energy, internal = forces(strained)

@@ -53,7 +53,7 @@ class Supports:
         for name in bodies.means:
             if name in self._supports or name in bodies.obstacles:
                 raise ValueError(
-                    f"the mean motion of {name!r} is held, and so is {name!r} itself: one of them"
+                    f"{name!r} and its mean motion are both prescribed: prescribe one of them"
                 )
         # the same supports with running numbers for values: the support of each condition
         keys = [(name, c) for name, held in self._supports.items() for c in held]

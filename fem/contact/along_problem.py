@@ -72,7 +72,7 @@ class AlongProblem:
             residual, states, moved = interface.cone.judged(descent.w_0, descent.e, at)
             if not residual.largest <= EXACT:
                 raise NotFoundError(
-                    f"the contact misses its laws by more than {EXACT:g}: {residual}"
+                    f"the solution violates the laws of contact by more than {EXACT:g}: {residual}"
                 )
             rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
         step = AlongStep(
@@ -90,7 +90,7 @@ class AlongProblem:
         if np.any(missed):
             raise NoEquilibriumError(
                 f"{self._who(missed, motions)}, and the loads do move it: along the surface and "
-                "along z together, friction holds no more than mu times the pressure"
+                "along z together, friction is at most mu times the pressure"
             )
         try:
             return descent.solve(_starts(descent, before, in_plane))
@@ -142,8 +142,8 @@ class AlongProblem:
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
             raise NotFoundError(
-                "no state of rest was found within small motions: by the solution found, "
-                f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g} where surfaces "
+                "no state of rest with small motions was found: in the solution, "
+                f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g}, while surfaces "
                 f"deform by {size:.3g}"
             )
 

@@ -367,8 +367,8 @@ class ContactProblem:
         moved = float(np.abs(self.bodies.motions @ motion).max())
         if moved > RUNAWAY * size:
             raise NotFoundError(
-                f"no state of rest was found within small motions: by the solution found, "
-                f"{self.bodies.named(motion)}, by {moved:.3g} where surfaces deform by {size:.3g}"
+                f"no state of rest with small motions was found: in the solution, "
+                f"{self.bodies.named(motion)}, by {moved:.3g}, while surfaces deform by {size:.3g}"
             )
 
     def _deformation(self, found: ContactSolution) -> float:

@@ -88,8 +88,8 @@ def force_load(
     for name, force in forces.items():
         if turn and force[0] != 0:
             raise ValueError(
-                f"the force on {name!r} has the radial part {force[0]:g}, and radial forces add up "
-                "to nothing around a turn: use tractions or pressures"
+                f"the force on {name!r} has the radial part {force[0]:g}, but a radial force has "
+                "no resultant on a body of revolution: use tractions or pressures"
             )
         side = _wall(basis, name, named_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())

@@ -170,7 +170,7 @@ def _solve(cells, f, T, u0):
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solve did not converge: the last correction still holds {change:.1e} "
+            f"the linear solver did not converge: the last correction contains {change:.1e} "
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
     return u, internal, change

@@ -160,7 +160,7 @@ def _solve(B, D, area, dofs, f, u, number):
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solve did not converge: the last correction still holds {change:.1e} "
+            f"the linear solver did not converge: the last correction contains {change:.1e} "
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
     resultants, energy, internal = _forces(B, D, area, dofs, strained, f.size)

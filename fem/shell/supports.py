@@ -74,7 +74,7 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
     value[group[fixed]] = held[fixed]
     if np.any(differ := value[group[fixed]] != held[fixed]):
         node, column = divmod(int(np.flatnonzero(fixed)[differ][0]), 6)
-        raise ValueError(f"node {node}: {COMPONENTS[column]} is tied to one held at another value")
+        raise ValueError(f"node {node}: {COMPONENTS[column]} is tied to one with another value")
     free = np.isnan(value)
     number = np.full(groups, -1)
     number[free] = np.arange(free.sum())

@@ -119,7 +119,7 @@ class Drive:
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
         raise NotFoundError(
-            f"no slip was found: {MOST} steps along z leave {left:.1e} of the axial force to the "
+            f"no slip was found in {MOST} steps along z: the axial force is {left:.1e} below the "
             "friction cone"
         )
 

@@ -76,7 +76,7 @@ def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
     """The band; an end that differs from the end of a part by round-off is moved there."""
     if not 0 <= band[0] < band[1] <= z[-1] * (1 + SAME):
         raise ValueError(
-            f"a band lies on the shaft, 0 to {z[-1]:g} m, from low to high: got {band}"
+            f"a band must lie on the shaft, 0 to {z[-1]:g} m, from low to high: got {band}"
         )
     low, high = (
         float(z[k]) if abs(z[k] - end) <= SAME * z[-1] else end

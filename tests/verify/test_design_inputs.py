@@ -61,7 +61,7 @@ WRONG = [
     (spring, {"b": []}, "inputs.b: the list is empty"),
     (spring, {"n": "4 : 9 : 3"}, "needs whole numbers"),
     (spring, {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
-    (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range must rise, got 5 to 1"),
+    (crown, {"K_1_range": "5 : 1"}, "K_1_range: the ends of a range must ascend, got 5 to 1"),
     (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range is "low : high"'),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, at most 12 are taken"),

@@ -161,7 +161,7 @@ def test_options_that_make_no_sense_are_refused(store, capsys):
         ("--clear budgets", "kinds: level"),
         ("--code numpy.linalg", "--code numpy.linalg: is no module of the project"),
         ("--code fem.plane", "--code fem.plane: is a package: name one of its modules"),
-        ("ring-lame --code fem.plane.solve", "a case or a module, one of them"),
+        ("ring-lame --code fem.plane.solve", "give either a case or a module"),
         ("no-case", "unknown case 'no-case'"),
     ):
         assert run(["store", *arguments.split()]) == 2

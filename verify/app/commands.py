@@ -66,7 +66,7 @@ def run_verify(
     A summary in Markdown is appended to the file `summary`.
     """
     if quick and names:
-        raise InputError(f"--quick runs {', '.join(QUICK)}: name no case beside it")
+        raise InputError(f"--quick runs {', '.join(QUICK)}: no case can be named with it")
     names = QUICK if quick else names
     out = out or ROOT / "reports" / "out"
     writable(out)

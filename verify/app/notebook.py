@@ -175,7 +175,7 @@ def _part(part: str | Path, inputs: Mapping[str, Any] | None) -> ParameterFile:
     """A parameter file, or the template of a case with some of its inputs changed."""
     if Path(part).suffix == ".toml":
         if inputs:
-            raise ValueError(f"{part}: a parameter file has its inputs; give a case with others")
+            raise ValueError(f"{part}: a parameter file contains its inputs; name a case")
         return read(Path(part))
     case = find(str(part))
     raw = _template(case) | dict(inputs or {})

@@ -60,7 +60,7 @@ def run_origin(case: str, code: str, *, other: bool) -> int:
         named = case or f"--code {code}"
         raise InputError(f"store {named}: --json and --clear go without a case and without --code")
     if case and code:
-        raise InputError(f"store {case} --code {code}: a case or a module, one of them")
+        raise InputError(f"store {case} --code {code}: give either a case or a module")
     print_wrapped(*(of_case(case) if case else of_module(code)))
     return 0
 

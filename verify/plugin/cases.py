@@ -82,7 +82,7 @@ class Item(pytest.Item):
     def not_judged(self, message: str) -> None:
         """Skip the test for this reason; where the setting is strict it fails."""
         if self.config.getini(STRICT):
-            raise FreewheelError(f"{message}\n{STRICT}: what is not judged fails")
+            raise FreewheelError(f"{message}\n{STRICT}: results that are not judged fail")
         pytest.skip(message)
 
 

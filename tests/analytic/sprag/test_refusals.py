@@ -48,7 +48,7 @@ WITHOUT_CLUTCH = [
      "normal force must be finite and not negative"),
     (lambda: torque([0.0, 0.0], [1.0, 2.0]), "times of a torque must increase"),
     (lambda: torque([0.0, 1.0], [1.0]), "one value for each time"),
-    (lambda: tabled(n_s=3, alpha=RISING * (1 - RISING), N=RISING, **COLUMNS), "rise in N and al"),
+    (lambda: tabled(n_s=3, alpha=RISING * (1 - RISING), N=RISING, **COLUMNS), "alpha must ascend"),
     (lambda: tabled(n_s=3, alpha=RISING, N=RISING + 1, **COLUMNS), "begin at N = 0"),
     (lambda: replace(PARTS, b=6e-3), "sprags touch each other"),
     (lambda: replace(PARTS, R_id=12e-3), "R_id below R_i"),
@@ -88,7 +88,7 @@ def test_loads_without_equilibrium_are_refused(clutch, call, message):
         ({"m_g": 0.0}, "m_g must be positive and finite, got 0.0 kg"),
         ({"C_rl": -0.1}, "C_rl must be finite and not negative, got -0.1 N m s/rad"),
         ({"mu_c": 0.2}, "mu_c <= mu_s, got mu_c=0.2, mu_s=0.12"),
-        ({"K_r": 1e5, "alpha_max": 3.0}, "blades turn the sprag to its end"),
+        ({"K_r": 1e5, "alpha_max": 3.0}, "springs alone rotate the sprag to its end"),
     ],
 )
 def test_a_motion_that_makes_no_sense_is_refused(table, motion, change, message):

@@ -116,7 +116,7 @@ WRONG = {
     "element 1 is folded or has no length": lambda: frame([(0, 0), (1, 0), (1, 0)]),
     "no body 'arc'; bodies: none": lambda: frame(sections={"arc": SOFT}),
     "node 0: components are x, y, r, got 'z'": lambda: frame(supports={0: "xyz"}),
-    "node 0: supports hold at zero; move it with displaced()":
+    "node 0: supports are at zero; use displaced() to move it":
         lambda: frame(supports={0: {"x": 0.1, "y": 0, "r": 0}}),
     "node 2: components are x, y, r, got 'phi'":
         lambda: frame().displaced({2: {"phi": 1.0}}, [1.0]),

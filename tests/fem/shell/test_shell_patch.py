@@ -164,7 +164,7 @@ LOST = np.vstack([GRID.points, [9.0, 9.0, 9.0]])
         ({"supports": {"u=0": "xyz"}}, r"can move rigidly \(.*turn about y\): support it against"),
         (
             {"supports": {"u=0": "xyzabc", 14: {"x": 1.0}}, "ties": {"v=1": "x"}},
-            r"node \d+: x is tied to one held at another value",
+            r"node \d+: x is tied to one with another value",
         ),
         ({"ties": {"u=2": "x"}}, "no boundary 'u=2'"),
         ({"edge_loads": {"u=1": (0, 1)}}, "'u=1': a load has three components"),

@@ -42,7 +42,7 @@ def test_cells_are_fine_at_the_corners_and_halve():
         ([(0.1, 0.04, 0.04)], {}, "0 <= d_i < d_o"),
         ([(-0.1, 0.04, 0.0)], {}, "length > 0"),
         ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.04)], {}, "no section in common"),
-        (PARTS, {"seat": (0.4, 0.5)}, "lies on the shaft"),
+        (PARTS, {"seat": (0.4, 0.5)}, "must lie on the shaft"),
         (PARTS, {"seat": (0.2, 0.1)}, "from low to high"),
     ],
 )

@@ -53,7 +53,7 @@ REFUSED = [
     ("sprag-clutch", {"R_i": "20 mm"}, "the sprags need room between the races"),
     ("sprag-clutch", {"R_id": "12 mm"}, "needs a wall: R_id < R_i, got R_id = 12 mm"),
     ("sprag-clutch", {"R_ed": "19 mm"}, "the outer race needs a wall"),
-    ("sprag-clutch", {"b": "7 mm"}, "sprags stand side by side on the inner race"),
+    ("sprag-clutch", {"b": "7 mm"}, "sprags must not overlap on the inner race"),
     ("sprag-clutch", {"r_i": "0.5 mm", "nu_0": "11 deg"}, "no spiral has this wedge angle"),
     ("sprag-clutch", {"mu_c": 0.2}, "friction falls with the speed"),
     ("sprag-clutch", {"dt": "1e-8 s", "t_end": "1 s"}, "between 10 and 2,000,000 steps"),
@@ -94,7 +94,7 @@ REFUSED = [
     ("rotor-step", {"a": "295 mm"}, "do not fit beside"),
     ("rotor-step", {"b": "60 mm"}, "no short bearing"),
     ("rotor-sprag", {"zeta_low": "4 %"}, "zeta_low <= zeta_high"),
-    ("rotor-sprag", {"U_2": "4e-5 kg m"}, "unbalances 2 rise"),
+    ("rotor-sprag", {"U_2": "4e-5 kg m"}, "values of unbalance 2 must ascend"),
 ]
 
 

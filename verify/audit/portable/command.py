@@ -52,7 +52,7 @@ def run_portable(
         with shown(quiet=False) as show:
             failures = run_all(work, jobs or os.cpu_count() or 1, show)
     except KeyboardInterrupt:
-        raise KeyboardInterrupt("interrupted; finished cases serve the next run") from None
+        raise KeyboardInterrupt("interrupted; the next run uses finished cases") from None
     is_full = not names and not only
     summary = summarized(work, emulated, failures, stated, is_full=is_full)
     for line in lines(summary):

@@ -77,7 +77,7 @@ class WedgeInputs(Inputs):
         pitch = 2 * self.R_i * math.sin(math.pi / self.z)
         if not self.b < pitch:
             raise ValueError(
-                f"sprags stand side by side on the inner race: b < 2 R_i sin(π/n_s) = "
+                f"sprags must not overlap on the inner race: b < 2 R_i sin(π/n_s) = "
                 f"{pitch * 1e3:.4g} mm, got b = {self.b * 1e3:g} mm"
             )
         return self

@@ -64,10 +64,10 @@ def _bearing(rotor: Rotor, one: Any) -> dict[str, Any]:
         K, C = one.stiffness, one.damping
         ends = {"n": refined(rotor, one.a), "n_link": refined(rotor, one.b)}
     else:
-        raise ValueError("a bearing whose coefficients change with the speed is not posed to ROSS")
+        raise ValueError("a bearing whose coefficients change with the speed is not given to ROSS")
     beyond = np.array([np.delete(A, (0, 1), axis=0) for A in (K, C)])
     if np.any(beyond):
-        raise ValueError("a bearing that holds more than x and y is not posed to ROSS")
+        raise ValueError("ROSS has only bearings that act in x and y")
     named = {f"{letter}{'xy'[i]}{'xy'[j]}": float(A[i, j])
              for letter, A in (("k", K), ("c", C)) for i in (0, 1) for j in (0, 1)}  # fmt: skip
     return ends | named

@@ -57,12 +57,12 @@ class Sweep:
         first, last = (self._text(part, where) for part in parts[:2])
         if not parts[2].isdecimal() or not 2 <= int(parts[2][:9]) <= MOST:
             raise InputError(
-                f"{where}: a range ends with how many values it has, 2 to {MOST:,}, "
+                f"{where}: the last part of a range is its number of values, 2 to {MOST:,}, "
                 f"got {parts[2][:20]!r}"
             )
         if not first < last:
             ends = " to ".join(self._shown(end / units.factor(self.unit)) for end in (first, last))
-            raise InputError(f"{where}: a range must rise, got {ends}")
+            raise InputError(f"{where}: the ends of a range must ascend, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
             raise InputError(f"{where}: {raw[:60]!r} contains fractions, needs whole numbers")

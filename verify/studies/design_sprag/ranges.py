@@ -39,7 +39,8 @@ class Range:
         low_shown, high_shown = (x / units.factor(self.unit) for x in (low, high))
         if not low < high:
             raise InputError(
-                f"{where}: a range must rise, got {self.text(low_shown)} to {self.text(high_shown)}"
+                f"{where}: the ends of a range must ascend, got {self.text(low_shown)} to "
+                f"{self.text(high_shown)}"
             )
         if not (low_shown > self.above and high_shown <= self.most * (1 + 1e-12)):
             raise InputError(

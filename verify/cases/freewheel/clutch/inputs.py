@@ -117,7 +117,7 @@ class ClutchInputs(Case):
                 )
         if not self.s_mu < 0.5 * self.mu:
             raise ValueError(
-                f"μ stays positive: s_mu must be below μ/2, got {self.s_mu:g} with μ = {self.mu:g}"
+                f"μ > 0: s_mu must be below μ/2, got {self.s_mu:g} with μ = {self.mu:g}"
             )
         return self
 

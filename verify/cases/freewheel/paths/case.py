@@ -100,7 +100,7 @@ class LoadPaths(Pulled):
     def _times(self) -> Self:
         if not self.rise < self.duration:
             raise ValueError(
-                f"the torque comes up before the path ends: rise < duration, got rise = "
+                f"the torque must be reached within the path: rise < duration, got rise = "
                 f"{self.rise:g} s, duration = {self.duration:g} s"
             )
         if self.f * self.duration > MOST:

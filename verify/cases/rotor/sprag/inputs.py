@@ -79,7 +79,7 @@ class SpragRotorInputs(Case):
             )
         if not self.U_2 < self.U_2_middle < self.U_2_high:
             raise ValueError(
-                "unbalances 2 rise, got "
+                "the three values of unbalance 2 must ascend, got "
                 f"{self.U_2:g}, {self.U_2_middle:g} and {self.U_2_high:g} kg m"
             )
         return self

@@ -73,7 +73,7 @@ class ContactDeck:
 
     def __post_init__(self) -> None:
         if self.shift is None and any(p.interference for p in self.surfaces.pairs):
-            raise ValueError("an interference is drawn in a deck: give the shift that makes it")
+            raise ValueError("a deck contains an interference as overlap: give the shift for it")
 
     @property
     def bodies(self) -> Bodies:
