@@ -142,7 +142,7 @@ class AlongProblem:
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
             raise NotFoundError(
-                "no state of rest with small motions was found: in the solution, "
+                "no state of rest was found with small motions: in the solution, "
                 f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g}, while surfaces "
                 f"deform by {size:.3g}"
             )

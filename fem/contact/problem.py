@@ -367,7 +367,7 @@ class ContactProblem:
         moved = float(np.abs(self.bodies.motions @ motion).max())
         if moved > RUNAWAY * size:
             raise NotFoundError(
-                f"no state of rest with small motions was found: in the solution, "
+                f"no state of rest was found with small motions: in the solution, "
                 f"{self.bodies.named(motion)}, by {moved:.3g}, while surfaces deform by {size:.3g}"
             )
 

@@ -119,7 +119,7 @@ class Drive:
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
         raise NotFoundError(
-            f"no slip was found in {MOST} steps along z: the axial force is {left:.1e} below the "
+            f"no slip was found: {MOST} steps along z end {left:.1e} of the axial force below the "
             "friction cone"
         )
 

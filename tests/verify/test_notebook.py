@@ -180,7 +180,7 @@ def test_with_fem_the_rows_stand_below_the_limits():
     [(lambda: verify.run("nosuch"), "unknown case 'nosuch'"),
      (lambda: verify.check("nosuch.toml"), "nosuch.toml: cannot be read"),
      (lambda: verify.check("freewheel-clutch", {"T": "30 kg"}), "inputs.T: .* is not a torque"),
-     (lambda: verify.check("any.toml", {"T": "1 N m"}), "a parameter file has its inputs")],
+     (lambda: verify.check("any.toml", {"T": "1 N m"}), "a parameter file contains its inputs")],
 )  # fmt: skip
 def test_what_is_wrong_is_one_line(call, message):
     with pytest.raises(ValueError, match=message) as caught:

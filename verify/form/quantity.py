@@ -138,7 +138,7 @@ class Declared:
         if case is None:
             return q
         if solving.get() and q.role != "geometry":
-            raise q.broken("the reference must not use a formula, but uses this one")
+            raise q.broken("the reference reads this formula, but must read none")
         _note(q, q.name)
         factor = 1 + CHANGE if _larger.get() is q else 1.0
         return remembered(case, q.name, lambda: factor * float(q.formula(case)))

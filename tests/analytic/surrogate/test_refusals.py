@@ -37,7 +37,7 @@ REFUSED = [
     (lambda: fit(np.where([True, False], X, 0.5), smooth(X), BOX), "do not determine a quadratic"),
     (lambda: fit_largest(X, [], BOX), "the largest of no regimes is not defined"),
     (lambda: fit_largest(X, [ONES, -ONES], BOX), "must not be negative, got -1.0"),
-    (lambda: fit_largest(X, [ONES, ONES], BOX, present=[ONES > 0]), "2 regimes, but 1 say where"),
+    (lambda: fit_largest(X, [ONES, ONES], BOX, present=[ONES > 0]), "presence is stated for 1"),
     (lambda: fit_largest(X, [ONES], BOX, power=0.0), "power must be positive and finite, got 0.0"),
     (lambda: quality(ONES, ONES[:3]), "as many predicted values as true, got (30,), (3,)"),
     (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),

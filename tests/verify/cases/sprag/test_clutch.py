@@ -110,7 +110,7 @@ def test_a_crown_drops_less_at_the_middle_of_its_end_slices():
 def test_springs_whose_state_is_not_found_have_no_force(broken):
     def fails(_):
         def equilibrium(*_args, **_more):
-            raise ArithmeticError("no load for which there is a state")
+            raise ArithmeticError("no normal force with an equilibrium state")
 
         return equilibrium
 
