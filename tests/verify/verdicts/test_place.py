@@ -150,6 +150,7 @@ def test_an_input_that_changes_no_error_is_not_named():
         assert place(of_record(name), "rotor-clutch", offset).words == says
 
 
+@pytest.mark.slow("finite elements of each case are solved with other inputs")
 @pytest.mark.parametrize("one", independent.declared(), ids=lambda one: f"{one.case}-{one.inputs}")
 def test_inputs_that_are_declared_to_change_no_error_change_none(one, judged, of_paper):
     case = find(one.case)
