@@ -8,8 +8,8 @@ from threading import Thread
 from typing import Self
 
 from reports.drawing_process import DrawingProcess
+from reports.figures import plot
 from reports.frames import frames
-from reports.html import plot
 from verify.core.results import CaseResult
 
 

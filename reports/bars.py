@@ -5,7 +5,7 @@ import textwrap
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import WIDTH, Axes
+from reports.axes import WIDTH, Axes
 from verify.core.figures import Bars
 
 LINE, THICK = 13.0, 12.0  # of text, of a bar

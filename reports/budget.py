@@ -7,8 +7,8 @@ from textwrap import wrap
 from markupsafe import Markup
 
 from reports import svg
+from reports.axes import WIDTH, Axes
 from reports.formats import MINUS
-from reports.plots import WIDTH, Axes
 from verify.core.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0

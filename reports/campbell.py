@@ -6,9 +6,9 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
+from reports.axes import WIDTH, Axes
 from reports.curves import LINE, key, style
 from reports.labels import Box, beside, spread
-from reports.plots import WIDTH, Axes
 from verify.core.figures import Array, Band, Campbell, Curve
 
 TOP, BOTTOM, KEY = 44.0, 292.0, 346.0

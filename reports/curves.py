@@ -11,7 +11,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import HEIGHT, WIDTH, Axes
+from reports.axes import HEIGHT, WIDTH, Axes
 from verify.core.figures import Array, Band, Curve, Curves
 
 LINE = 18.0  # height of a line of the key

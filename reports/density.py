@@ -8,8 +8,8 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
+from reports.axes import WIDTH, Axes
 from reports.bitmaps import FINER, webp
-from reports.plots import WIDTH, Axes
 from reports.ramps import SIGNED, UNSIGNED, Scale
 from verify.core.figures import Array, Density
 

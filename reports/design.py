@@ -6,8 +6,10 @@ from dataclasses import dataclass
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, html
+from reports import figures, formats
 from reports.design_plots import Bars, Parallel, Region, bars, parallel, region
+from reports.environment import HERE, columns
+from reports.html import styles
 from reports.sketch import sketch
 from verify.core.figures import Figure, Sketch, Table
 
@@ -56,14 +58,14 @@ class DesignPage:
 def page(design: DesignPage) -> str:
     """HTML of the page."""
     env = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(html.HERE), autoescape=True, trim_blocks=True,
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined,
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": formats.prose, "plot": plot, "sketch": sketch,
-        "columns": html.columns,
+        "columns": columns,
     }  # fmt: skip
-    css = Markup(html.styles())  # noqa: S704 - files of the project
+    css = Markup(styles())  # noqa: S704 - files of the project
     return env.get_template("design.html.j2").render(page=design, css=css)
 
 
@@ -77,4 +79,4 @@ def plot(figure: Picture) -> Markup:
         case Parallel():
             return parallel(figure)
         case _:
-            return html.plot(figure)
+            return figures.plot(figure)

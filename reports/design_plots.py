@@ -7,7 +7,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
-from reports.plots import WIDTH
+from reports.axes import WIDTH
 from verify.core.figures import Array
 
 LINE, SWATCH, LETTER = 18.0, 14.0, 6.2

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from numpy.typing import ArrayLike
 
 from reports import svg
-from reports.plots import WIDTH
+from reports.axes import WIDTH
 from verify.core.figures import (
     Bars,
     Campbell,

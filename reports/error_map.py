@@ -5,7 +5,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
-from reports.plots import WIDTH
+from reports.axes import WIDTH
 from verify.core.figures import Array, Map
 
 LEFT, TOP, RIGHT = 62.0, 26.0, 8.0

@@ -69,7 +69,7 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
 
 
 def decimal(size: float, digits: int) -> str:
-    """So many significant digits of a size of zero or more, or its whole part, without an exponent."""
+    """Significant digits of a number that is not negative, or its whole part; no exponent."""
     if size >= 10**digits:
         return f"{size:.0f}"
     return np.format_float_positional(size, precision=digits, fractional=False, trim="-")

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from reports.html import plot
-from reports.plots import convergence
+from reports.convergence import convergence
+from reports.figures import plot
 from reports.sketch import sketch
 from reports.standalone import standalone
 from verify.core.results import CaseResult

@@ -8,10 +8,11 @@ from markupsafe import Markup
 
 from reports import explorer
 from reports.advice import advised, of_case
+from reports.environment import HERE, environment
 from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
 from reports.frames import Frame
-from reports.html import HERE, context, environment, script_of, script_source
+from reports.html import context, script_of, script_source
 from reports.links import FIRST, PLACES, Places, linked, path_of
 from reports.origins import page_of, section
 from reports.row_lines import Line

@@ -7,8 +7,8 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
+from reports.axes import WIDTH, Axes
 from reports.curves import LINE, key, style
-from reports.plots import WIDTH, Axes
 from verify.core.figures import Array, Curve, Parallel, ParallelAxis
 
 LEFT, RIGHT, TALL = 34.0, 366.0, 190.0

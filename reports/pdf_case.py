@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 
-from reports import formats, plots, second, signature
+from reports import formats, second, signature
+from reports.convergence import convergence, on_meshes
 from reports.crosscheck import Problem
+from reports.environment import present, printed, reproduce
+from reports.figures import plot
 from reports.frames import Frame
-from reports.html import plot, present, printed, reproduce
 from reports.mathematics import tree
 from reports.pdf_tables import Data, budget, expected, levels, prose, quantity, shortened
 from reports.richtext import Run, digits, runs
@@ -60,7 +62,7 @@ def case_data(
         "assumptions": [prose(x) for x in case.assumptions],
         "figures": _figures(case, frames),
         "budget": budget([line.row for line in group]),
-        "finer": "on every mesh" if plots.on_meshes(refined) else "at every refinement",
+        "finer": "on every mesh" if on_meshes(refined) else "at every refinement",
         "levels": levels(refined),
         "expected": [expected(row) for row in rows if row.interval],
         "tables": [shortened(t, sheet) for t, sheet in zip(case.tables, sheets, strict=True)],
@@ -139,7 +141,7 @@ def _unit(unit: str) -> list[Run]:
 
 def _figures(case: CaseResult, frames: Sequence[Frame]) -> list[Data]:
     found = [_figure(standalone(plot(f)), f.title, f.note) for f in case.figures]
-    curves = standalone(plots.convergence([row for row in case.rows if row.levels]))
+    curves = standalone(convergence([row for row in case.rows if row.levels]))
     words = (
         "Distance to the finest level, or to the exact value where an order is judged; one colour "
         "for each order of theory. Rows without an order are not drawn."

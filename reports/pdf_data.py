@@ -8,8 +8,9 @@ from jinja2 import Template
 from markupsafe import Markup
 
 from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
+from reports.environment import causes
 from reports.frames import Frame
-from reports.html import WORDS, anchors, causes, drawn_by, title, warnings
+from reports.html import WORDS, anchors, drawn_by, title, warnings
 from reports.in_short import cases_in_short, named, where
 from reports.overview import overview
 from reports.pdf_budget import budget_data

@@ -6,9 +6,10 @@ from itertools import islice
 from reports import formats
 from reports.advice import advised, of_case
 from reports.drawable import drawable
+from reports.environment import present, printed
+from reports.figures import plot
 from reports.first_page import groups
 from reports.frames import Frame
-from reports.html import plot, present, printed
 from reports.pdf_case import MARKS
 from reports.pdf_tables import Data, prose, quantity
 from reports.pdf_verdicts import group_data

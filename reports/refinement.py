@@ -6,7 +6,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import HEIGHT, WIDTH, Axes
+from reports.axes import HEIGHT, WIDTH, Axes
 from verify.core.figures import Refinement
 
 APART = 16.0  # between two names

@@ -7,7 +7,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import WIDTH
+from reports.axes import WIDTH
 from verify.core.figures import Array, Panel, Shapes
 
 EDGE, GAP, NAME = 8.0, 16.0, 18.0  # around all, between panels, for a panel's name

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, html
+from reports import figures, formats
 from reports.design import Tile
+from reports.environment import HERE, columns
+from reports.html import styles
 from reports.measured import Measured
 from reports.slim import slim
 from reports.sweep_plots import Causes, Histogram, causes, histogram
@@ -74,14 +76,14 @@ class SweepPage:
 def page(sweep: SweepPage) -> str:
     """HTML of the page."""
     env = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(html.HERE), autoescape=True, trim_blocks=True,
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined,
     )  # fmt: skip
     env.filters |= {
-        "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": html.columns,
+        "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": columns,
         "small": validity_map, "flat": flat, "key": key,
     }  # fmt: skip
-    css = Markup(html.styles())  # noqa: S704 - files of the project
+    css = Markup(styles())  # noqa: S704 - files of the project
     return slim(env.get_template("sweep.html.j2").render(page=sweep, css=css))
 
 
@@ -111,4 +113,4 @@ def plot(figure: Picture) -> Markup:
         case Causes():
             return causes(figure)
         case _:
-            return html.plot(figure)
+            return figures.plot(figure)

@@ -6,7 +6,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import WIDTH, Axes
+from reports.axes import WIDTH, Axes
 from verify.core.figures import Array
 
 LETTER = 6.4

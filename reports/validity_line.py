@@ -12,9 +12,9 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
+from reports.axes import Axes
 from reports.error_cells import Cells
 from reports.measured import Measured, all_within, inside, undecided
-from reports.plots import Axes
 from verify.core.figures import Array
 
 EVEN = 0.4  # largest error up to which the axis is even

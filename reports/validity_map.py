@@ -5,11 +5,11 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
+from reports.axes import WIDTH
 from reports.error_cells import Cells
 from reports.error_map import percent
 from reports.error_scale import UNSOLVED, classes, css, scale
 from reports.measured import LIMITS, Measured, all_within, undecided
-from reports.plots import WIDTH
 from reports.validity_line import validity_line
 from verify.core.figures import Array
 

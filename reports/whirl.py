@@ -10,7 +10,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import WIDTH
+from reports.axes import WIDTH
 from verify.core.figures import Array, ComplexArray, Mode, Whirl
 
 YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts

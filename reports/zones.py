@@ -7,8 +7,8 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
+from reports.axes import HEIGHT, WIDTH, Axes
 from reports.curves import key, style
-from reports.plots import HEIGHT, WIDTH, Axes
 from verify.core.figures import Array, Zone, Zones
 
 LINE = 18.0  # height of a line of the key

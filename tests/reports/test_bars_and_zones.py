@@ -6,8 +6,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from reports.axes import WIDTH
 from reports.bars import LETTER, bars
-from reports.plots import WIDTH
 from reports.zones import zones
 from tests.reports.paths import corners
 from verify.core.figures import Bars, Curve, Zone, Zones

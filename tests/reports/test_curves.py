@@ -7,9 +7,11 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from reports.axes import WIDTH, Axes
+from reports.convergence import convergence
 from reports.curves import curves
-from reports.html import plot
-from reports.plots import WIDTH, Axes, convergence, profile
+from reports.figures import plot
+from reports.plots import profile
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.standalone import HERE

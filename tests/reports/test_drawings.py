@@ -8,8 +8,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from markupsafe import Markup
 
-from reports import plots, signature, svg
-from reports.html import plot
+from reports import signature, svg
+from reports.convergence import convergence
+from reports.figures import plot
 from reports.overview import overview
 from reports.sketch import WIDTH, sketch
 from reports.slim import MOST, slim, steps, too_large, unquoted
@@ -88,7 +89,7 @@ def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(r
     found = [overview(report.cases)]
     found += [signature.signature(row) for row in report.rows]
     for case in report.cases:
-        found += [sketch(case.sketch), plots.convergence([r for r in case.rows if r.levels])]
+        found += [sketch(case.sketch), convergence([r for r in case.rows if r.levels])]
         found += [plot(figure) for figure in case.figures]
     drawings = [drawing for svg in found if (drawing := standalone(svg))]
     assert len(drawings) > 50

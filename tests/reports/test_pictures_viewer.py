@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reports.html import HERE
+from reports.environment import HERE
 from reports.scene import compose
 from reports.viewer import viewer
 from verify.core.figures import Field, Picture

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reports.html import anchors, page, plot
+from reports.figures import plot
+from reports.html import anchors, page
 from reports.labels import beside, spread
 from reports.pdf_case import case_data
 from reports.whirl import ALONG, RIGHT, UP, whirl
