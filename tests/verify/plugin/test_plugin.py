@@ -107,15 +107,14 @@ def test_a_failure_states_what_is_wrong_without_a_traceback(output):
     assert output.count("install it") == 1  # no extra contains the other missing module
 
 
-def test_an_unexpected_error_is_one_line_with_the_extra_that_is_missing(project):
-    (project / "extra").mkdir()
-    (project / "extra" / "conftest.py").write_text(
+def test_an_unexpected_error_is_one_line_with_the_extra_that_is_missing(tmp_path):
+    (tmp_path / "conftest.py").write_text(
         "import verify.plugin.parts as parts\n"
         "def read(path):\n"
         "    raise ModuleNotFoundError(\"No module named 'numba'\", name='numba')\n"
         "parts.read = read\n", "utf-8")  # fmt: skip
-    (project / "extra" / "one.toml").write_text(FILES["holds.toml"], "utf-8")
-    _, text = pytest_in(project, "--freewheel", "extra/one.toml")
+    (tmp_path / "one.toml").write_text(FILES["holds.toml"], "utf-8")
+    _, text = pytest_in(tmp_path, "--freewheel", "one.toml")
     lines = text.partition(" one.toml: check _")[2].splitlines()[1:3]
     assert lines == [
         "one.toml: ModuleNotFoundError: No module named 'numba' (traceback: --full-trace)",
