@@ -1,4 +1,4 @@
-"""A release is made in one go, in a repository of its own here, or changes nothing."""
+"""A release is made in one go, here in a small repository, or changes nothing."""
 
 import subprocess
 from dataclasses import replace

@@ -96,7 +96,7 @@ def aligned(lines: Sequence[tuple[str, str]]) -> str:
 
 
 def remark(text: str) -> str:
-    """A comment of one or more lines."""
+    """A comment as separate lines, each at most `WIDTH` long."""
     return "".join(f"# {line}\n" for line in _wrapped(text, WIDTH - len("# ")))
 
 
