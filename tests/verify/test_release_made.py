@@ -29,7 +29,9 @@ def clone(tmp_path, monkeypatch, passing):
     """A repository with the files that a release changes, whose run is that of one case."""
     for name in (*STATED, CHANGES):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_bytes((ROOT / name).read_bytes())
+        text = (ROOT / name).read_text("utf-8")
+        changed = text.replace("## Unreleased\n", "## Unreleased\n\n- A change.\n", 1)
+        (tmp_path / name).write_text(changed, "utf-8")
     for key in ("GIT_CONFIG_GLOBAL", "GIT_CONFIG_SYSTEM"):
         monkeypatch.setenv(key, "/dev/null")
     git(tmp_path, "init", "-q", "-b", "main")
