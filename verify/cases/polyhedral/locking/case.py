@@ -80,6 +80,12 @@ class LockedPolyhedralRing(LockedFormulas):
                 f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "
                 "reaches its rollers: pressure alone does not lock them"
             )
+        if self.p_t <= self.touch_long:
+            yield (
+                f"p_t = {self.shown('p_t')} is below {self.touch_long / 1e6:.4g} MPa, at which a "
+                "long ring in plane strain reaches its rollers: it has no blocking pressure p_2l, "
+                "and Eq. 19 is not compared with it"
+            )
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
         yield from of_rollers(self.p_0)
 
