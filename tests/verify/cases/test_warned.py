@@ -33,6 +33,7 @@ WARNED = [
     ("polyhedral-ring", {"rho": "0.1 mm", "R_p": "900 MPa"}, "exceeds R_p"),
     ("polyhedral-ring", THIN, ""),
     ("polyhedral-locking", {"p_t": "20 MPa"}, "pressure alone does not lock"),
+    ("polyhedral-locking", {"p_t": "22 MPa"}, "p_2l is negative"),
     ("polyhedral-wedge", {"alpha": "9 deg"}, "friction a tenth lower"),
     ("polyhedral-wedge", {"alpha": "12 deg"}, "squeezed out of the wedge"),
     ("polyhedral-wedge", {"p_lim": "500 MPa"}, "exceeds p_lim = 500 MPa"),

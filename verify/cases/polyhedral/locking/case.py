@@ -80,23 +80,25 @@ class LockedPolyhedralRing(LockedFormulas):
                 f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "
                 "reaches its rollers: pressure alone does not lock them"
             )
-        if self.p_t <= self.touch_long:
+        elif self.p_t <= self.touch_long:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.touch_long / 1e6:.4g} MPa, at which a "
-                "long ring in plane strain reaches its rollers: it has no blocking pressure p_2l, "
-                "and Eq. 19 is not compared with it"
+                "long ring in plane strain reaches its rollers: p_2l is negative, the pressure "
+                "that is missing"
             )
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
         yield from of_rollers(self.p_0)
 
     def refusal(self) -> str:
-        """Rows compare forces of rollers, which there must be."""
-        touch = self.alone.locked.touch
-        if self.p_t < PRESSED * touch:
+        """Rows compare forces of rollers and blocking pressures, which there must be."""
+        touch, long = self.alone.locked.touch, self.touch_long
+        least = max(PRESSED * touch, long)
+        if self.p_t <= least:
             return (
                 f"p_t = {self.shown('p_t')} hardly presses the rollers, if at all: the ring "
-                f"reaches them at {touch / 1e6:.4g} MPa and is compared from "
-                f"{PRESSED * touch / 1e6:.4g} MPa on, check it without --fem"
+                f"reaches them at {touch / 1e6:.4g} MPa, a long one in plane strain at "
+                f"{long / 1e6:.4g} MPa, and is compared above {least / 1e6:.4g} MPa, check it "
+                "without --fem"
             )
         return ""
 
