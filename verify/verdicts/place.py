@@ -12,6 +12,8 @@ from verify.verdicts.rule import CLASSES
 from verify.verdicts.words import constant, percent, side_in_words
 
 MOST_NAMED = 3  # inputs that a line names
+DEFAULT = "these are the default inputs of the case"
+DEFAULT_ERROR = "all inputs that change an error are the default inputs of the case"
 WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdict.NONE)
 
 
@@ -41,7 +43,8 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     free = independent(found, case)
     part = Part.of(inputs, free)
     if not part.changed():
-        return Place(_at_default(found, case), "these are the default inputs of the case")
+        is_default = not Part.of(inputs, frozenset()).changed()
+        return Place(_at_default(found, case), DEFAULT if is_default else DEFAULT_ERROR)
     ranges = sorted((_without(r, free) for r in found.ranges if r.case == case), key=_limit)
     apply = [r for r in ranges if part.is_varied(r)]
     if not apply:

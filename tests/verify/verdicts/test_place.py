@@ -8,11 +8,10 @@ import pytest
 from verify.cases.registry import find
 from verify.core.verdicts import Form, FormulaVerdict, Safe, Side, Verdict, VerdictRange
 from verify.verdicts import independent, record
-from verify.verdicts.place import WITHOUT_RANGE, Where, place
+from verify.verdicts.place import DEFAULT, DEFAULT_ERROR, WITHOUT_RANGE, Where, place
 
 R_I = Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0)
 NU = Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4)
-DEFAULT = "these are the default inputs of the case"
 
 
 def study(*box, studied=(), limit=0.05, **changes):
@@ -143,7 +142,7 @@ def test_an_input_that_changes_no_error_is_not_named():
         assert place(K, "polyhedral-ring", ring(**inputs)).where is where
     offset = find("rotor-clutch").inputs(e=0.5e-6)
     for name, says in (
-        ("huang2022/Eq. 4, printed", DEFAULT),
+        ("huang2022/Eq. 4, printed", DEFAULT_ERROR),
         ("huang2022/Eq. 8, corrected", "not compared with another Δx"),
         ("huang2022/Eq. 9, corrected", "inside the range with errors within 2 %"),
     ):
