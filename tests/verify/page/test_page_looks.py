@@ -68,5 +68,6 @@ def test_a_print_has_answer_and_inputs_without_buttons(page: Browser) -> None:
     page.scheme("light", "print")
     assert page.one("#answer").is_displayed()
     assert page.input("R").is_displayed()
-    assert not page.one("#undo").is_displayed()
+    for css in ("#undo", ".brief", "#sketch-note"):
+        assert not page.one(css).is_displayed()
     assert not page.one("#fem").is_displayed()

@@ -118,8 +118,12 @@ def _fields(model: type[Inputs], assumable: set[str]) -> tuple[Field, ...]:
 
 
 def _rule(bounds: list[tuple[str, float]], unit: str) -> str:
-    shown = "" if unit == "1" else f" {unit}"
-    return ", ".join(f"{word} {limit / units.factor(unit):.6g}{shown}" for word, limit in bounds)
+    """The range, without a line break in a number with its unit."""
+    shown = "" if unit == "1" else f" {unit}".replace(" ", "\u00a0")
+    return ", ".join(
+        f"{word} {limit / units.factor(unit):.6g}{shown}".replace("e+0", "e")
+        for word, limit in bounds
+    )
 
 
 def _takes(kind: type, unit: str) -> str:

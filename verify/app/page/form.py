@@ -59,7 +59,7 @@ def _cell(field: Field, place: str, text: str) -> Markup:
         '{control}<p class="rule" id="rule-{at}">{rule}</p>'
         '<p class="message" id="msg-{at}" aria-live="polite"></p></div>'
     ).format(
-        at=place, symbol=lowered(field.symbol or field.name), what=field.what,
+        at=place, symbol=lowered(field.symbol or field.name), what=lowered(field.what),
         control=_control(field, place, text), rule=_rule(field),
     )  # fmt: skip
 

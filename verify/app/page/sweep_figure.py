@@ -49,6 +49,7 @@ def _map(found: Swept, axis: dict[str, Any], colours: dict[str, str]) -> dict[st
         [i, j, value]
         for j, row in enumerate(found.values) for i, value in enumerate(row) if value is not None
     ]  # fmt: skip
+    ramp = RAMP[::-1] if found.label == MARGIN else RAMP  # small margins are red
     known = [cell[2] for cell in cells] or [0.0, 1.0]
     return {
         "xAxis": axis | {"type": "category", "name": name, "data": [f"{v:g}" for v in values]},
@@ -56,7 +57,7 @@ def _map(found: Swept, axis: dict[str, Any], colours: dict[str, str]) -> dict[st
                          "nameGap": 52},
         "visualMap": {
             "min": min(known), "max": max(known), "calculable": True, "orient": "vertical",
-            "right": 0, "top": "middle", "inRange": {"color": RAMP}, "precision": 3,
+            "right": 0, "top": "middle", "inRange": {"color": ramp}, "precision": 3,
             "text": [found.label, ""], "textStyle": {"color": colours["ink"]},
         },
         "grid": {"left": 70, "right": 110, "top": 30, "bottom": 56},

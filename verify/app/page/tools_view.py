@@ -73,7 +73,8 @@ class Tools:
         self._is_made("fem", state.raw)
 
     def _sweep_form(self) -> None:
-        numbers = {f.name: f.symbol or f.name for f in self.screen.case.fields if f.is_number}
+        fields = [f for f in self.screen.case.fields if f.is_number]
+        numbers = {f.name: f"{f.symbol or f.name}: {f.what}" for f in fields}
         none = {"": "none"}
         raw = self.screen.session.state.raw
         first = next((n for n in numbers if raw.get(n)), next(iter(numbers), ""))
@@ -112,11 +113,12 @@ class Tools:
             dark = False
         self.figure.clear()
         with self.figure:
-            ui.echart(options(found, dark=dark)).classes("figure")
+            ui.echart(options(found, dark=dark)).classes(f"figure {'dark' if dark else 'light'}")
             options_of = " ".join(f"--vary {shlex.quote(v)}" for v in vary)
             repeat = f"freewheel sweep FILE {options_of}"
             html(Markup("<p>{}</p>").format(f"By finite elements: {repeat}"), "soft")
-            html(message(found.problem and f"points without a result: {found.problem}"))
+            problem = found.problem.removeprefix("inputs: ")
+            html(message(problem and f"points without a result: {problem}"))
             if not any(value is not None for line in found.values for value in line):
                 html(message(f"no point has a result: {found.label}"))
         self._is_made("sweep", state.raw)
