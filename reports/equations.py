@@ -4,6 +4,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from string import ascii_letters
 from xml.etree import ElementTree as ET
 
@@ -19,8 +20,14 @@ PIXELS = 4 / 3  # of a point
 FINE = 100  # steps of a point [1/pt] of outlines
 FEW = 5  # glyphs, whose heights are shorter than a group
 _NUMBER = re.compile(r"-?[\d.]+")
-_GLYPH = re.compile(r'<use href="#(g\d+)"')
+NEAR = 5.75  # advance of a digit [pt] at most: wider steps separate numbers from signs and units
+_GLYPH = re.compile(r'<use href="#([gn]\d+)"')
+_NUMERAL = re.compile(r'<use href="#(n\d+)"(?: x="([\d.]+)")?/>')
 _PLACE = re.compile(r"<!--equation (\d+)-->")
+
+
+Placed = tuple[str, float]  # name of a glyph and its place on a line [pt]
+Run = tuple[Placed, ...]
 
 
 class Equations:
@@ -29,6 +36,7 @@ class Equations:
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
         self._names: dict[str, str] = {}  # of glyphs, by their outlines
+        self._numerals: dict[Run, str] = {}  # names of glyphs close together, as in a number
 
     def maths(self, tex: str) -> Markup:
         """The place of an equation in a page."""
@@ -45,16 +53,26 @@ class Equations:
 
     def _with(self, page: str) -> str:
         """A page with its glyphs, named by their frequency, independent of other pages."""
-        used = Counter(_GLYPH.findall(page)).most_common()
+        numerals = {name: run for run, name in self._numerals.items()}
+        times = Counter(_NUMERAL.findall(_NUMERAL.sub(r'<use href="#\1"/>', page)))
+
+        def spelled(use: re.Match[str]) -> str:
+            run = numerals[use[1]]
+            return use[0] if times[use[1], ""] > 1 else _uses(run, float(use[2] or 0))
+
+        page = _NUMERAL.sub(spelled, page)
+        groups = {name: _uses(numerals[name]) for name in numerals if f'"#{name}"' in page}
+        used = Counter(_GLYPH.findall(page + "".join(groups.values()))).most_common()
         names = {name: _letters(i) for i, (name, _) in enumerate(used)}
         outlines = {name: outline for outline, name in self._names.items()}
         scale = f"scale({1 / FINE:g} -{1 / FINE:g})"
-        glyphs = (
-            f'<path id="{own}" transform="{scale}" d="{outlines[name]}"/>'
+        glyphs = "".join(
+            f'<g id="{own}">{groups[name]}</g>' if name in groups
+            else f'<path id="{own}" transform="{scale}" d="{outlines[name]}"/>'
             for name, own in names.items()
-        )
-        named = _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', page)
-        return named.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
+        )  # fmt: skip
+        named = page.replace(SYMBOLS, f"<defs>{glyphs}</defs>")
+        return _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', named)
 
     def _drawn(self) -> list[str]:
         """Every equation, in the order of asking; as source where nothing can draw it."""
@@ -98,7 +116,22 @@ class Equations:
                 x, y = left + float(uses[0].attrib["x"]), top - float(uses[0].attrib["y"])
                 glyphs.append((self._name(_run(uses, outlines)), x, round(y, 1)))
         lines = dict.fromkeys(y for *_, y in glyphs)
-        return rules + "".join(_line(y, [g for g in glyphs if g[2] == y]) for y in lines)
+        return rules + "".join(self._line(y, [g[:2] for g in glyphs if g[2] == y]) for y in lines)
+
+    def _line(self, y: float, glyphs: Sequence[Placed]) -> str:
+        """Glyphs of one height: in a group where that is shorter."""
+        if len(glyphs) < FEW:
+            return "".join(f'<use href="#{name}"{_at("x", x)}{_at("y", y)}/>' for name, x in glyphs)
+        uses = _uses([self._numeral(run) for run in _close(glyphs)])
+        return f'<g transform="translate(0 {_short(y, 1)})">{uses}</g>'
+
+    def _numeral(self, run: Sequence[Placed]) -> Placed:
+        """A single glyph as it is, several close ones under a name."""
+        if len(run) == 1:
+            return run[0]
+        start = run[0][1]
+        key = tuple((name, round(x - start, 1)) for name, x in run)
+        return self._numerals.setdefault(key, f"n{len(self._numerals)}"), start
 
     def _name(self, outline: str) -> str:
         """The name of a glyph or of a run of glyphs, as of "mm", by its outline."""
@@ -106,11 +139,15 @@ class Equations:
 
 
 def _run(uses: Sequence[ET.Element], outlines: Mapping[str, str]) -> str:
-    """The outline of glyphs side by side on one line, from the first, in steps of 1/`FINE` pt."""
-    start = float(uses[0].attrib["x"])
+    """The outline of glyphs of one part, from the first, in steps of 1/`FINE` pt.
+
+    They stand side by side, as in "mm", or one above the other, as the pieces of a large bracket.
+    """
+    places = [(float(use.attrib["x"]), float(use.attrib["y"])) for use in uses]
+    (left, low), *_ = places
     return "".join(
-        _in_steps(outlines[use.attrib[LINK].removeprefix("#")], float(use.attrib["x"]) - start)
-        for use in uses
+        _in_steps(outlines[use.attrib[LINK].removeprefix("#")], x - left, y - low)
+        for use, (x, y) in zip(uses, places, strict=True)
     )
 
 
@@ -150,9 +187,9 @@ def _tight(path: str) -> str:
     return re.sub(r"(\.\d+) (?=\.)", r"\1", _joined(short))
 
 
-def _in_steps(outline: str, right: float) -> str:
-    """An outline moved to the right [pt], in whole steps of 1/`FINE` pt, which are short."""
-    moved = outline.replace("M 0 0", f"M {right} 0", 1)
+def _in_steps(outline: str, right: float, up: float) -> str:
+    """An outline moved [pt], in whole steps of 1/`FINE` pt, which are short."""
+    moved = outline.replace("M 0 0", f"M {right:f} {up:f}", 1)
     return _joined(_NUMBER.sub(lambda number: str(round(FINE * float(number[0]))), moved))
 
 
@@ -162,12 +199,19 @@ def _joined(path: str) -> str:
     return tight.replace("M0 0m", "M", 1)
 
 
-def _line(y: float, glyphs: Sequence[tuple[str, float, float]]) -> str:
-    """Glyphs of one height: in a group where that is shorter."""
-    if len(glyphs) < FEW:
-        return "".join(f'<use href="#{name}"{_at("x", x)}{_at("y", y)}/>' for name, x, _ in glyphs)
-    uses = "".join(f'<use href="#{name}"{_at("x", x)}/>' for name, x, _ in glyphs)
-    return f'<g transform="translate(0 {_short(y, 1)})">{uses}</g>'
+def _close(glyphs: Sequence[Placed]) -> list[list[Placed]]:
+    """Glyphs of a line, parted where one is farther from the one before than a digit."""
+    runs = [[glyphs[0]]]
+    for before, one in pairwise(glyphs):
+        if 0 < one[1] - before[1] <= NEAR:
+            runs[-1].append(one)
+        else:
+            runs.append([one])
+    return runs
+
+
+def _uses(glyphs: Sequence[Placed], start: float = 0.0) -> str:
+    return "".join(f'<use href="#{name}"{_at("x", start + x)}/>' for name, x in glyphs)
 
 
 def _at(name: str, value: float) -> str:

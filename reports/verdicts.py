@@ -13,6 +13,7 @@ from verify.core.results import Report
 from verify.core.verdicts import SHARED, FormulaVerdict, Verdict
 
 HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|---|---|---|---|---|"
+NBSP = "\u00a0"  # a narrow column does not separate a sign from its number
 SMALLEST = 1e-4  # relative: smallest error or uncertainty that is printed
 MEANING = {
     Verdict.EXACT: "solves its stated idealisation; detection limit 1 % or better",
@@ -61,10 +62,10 @@ def at_paper(one: FormulaVerdict) -> str:
     if one.error is None or one.U is None:
         return "–"
     if abs(one.error) + one.U < SMALLEST:
-        return "< 0.01 %"
-    bar = f" ± {100 * one.U:.1g}" if one.U >= SMALLEST else ""
+        return f"<{NBSP}0.01{NBSP}%"
+    bar = f" ±{NBSP}{100 * one.U:.1g}" if one.U >= SMALLEST else ""
     sign = "+" if one.error >= 0 else MINUS
-    return f"{sign}{_percents(abs(one.error))}{bar} %"
+    return f"{sign}{_percents(abs(one.error))}{bar}{NBSP}%"
 
 
 def sides(one: FormulaVerdict) -> str:
@@ -75,7 +76,7 @@ def sides(one: FormulaVerdict) -> str:
         f"{sign}{_percents(size)}" if size >= SMALLEST else "0"
         for sign, size in (("+", one.above), (MINUS, one.below))
     )
-    return f"{high} / {low} %"
+    return f"{high} / {low}{NBSP}%"
 
 
 def _percents(size: float) -> str:

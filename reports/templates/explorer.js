@@ -132,7 +132,7 @@ function show(typed) {
 }
 
 function pick(id, name) { // a case and one of its formulas, at the inputs of the case
-  one = DATA.cases.find((c) => c.id === id) ?? DATA.cases[0];
+  one = DATA.cases.find((c) => c.id === id) ?? DATA.cases.find((c) => c.formulas.some((f) => f.verdicts)) ?? DATA.cases[0];
   one.studies.forEach(prepare);
   const groups = [["with a verdict", one.formulas.filter((f) => f.verdicts)], ["other comparisons", one.formulas.filter((f) => !f.verdicts)]];
   formula = one.formulas.find((f) => f.name === name) ?? groups[0][1][0] ?? one.formulas[0];

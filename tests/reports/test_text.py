@@ -146,6 +146,25 @@ def test_letters_stand_on_the_line_of_the_text():
     assert 8 < float(below[1]) < 12
 
 
+def test_pieces_of_a_large_bracket_stand_one_above_the_other():
+    """The bracket around four lines is as high as they are."""
+    drawn = page(r"\begin{pmatrix} a \\ b \\ c \\ d \end{pmatrix}")
+    high = float(re.search(r'viewBox="0 0 [\d.]+ ([\d.]+)"', drawn)[1])
+    outlines = re.findall(r'<path id="\w+" transform="scale\(0.01 -0.01\)" d="([^"]*)"', drawn)
+    starts = [[float(y) / 100 for y in re.findall(r"M-?\d+[ ]?(-?\d+)", d)] for d in outlines]
+    assert max(max(ys) - min(ys) for ys in starts) > high / 3
+
+
+def test_a_number_that_is_repeated_is_drawn_once():
+    drawn = page("x = 3.1415", "y = 3.1415", "z = 2.7182")
+    assert drawn.count("<g id=") == 1
+    (body,) = re.findall(r'<g id="(\w+)">', drawn)
+    assert drawn.count(f'<use href="#{body}"') == 2
+    once = page("x = 3.1415")
+    assert "<g id=" not in once
+    assert once.count("<use ") == 2 + len("3.1415")
+
+
 def test_the_source_of_an_equation_stands_where_nothing_draws(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(equations, "tree", lambda tex: {"<b": tree(tex)}[tex])  # no rule for an a

@@ -48,12 +48,12 @@ def test_markdown_pdf_and_workbook_have_them_all(recorded):
 
 def test_errors_have_their_bars_and_sides():
     for shows, values, shown in (
-        (at_paper, {"error": 0.24, "U": 3e-4}, "+24 ± 0.03 %"),
-        (at_paper, {"error": -0.344, "U": 1e-6}, "−34 %"),
-        (at_paper, {"error": 1e-9, "U": 1e-9}, "< 0.01 %"),
+        (at_paper, {"error": 0.24, "U": 3e-4}, "+24 ±\u00a00.03\u00a0%"),
+        (at_paper, {"error": -0.344, "U": 1e-6}, "−34\u00a0%"),
+        (at_paper, {"error": 1e-9, "U": 1e-9}, "<\u00a00.01\u00a0%"),
         (at_paper, {"error": None, "U": None}, "–"),
-        (sides, {"above": 0.05, "below": 0.344}, "+5 / −34 %"),
-        (sides, {"above": 0.0, "below": 0.1}, "0 / −10 %"),
+        (sides, {"above": 0.05, "below": 0.344}, "+5 / −34\u00a0%"),
+        (sides, {"above": 0.0, "below": 0.1}, "0 / −10\u00a0%"),
     ):
         assert shows(replace(kept()[0], **values)) == shown
 

@@ -117,7 +117,7 @@ def test_a_run_of_other_cases_or_in_one_file_removes_pages_of_the_one_before(som
     write(some, folder, cache=default_folder(), origins=origins, single_file=True)
     assert not [*folder.glob(f"{FOLDER}/*.html")]
     page = (folder / FIRST).read_text("utf-8")
-    assert all(f'id="case-{case.id}"' in page for case in some.cases)
+    assert all(f"id=case-{case.id}>" in page for case in some.cases)
 
 
 def test_a_page_over_the_limit_is_reported(some, tmp_path, monkeypatch):
