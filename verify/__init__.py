@@ -1,4 +1,4 @@
-"""Pairs every formula with a finite-element model and judges the difference.
+"""Compares every formula with a finite-element model and judges the difference.
 
 `verify.run` and `verify.check` are `freewheel verify` and `check` from Python and in notebooks.
 """

@@ -1,4 +1,4 @@
-"""The answer about a part: whether it holds, the number to design with, its limits and margin."""
+"""The answer about a part: whether it holds, its design value, its limits and margin."""
 
 import math
 from dataclasses import dataclass
@@ -33,8 +33,8 @@ class Quantity:
 class Criterion:
     """A value [SI] and its limit [SI]; with `minimum`, the value must not be below the limit.
 
-    `source` says where the limit comes from; `assumed` that the user did not give it; `doubt` why
-    a value within the limit does not decide.
+    `source` is the source of the limit; `assumed` states that it was not given; `doubt` is the
+    reason why a value within the limit is not sufficient.
     """
 
     key: str
@@ -49,7 +49,7 @@ class Criterion:
 
     @property
     def margin(self) -> float:
-        """Limit over value, for a minimum value over limit; the criterion is met from 1 on."""
+        """Limit over value, for a minimum value over limit; met if at least 1."""
         above, below = (self.value, self.limit) if self.minimum else (self.limit, self.value)
         if below <= 0:
             return math.inf
@@ -76,20 +76,20 @@ class Answer:
 
     @property
     def verdict(self) -> Verdict:
-        """Fails before unknown: one criterion that is not met decides."""
+        """A criterion that is not met takes precedence over an unknown one."""
         if self.failures or not all(c.is_met for c in self.criteria):
             return Verdict.FAILS
         return Verdict.CANNOT_SAY if self.unknowns or not self.criteria else Verdict.HOLDS
 
     @property
     def limiting(self) -> Criterion | None:
-        """The criterion with the smallest margin; doubtful ones count only if all are."""
+        """The criterion with the smallest margin; a doubtful one only if all are doubtful."""
         deciding = [c for c in self.criteria if not c.doubt] or self.criteria
         return min(deciding, key=lambda c: c.margin, default=None)
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Reasons, in words, why the verdict is not "holds", where no margin shows it."""
+        """Reasons, in words, why the verdict is not "holds", if no margin shows this."""
         if self.verdict is Verdict.FAILS:
             return self.failures
         if self.criteria or self.unknowns:

@@ -52,7 +52,7 @@ def assumed_in(assumed: Sequence[Assumed], system: System) -> tuple[Assumed, ...
 
 
 def record_in_units(record: Any, system: System) -> Any:
-    """JSON with every `value`, `at` or `limit` beside a `unit` converted; printed numbers stay."""
+    """JSON with every `value`, `at` or `limit` of a `unit` converted, except printed numbers."""
     if isinstance(record, list):
         return [record_in_units(one, system) for one in record]
     if not isinstance(record, dict):
@@ -96,7 +96,7 @@ def _input(one: InputValue, system: System) -> InputValue:
 
 
 def _row(row: Row, system: System) -> Row:
-    """A row with its dimensional numbers converted; relative ones stay, and printed values."""
+    """A row with its dimensional numbers converted; relative and printed numbers are unchanged."""
     row = replace(row, reason=text_in(row.reason, system))
     target = unit_in(row.unit, system)
     if target == row.unit:

@@ -18,10 +18,10 @@ from verify.core.inputs import Inputs, meta
 
 @dataclass
 class Assessment:
-    """The criteria that a case's inputs and values are held to; `design` is the number to use.
+    """The criteria for the inputs and values of a case; `design` is the design value.
 
-    Without `with_design` a number to use that takes long to compute may be left out. `assumed`
-    are the names of the inputs that the file does not give.
+    Without `with_design`, a design value that takes long to compute may be omitted. `assumed` are
+    the names of the inputs that the file does not give.
     """
 
     design: Quantity | None = None
@@ -73,9 +73,9 @@ class Assessment:
         given: float | None = None, contact: Literal["line", "point"] = "line",
         option: str = "give p_lim in freewheel-clutch or sprag-clutch",
     ) -> None:  # fmt: skip
-        """A contact pressure [Pa] beside `given` or the standard's limit for these moduli [Pa].
+        """Criterion for a contact pressure [Pa], with the `given` limit or that of the standard.
 
-        A pressure that is within the given limit and beyond the standard's is not decided.
+        If the pressure is within the given limit but exceeds that of the standard, it is undecided.
         """
         point = contact == "point"
         limit = contact_pressure(given, *moduli, point=point)

@@ -10,7 +10,7 @@ OTHER = "no limit is known for this material"
 
 
 def line(q: Any, v: Values, part: Assessment) -> None:
-    """Hertz's pressure of a line contact, and the shear stress below it where R_p is given."""
+    """Hertz's pressure of a line contact, and the shear stress below it if R_p is given."""
     moduli = (q.E,) if hasattr(q, "E") else (q.E_1, q.E_2)
     part.pressure("contact_pressure", "Hertzian pressure", v["p_0"], *moduli, option=OTHER)
     _subsurface(q, v["tau_max"], part)

@@ -32,7 +32,7 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
 
 
 def _margin(case: Case, assumed: frozenset[str], inputs: Inputs, values: Values) -> float | None:
-    """The smallest margin, 0 where the part fails for another reason."""
+    """The smallest margin, 0 if the part fails for another reason."""
     found = answer(case, inputs, values, assumed=assumed, with_design=False)
     if found.failures:
         return 0.0

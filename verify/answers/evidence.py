@@ -18,7 +18,7 @@ SAME_VALUE = 1e-9  # relative; the design value in a row's unit
 
 
 def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
-    """The answer with the verdict of the part that runs in time."""
+    """The answer with the verdict of the computation in time."""
     if dynamic.verdict in HOLDS:
         return answer
     reason = dynamic.first[0] if dynamic.first else f"{dynamic.what}: {dynamic.verdict}"
@@ -28,7 +28,7 @@ def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
 
 
 def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
-    """The answer where finite elements judged the formulas: a failed row leaves it undecided."""
+    """The answer after finite elements judged the formulas: if a row failed, it is undecided."""
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed:
         return answer

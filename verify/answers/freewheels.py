@@ -91,7 +91,7 @@ def _permissible(q: Any) -> Quantity | None:
 
 
 def _flat_pressure(q: Any, N: float, factor: float, part: Assessment) -> None:
-    """Criterion for Hertz's pressure on the flat, the larger one, times the tilt's `factor`."""
+    """Criterion for the larger Hertz pressure on the flat, times the `factor` of the tilt."""
     E_star = q.E / (2 * (1 - q.nu**2))
     p = float(hertz_line.peak_pressure(P=N / q.L, R=q.r, E_star=E_star))
     part.pressure("contact_pressure", "largest contact pressure", factor * p, q.E)
@@ -115,7 +115,7 @@ def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _within_tolerances(v: Values, part: Assessment) -> None:
-    """Clutches within the tolerances that slip or do not wedge leave the answer open."""
+    """If clutches within the tolerances slip or do not wedge, the answer is "cannot say"."""
     lost = sum(v.get(key, 0.0) for key in ("P_slip", "P_no_wedge", "P_no_state"))
     if lost > LOST:
         part.unknowns.append(

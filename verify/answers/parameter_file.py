@@ -1,4 +1,4 @@
-"""A parameter file as the commands take it: its case, its inputs and the values of the formulas."""
+"""A parameter file in the form for commands: its case, its inputs and values of the formulas."""
 
 import math
 import shlex
@@ -32,7 +32,7 @@ DEFAULTS = {
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterFile:
-    """Content of a file: `assumed` are the inputs that it leaves out, `system` its units."""
+    """Content of a file: `assumed` are the inputs that it omits, `system` is its unit system."""
 
     name: str
     case: Case
@@ -43,7 +43,7 @@ class ParameterFile:
 
 
 def read(path: Path) -> ParameterFile:
-    """The parameter file at `path`; InputError states the fault in one line."""
+    """The parameter file at `path`; InputError states the error in one line."""
     case_id, name, raw = read_parameter_file(path)
     case = _case(case_id, path)
     try:
@@ -58,7 +58,7 @@ def read(path: Path) -> ParameterFile:
 def completed(
     case: Case, raw: Mapping[str, Any], *, name: str, where: str, named: str = ""
 ) -> ParameterFile:
-    """Raw inputs of a case as a file holds them, which was called `where`; InputError.
+    """Completed inputs of a case from the raw inputs of a file with the name `where`; InputError.
 
     `named` is the name of the case in the file, by default its id.
     """
@@ -74,7 +74,7 @@ def completed(
 
 
 def _with_defaults(case_id: str, message: str) -> str:
-    """The case of the same part whose inputs may be left out, where some are missing."""
+    """The case of the same part whose inputs are optional, if some inputs are missing."""
     other = DEFAULTS.get(case_id)
     return (
         f"; case {other} assumes inputs that are left out" if other and MISSING in message else ""

@@ -12,7 +12,7 @@ EXPELLED = "the rollers are expelled from the wedge: tan(α/2) exceeds the frict
 
 
 def round_ring(q: Any, v: Values, part: Assessment) -> None:
-    """Tresca stress in the bore of the round ring that reaches its rollers."""
+    """Tresca stress in the bore of the round ring that is expanded to its rollers."""
     per_pressure = 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
     stress = per_pressure * v["p"]
@@ -20,7 +20,7 @@ def round_ring(q: Any, v: Values, part: Assessment) -> None:
 
 
 def ring(q: Any, v: Values, part: Assessment) -> None:
-    """Stress in the fillets where the ring reaches its rollers, or under the pressure p_t."""
+    """Stress in the fillets when the ring reaches its rollers, or under the pressure p_t."""
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
     part.stress("fillet_stress", "hoop stress in the fillets", v["fillet"], strength)
 
@@ -35,7 +35,7 @@ def locking(q: Any, v: Values, part: Assessment) -> None:
 
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
-    """Friction that a free roller needs, and its pressure."""
+    """Required friction of a free roller, and its pressure."""
     part.below_input("friction", "required friction coefficient tan(α/2)",
                      math.tan(q.alpha / 2), q, "mu")  # fmt: skip
     p = v["p_0"] * math.sqrt(1 + q.d / (q.D_i - 2 * q.d))
@@ -67,7 +67,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _torque(q: Any, v: Values, part: Assessment) -> None:
-    """Torque in plane strain, the safe bound of a ring of finite width, and the cage it needs."""
+    """Torque in plane strain, the safe bound of a ring of finite width, and the required cage."""
     narrow, safe = v["M_el"], min(v["M_el"], v.get("M_wide", v["M_el"]))
     part.design = Quantity(
         key="permissible_torque", symbol="M_el", value=safe, unit="N m",

@@ -1,4 +1,4 @@
-"""The answer of every case: which value to design with, and which criteria apply."""
+"""The answer of every case: its design value, and the criteria that apply."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -17,10 +17,10 @@ NO_LIMITS = "this case declares no limits for the part"
 
 @dataclass(frozen=True)
 class Rule:
-    """The output that a case's part is designed with, and the function that collects its criteria.
+    """The output that is the design value of a case, and the function for its criteria.
 
     The function is given as MODULE.NAME in this package; only the cases of a module import it.
-    Without one there are no criteria, for the reason `without`.
+    Without a function, there are no criteria, for the reason `without`.
     """
 
     design: str

@@ -31,7 +31,7 @@ def shaft(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stepped(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of a stepped shaft beside its critical speeds, by the 45° rule."""
+    """Speed of a stepped shaft relative to its critical speeds, by the 45° rule."""
     higher = [v[f"whirl_{k}_forward_cone"] for k in range(2, MODES + 1)]
     _separated(q.n, [v["critical_cone"], *higher], part)
 

@@ -86,7 +86,7 @@ def engagement(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stick_slip(q: Any, v: Values, part: Assessment) -> None:
-    """Static friction against the friction at which the sprags begin to slide; pressure at rest."""
+    """Static friction against the friction at the start of sliding; pressure at rest."""
     if "mu_b" not in v:
         part.failures.append(ROLLS_OVER)
         return

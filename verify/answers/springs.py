@@ -38,7 +38,7 @@ def free_stage(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stages(q: Any, v: Values, part: Assessment) -> None:
-    """Bending stress and deflection, and the displacement at which the leaves touch."""
+    """Bending stress and deflection, and the displacement at the first contact of leaves."""
     if q.F is None:
         part.unknowns.append(NO_FORCE)
         return

@@ -68,8 +68,8 @@ def hand_over(text: str, out: Path | None) -> None:
 def template(case: Case, folder: Path = Path()) -> str:
     """A parameter file with the paper's numbers; `folder` is the folder of the file.
 
-    For a case with assumptions the required lines come first and the others follow a #; together
-    they give the paper's inputs. For another case the file itself gives them.
+    For a case with assumptions, the required lines come first and the others follow a #; together,
+    they are the inputs of the paper. For another case, all lines are inputs.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
     outside = case.id not in (*CASES.ids, *DEEP.ids)

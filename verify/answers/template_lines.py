@@ -107,7 +107,7 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def assigned(name: str, field: FieldInfo, value: Any) -> str:
-    """`r_i = "19.44 mm"`; behind a # where leaving it out gives the same inputs as well."""
+    """`r_i = "19.44 mm"`; after a # if the same inputs result without it."""
     about = meta(field)
     unit, left_out = about["unit"], about["omitted"] != REQUIRED and about["omitted"] == value
     if value is None:

@@ -20,7 +20,7 @@ def with_line(message: str, path: Path) -> str:
 
 
 def line_of(place: str, text: str) -> int:
-    """The line, from 1, of an input such as inputs.supports[2].k, or of its table; 0 without one.
+    """The line number of an input such as inputs.supports[2].k, or of its table; 0 if none.
 
     >>> text = ("[inputs]", "r = 1", "[[inputs.supports]]", "[[inputs.supports]]", "k = 1")
     >>> line_of("inputs.supports[2].k", chr(10).join(text))

@@ -1,4 +1,4 @@
-"""The torque that a clutch may carry: the largest one at which every criterion is met."""
+"""The permissible torque of a clutch: the largest at which every criterion is met."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ def criteria_under(
 def permissible(
     limits: Sequence[Limit], T: float, condition: str, under: Callable[[float], Answer]
 ) -> Quantity | None:
-    """The largest torque under a `condition` at which all criteria are met; None without one.
+    """The largest torque under a `condition` at which all criteria are met; None if there is none.
 
     `limits` are the limits of the formulas, sorted; `T` [N m] is the torque of the part, and
     `under` gives the criteria of the part under another torque [N m].
@@ -87,7 +87,7 @@ def _first(limit: Limit, under: Callable[[float], Answer]) -> Limit | None:
 
 
 def _excess(answer: Answer) -> float:
-    """Smallest margin less 1; -1 where the part fails for another reason."""
+    """Smallest margin minus 1; -1 if the part fails for another reason."""
     if answer.failures:
         return -1.0
     return min(c.margin for c in answer.criteria) - 1

@@ -6,7 +6,7 @@ from cyclopts import Parameter
 
 
 def whole(_type: Any, tokens: Any) -> int:
-    """A whole number; cyclopts by itself would round 1.5."""
+    """A whole number; cyclopts alone would round 1.5."""
     given = str(tokens[0].value)
     if not given.lstrip("+-").isdecimal():
         raise ValueError(f"needs a whole number, got {given!r}")

@@ -40,7 +40,7 @@ FAILED = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Options of `check`; without `notes`, the slow study of assumed inputs is left out."""
+    """Options of `check`; without `notes`, the slow study of assumed inputs is omitted."""
 
     fem: bool = False
     dynamic: bool = False
@@ -53,7 +53,7 @@ class Options:
 
 
 def run_check(path: Path, options: Options) -> int:
-    """Print the answer to a parameter file; 0 it holds, 1 it or a row fails, 3 it is not decided.
+    """Print the answer to a parameter file; 0: holds, 1: it or a row fails, 3: undecided.
 
     InputError if the file or an option is wrong.
     """
@@ -76,7 +76,7 @@ def run_check(path: Path, options: Options) -> int:
 def check_part(
     file: ParameterFile, named: str, options: Options, where: Where, command: str = ""
 ) -> Checked:
-    """The answer to inputs that messages call `named`, and its evidence; InputError."""
+    """The answer to inputs with the name `named` in messages, and its evidence; InputError."""
     case, inputs, values = file.case, file.inputs, file.values
     if options.dynamic:
         asked_for(case, named)
@@ -135,7 +135,7 @@ class _Assessed:
 
 
 def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
-    """Criteria, dependence on assumed inputs, shared readings; InputError if one overflows."""
+    """Criteria, dependence on assumed inputs, shared readings; InputError for an overflow."""
     case, inputs, values = file.case, file.inputs, file.values
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):

@@ -38,7 +38,7 @@ class Checked:
 
 
 def is_notable(one: SharedReading) -> bool:
-    """Whether the error that both sides share is known and large enough for the first lines."""
+    """Whether the error common to both sides is known and large enough for the first lines."""
     return one.effect is not None and abs(one.effect) >= NOTABLE
 
 
@@ -122,7 +122,7 @@ def _limit(cells: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _verdict(cells: tuple[str, ...]) -> tuple[str, ...]:
-    """Equation and verdict, then its sentence and where the inputs lie in one column."""
+    """Equation and verdict, then its sentence and the position of the inputs in one column."""
     return *cells[:2], "; ".join(filter(None, cells[2:]))
 
 

@@ -127,7 +127,7 @@ def _chosen(names: Sequence[str]) -> Sequence[Case]:
 
 
 def _others(cases: Sequence[Case], known: Collection[str]) -> list[Case]:
-    """The cases that are not known."""
+    """The unknown cases."""
     return [find(name, cases) for name in ids(cases) if name not in known]
 
 
@@ -149,7 +149,7 @@ def _solved_for_report(
 
 
 def _read_records(cases: Sequence[Case]) -> None:
-    """Hash all code on which stored results of studies depend; the first time takes seconds."""
+    """Hash all code on which stored results of studies depend; the first call takes seconds."""
     from verify.studies.budget.measuring import plan_of
     from verify.studies.budget.store import measured as budget
     from verify.studies.crosscheck.judged import reported
@@ -232,7 +232,7 @@ def _hint() -> str:
 def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     """Name, case, inputs and formula values of a parameter file.
 
-    InputError states the fault in one line.
+    InputError states the error in one line.
     """
     file = read(path)
     return file.name, file.case, file.inputs, file.values

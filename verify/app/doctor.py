@@ -1,6 +1,6 @@
-"""The command `doctor`: what is available and what is missing on this machine, one line each.
+"""The command `doctor`: available and missing components of this machine, one line each.
 
-Everything that may crash is tried in a separate process; these run in parallel.
+Components that may crash are tried in separate processes, which run in parallel.
 """
 
 import importlib.util
@@ -41,7 +41,7 @@ SEPARATE = "install this one in a separate environment"
 
 @dataclass(frozen=True)
 class Finding:
-    """One line: `fatal` where no run is possible without it."""
+    """One line of output; `fatal` if no run is possible without the component."""
 
     what: str
     state: str
@@ -180,7 +180,7 @@ def _unwritable(folder: Path) -> str:
 
 
 def _solver(name: str) -> Finding:
-    """A second solver, calculix or one of the crosscheck environment: no run needs it."""
+    """A second solver, calculix or one of the separate environment: no run needs it."""
     found = solvers.solver(name)
     if found.missing:
         return Finding(name, OPTIONAL, found.missing)

@@ -31,7 +31,7 @@ LISTED = 12
 
 
 def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bool) -> int:
-    """Explain the row that `words` name, on the parameters of the file if the last word is one."""
+    """Explain the row named by `words`, for the parameter file if the last word is one."""
     path = _file(words[-1]) if words else None
     name = " ".join(words[:-1] if path else words)
     if not path and (found := named(name)):
@@ -68,14 +68,14 @@ def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
 
 
 def _file(word: str) -> Path | None:
-    """A parameter file, also one that cannot be read, for reading it says why."""
+    """A parameter file, also an unreadable one, because reading it states the error."""
     path = Path(word)
     named = word.endswith((".toml", ".py")) or path.is_file() or (os.sep in word and path.is_dir())
     return path if named else None
 
 
 def _ids_of_paper(name: str) -> Iterator[str]:
-    """The ids of all rows of the suite; of one case where `name` begins with its id, or is empty.
+    """The ids of all rows of the suite; of one case if `name` begins with its id or is empty.
 
     Messages use the present name as an example.
     """
@@ -87,7 +87,7 @@ def _ids_of_paper(name: str) -> Iterator[str]:
 
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
-    """The ids of all rows of a case, known without any finite elements."""
+    """The ids of all rows of a case, determined without finite elements."""
     return [row.id for row in unsolved_rows(case, inputs, paper=paper)]
 
 
@@ -103,10 +103,10 @@ def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
 
 
 def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
-    """The one id that `name` matches: all of it, its end, a part of it, or words it contains.
+    """The id that `name` matches: completely, at its end, by a part, or by words.
 
-    A row precedes its convergence row. Present names are tried before those of earlier versions.
-    InputError lists the matches where there is not exactly one.
+    A row precedes its convergence row. Present names are tried before earlier names. InputError
+    lists the matches unless there is exactly one.
     """
     text = _plain(name)
     if not text:

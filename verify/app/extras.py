@@ -12,7 +12,7 @@ LIBRARIES = {  # by module
 
 
 def extra_of(module: str) -> str:
-    """The extra whose requirements include a module's library; "" without one.
+    """The extra whose requirements include the library of a module; "" if there is none.
 
     >>> extra_of("skfem")
     'fem'
@@ -42,6 +42,6 @@ def missing_library(error: ImportError) -> str:
 
 
 def shared_names() -> list[str]:
-    """Top-level names of this package that another installed distribution has, too."""
+    """Top-level names of this package that another installed distribution also has."""
     owners = packages_distributions()
     return [name for name in TOP_LEVEL if set(owners.get(name, ())) - {PACKAGE}]

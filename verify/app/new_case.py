@@ -1,4 +1,4 @@
-"""The command `new-case`: a file that declares a case, commented, which runs as it stands."""
+"""The command `new-case`: writes a commented file that declares a case and runs unchanged."""
 
 from pathlib import Path
 

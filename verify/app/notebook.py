@@ -62,7 +62,7 @@ class Run:
         return drawings(self.result)
 
     def __repr__(self) -> str:
-        """The case, whether it passed, and the row that decides, in one line."""
+        """The case, whether it passed, and the deciding row, in one line."""
         failed = [row for row in self.rows if row.status in FAILED]
         main = failed[0] if failed else next((r for r in self.rows if r.analytic is not None), None)
         told = f"; {_row_in_line(main)}" if main else ""
@@ -133,7 +133,7 @@ class Part:
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The rows by finite elements, where these were asked for."""
+        """The rows by finite elements, if these were requested."""
         return self.checked.result.rows
 
     @property
@@ -144,9 +144,9 @@ class Part:
 def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
     """A case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml"), judged.
 
-    `inputs` that are not the default ones are texts with units, {"r_i": "40 mm"}; those that are
-    left out are as in `freewheel init`. With `cache` stored results are used. InputError, which
-    is a ValueError, states the fault in one line.
+    `inputs` are texts with units, {"r_i": "40 mm"}, for inputs other than the default; omitted
+    inputs have the values of `freewheel init`. With `cache`, stored results are used. InputError, a
+    ValueError, states the error in one line.
     """
     if Path(case).suffix == ".toml" or inputs:
         part = _part(case, inputs)
@@ -164,7 +164,7 @@ def check(
 ) -> Part:  # fmt: skip
     """Whether a part holds, by its parameter file, or by a case and `inputs` as for `run`.
 
-    With `fem` the formulas are compared with finite elements on these inputs. InputError.
+    With `fem`, the formulas are compared with finite elements for these inputs. InputError.
     """
     file = _part(part, inputs)
     options = Options(fem=fem, cache=cache, json=True)  # quietly
@@ -202,5 +202,5 @@ def _rows_table(rows: Sequence[Row], head: str) -> Markup:
 
 
 def _paragraph(lines: Sequence[str]) -> Markup:
-    """Lines one below the other, their text escaped."""
+    """Lines below each other, with escaped text."""
     return Markup("<p>{}</p>").format(Markup("<br>").join(lines))

@@ -19,7 +19,7 @@ T = TypeVar("T")
 class Parts:
     """The parts of one report: `keys` are the keys of its judged cases, by name.
 
-    A case without a key, or a report without a folder of a store, has every part made.
+    For a case without a key, or a report without a folder of a store, every part is made.
     """
 
     def __init__(self, folder: Path | None = None, keys: Mapping[str, str] | None = None) -> None:

@@ -64,7 +64,7 @@ def _blas() -> str:
 
 
 def version_of(name: str) -> str:
-    """The version of an installed package; "not installed" without one."""
+    """The version of an installed package; "not installed" if there is none."""
     try:
         return version(name)
     except PackageNotFoundError:

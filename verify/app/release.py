@@ -52,7 +52,7 @@ def solved(jobs: int) -> Report:
 
 
 def refuse_red(report: Report) -> None:
-    """InputError if a row failed or was not run, or a demand was loosened without a reason."""
+    """InputError if a row failed or was not run, or a requirement was loosened without a reason."""
     for row in report.rows:
         if row.status in (Status.FAIL, Status.SKIP):
             raise InputError(f"a release needs every row: {row.id}: {row.status}: {row.reason}")

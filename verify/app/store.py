@@ -52,7 +52,7 @@ def _say(message: str) -> None:
 def run_origin(case: str, code: str, *, other: bool) -> int:
     """List the stored results of a case, or the cases whose code includes a module.
 
-    InputError with options that belong to the whole list (`other`).
+    InputError for options that apply to the whole list (`other`).
     """
     from verify.app.origin import of_case, of_module
 

@@ -1,4 +1,4 @@
-"""A run in short as Markdown, for the page of a CI job: counts, failing rows, versions."""
+"""A summary of a run as Markdown, for the page of a CI job: counts, failing rows, versions."""
 
 import sys
 from collections.abc import Sequence
@@ -74,5 +74,5 @@ def _versions(report: Report) -> str:
 
 
 def _cell(text: str) -> str:
-    """Text on one line of a table, whose bars would end a cell."""
+    """Text in one line of a table, with bars escaped."""
     return raised(" ".join(text.split())).replace("|", r"\|")

@@ -23,7 +23,7 @@ COLUMNS = (  # of a row: formula and reference `fem` in `unit`, `detects` relati
 def of_rows(rows: Sequence[Row]) -> Table:
     """COLUMNS of judged rows, and the relative `difference` with its uncertainty `U`.
 
-    The difference is positive where the formula is larger. None if a row has no such value.
+    The difference is positive if the formula is larger. None if a row has no such value.
     """
     return [_of_row(row) for row in rows]
 

@@ -1,4 +1,4 @@
-"""Whether a report is still up to date: then the run is not repeated."""
+"""Whether a report is still up to date, so that the run need not be repeated."""
 
 import hashlib
 import json
@@ -28,10 +28,10 @@ class Reported:
 
 
 def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
-    """Digest of all that a report of the suite's cases follows from, but for stored results.
+    """Digest of all data on which a report of the suite's cases depends, except stored results.
 
-    These are the files of the project, the libraries, the machine, the cases that are named and the
-    `form` of the report.
+    These are the files of the project, the libraries, the machine, the named cases and the `form`
+    of the report.
     """
     parts: dict[str, Any] = {
         "files": digest(), "conditions": conditions(root), "cases": list(names), "form": form,

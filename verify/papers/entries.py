@@ -1,4 +1,4 @@
-"""Entries of a paper's file: values, numbered equations and errata, each valid by itself."""
+"""Entries of the file of a paper: values, numbered equations and errata, each validated."""
 
 import math
 from typing import Annotated, Literal, Self
@@ -12,7 +12,7 @@ Key = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9-]*$")]
 
 
 class Entry(BaseModel):
-    """Base of what a paper's file holds: nothing unknown, nothing changed."""
+    """Base class of entries in the file of a paper: no unknown keys, immutable."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -55,9 +55,9 @@ def literal(printed: str, what: str, place: str) -> Value:
 
 
 class Equation(Entry):
-    """A numbered equation: implemented (code, and a check that it breaks), argued or missing.
+    """A numbered equation: implemented (with code and a check), argued, or missing.
 
-    `tex` is the equation as it is printed, mistakes included.
+    `tex` is the equation as printed, including mistakes.
     """
 
     number: int = Field(ge=1)
@@ -80,10 +80,10 @@ class Equation(Entry):
 
 
 class Erratum(Entry):
-    """Something printed that cannot be right, its right form, and the evidence.
+    """A printed statement that cannot be right, its corrected form, and the evidence.
 
-    `printed_tex` and `right_tex` draw what `printed` and `right` say in plain text; `values` are
-    the ids of the printed values of the same paper that it is about.
+    `printed_tex` and `right_tex` are the equations for `printed` and `right`, which are plain text;
+    `values` are the ids of affected printed values of the same paper.
     """
 
     id: Key

@@ -1,7 +1,7 @@
 """Printed contents of the five papers: values, tables, numbered equations and errata, validated.
 
-Each paper is one TOML file beside this module. A value keeps the string that was printed,
-because its last digit is the only uncertainty that a printed number carries.
+Each paper has one TOML file next to this module. A value is stored as the printed string, because
+its last digit is the only uncertainty of a printed number.
 """
 
 import tomllib
@@ -80,7 +80,7 @@ def papers() -> tuple[Paper, ...]:
 
 
 def cited(key: str) -> str:
-    """First author and year of the paper with this key; another source as it is cited."""
+    """First author and year of the paper with this key; for another source, its citation."""
     return {paper.key: paper.cited for paper in papers()}.get(key, key)
 
 

@@ -1,4 +1,4 @@
-"""The published data as plain records for the report, with what the cases claim of them."""
+"""The published data as plain records for the report, with the related rows of the cases."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,7 +11,7 @@ from verify.papers.paper_tables import claiming_rows, paper_tables
 def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) -> dict[str, Any]:
     """Records of the ledgers and the papers' tables for `verify.core.results.Report`.
 
-    `inputs` are those of the cases that repeat a printed value, by "paper:id".
+    `inputs` are those of the cases that are equal to a printed value, by "paper:id".
     """
     used = claimed(results, inputs)
     return {
@@ -49,7 +49,7 @@ def _other_sources(results: Sequence[CaseResult]) -> list[dict[str, Any]]:
 def claimed(
     results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]
 ) -> Mapping[str, list[str]]:
-    """Published values in use ("paper:id") and by what: inputs of cases and judged rows."""
+    """Published values in use ("paper:id"), with the inputs and judged rows that use them."""
     used = {reference: list(names) for reference, names in inputs.items()}
     for reference, rows in claiming_rows(results).items():
         used.setdefault(reference, []).extend(row.id for row in rows)

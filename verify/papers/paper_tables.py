@@ -1,4 +1,4 @@
-"""The papers' tables for the report: every printed number with what the project says of it."""
+"""The tables of the papers for the report: every printed number with its comparisons."""
 
 from collections.abc import Mapping, Sequence
 
@@ -67,7 +67,7 @@ def _table(
 
 
 def _claim(row: Row, value: Value) -> PaperClaim:
-    """The row's numbers in the printed unit; a row has the dimension of what it claims."""
+    """Numbers of the row in the printed unit; the row has the dimension of the printed number."""
     f = units.factor(row.unit) / units.factor(value.unit)
     fem = row.fem if is_finite_elements(row) else None
     analytic, fem, u = (None if v is None else v * f for v in (row.analytic, fem, row.u_num))

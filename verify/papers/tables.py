@@ -1,7 +1,7 @@
 """Tables of a paper, in its layout. A number in a cell is a value of the same file.
 
-A cell "=k1-theory" stands for the value of that id, so that no number is typed twice; any other
-cell is plain text.
+A cell "=k1-theory" is replaced by the value with this id: each number is entered only once. Any
+other cell is plain text.
 """
 
 import re
@@ -16,7 +16,7 @@ from verify.papers.entries import Entry, Value, Words
 
 
 class PrintedTable(Entry):
-    """One table, `name` as the paper numbers it. Without rows `note` says what is missing."""
+    """One table; `name` is its number in the paper. If it has no rows, `note` gives the reason."""
 
     name: Words
     caption: Words
@@ -65,7 +65,7 @@ def named_tables(place: str) -> set[str]:
 def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printed: int) -> None:
     """Raise ValueError if tables and values do not hold the same numbers, each once.
 
-    `printed` is how many tables the paper numbers.
+    `printed` is the number of tables in the paper.
     """
     if (names := [t.name for t in tables]) != [f"Table {i + 1}" for i in range(printed)]:
         raise ValueError(f"needs Tables 1 to {printed} in order, has {names}")

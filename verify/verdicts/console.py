@@ -24,7 +24,7 @@ class Placed:
 
     @property
     def line(self) -> tuple[str, ...]:
-        """Equation, verdict, its sentence and where the inputs lie."""
+        """Equation, verdict, its sentence and the position of the inputs."""
         one = self.verdict
         return f"{one.source}, {_short(one)}", one.verdict.value, _brief(one), self.place.words
 
@@ -90,7 +90,7 @@ def _design(one: FormulaVerdict) -> list[tuple[str, str]]:
 
 
 def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
-    """The verdict of each formula of a case, in the form to use, and where these inputs lie."""
+    """The verdict of each formula of a case, in the form to use, and the position of the inputs."""
     return tuple(
         Placed(one, place(one, case.id, inputs)) for one in of_case(case)
         if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG

@@ -1,4 +1,4 @@
-"""The inputs of a file together with those that it leaves out and that have an assumption."""
+"""The inputs of a file, and assumed values of the inputs that are missing in it."""
 
 import re
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ def complete(
 ) -> tuple[dict[str, Any], tuple[Assumed, ...]]:
     """Raw inputs with the assumed ones added, and the assumptions; given values are unchanged.
 
-    InputError names the inputs that are missing and have no assumption.
+    InputError lists the inputs that are missing and have no assumption.
     """
     assumptions = ASSUMPTIONS.get(case_id)
     if assumptions is None:
@@ -50,9 +50,9 @@ def assumed_inputs(
 def build_completed(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str
 ) -> tuple[Inputs, tuple[Assumed, ...]]:
-    """The inputs of a file, and which of them were assumed.
+    """The inputs of a file, and the assumptions for missing inputs.
 
-    InputError for the first fault; where it is about assumed inputs, it lists them.
+    InputError for the first error; if it is about assumed inputs, it lists them.
     """
     whole, assumed = complete(case_id, model, raw, where)
     try:

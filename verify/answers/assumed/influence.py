@@ -23,8 +23,8 @@ Result = Callable[[Any, Values], float | None]
 class Influence:
     """Change of a value of the formulas with one assumed input.
 
-    `low` and `high` are the values that the input was given, in its display unit; `at_low` and
-    `at_high` the relative changes of the value, None if there is "no solution" (`note`).
+    `low` and `high` are the values used for the input, in its display unit; `at_low` and `at_high`
+    are the relative changes of the value, None if there is "no solution" (`note`).
     """
 
     assumed: Assumed
@@ -52,10 +52,10 @@ def influence(
 ) -> tuple[Influence, ...]:
     """Change of a result of the formulas with each assumed number, the largest first.
 
-    `result` is the key of a value, or computes a number from inputs and values. Each input is
-    varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a rule
-    change with it. Words, tables and inputs of --dynamic alone are left out. ValueError if the
-    inputs themselves have no such result.
+    `result` is the key of a value, or a function that computes a number from inputs and values.
+    Each input is varied alone over its usual range, or by 10 %; assumed inputs that follow from it
+    by a rule change with it. Words, tables and inputs for --dynamic only are omitted. ValueError if
+    there is no result at the given inputs.
     """
     of = result if callable(result) else _by_key(result)
     middle = _value(case, inputs, of)
@@ -116,7 +116,7 @@ class _Study:
         return Given({name: getattr(self.inputs, name) for name in type(self.inputs).model_fields})
 
     def _change(self, name: str, value: float) -> float | None:
-        """Relative change of the value with one input replaced, None without a solution."""
+        """Relative change of the value with one input replaced; None if there is no solution."""
         given = Given(self._given() | {name: value})
         try:
             for one in self._derived(name):

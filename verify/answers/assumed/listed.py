@@ -1,4 +1,4 @@
-"""Lists of assumed inputs: on the terminal, and beside the inputs of a report."""
+"""Lists of assumed inputs, on the terminal and in a report."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -14,7 +14,7 @@ def one_shaft(g: Given) -> list[dict[str, Any]]:
 
 
 def unbalanced_node(g: Given) -> int:
-    """The node of the first unbalance, of the first disc without one, or node 1."""
+    """The node of the first unbalance; without unbalance, of the first disc; otherwise node 1."""
     for table in ("unbalances", "discs"):
         if entries := g.get(table):
             return int(entries[0]["node"])

@@ -1,4 +1,4 @@
-"""Assumption: the value of an input that a file leaves out, with its source."""
+"""Assumption: the value of an input that a file omits, with its source."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -24,14 +24,14 @@ Rule = Callable[[Given], Any]
 
 @dataclass(frozen=True, kw_only=True)
 class Assumption:
-    """The value of the input `name` where a file leaves it out.
+    """The value of the input `name` if a file omits it.
 
     `value` is a TOML value ("206 GPa", 0.3), or a function of the other inputs that returns the SI
-    value, None if nothing can be assumed. `source` names a standard, a handbook or a paper, or
-    begins with "typical:", or states the rule. `usual` is the lowest and the highest usual value,
-    each as `value`; without it the influence is measured by 10 % up and down. `dynamic`: no
-    formula uses it, only --dynamic.
-    `varied` is False for a choice that no tolerance or ignorance is about, such as a node.
+    value, None if nothing can be assumed. `source` is a standard, a handbook or a paper, or begins
+    with "typical:", or states the rule. `usual` is the lowest and the highest usual value, each in
+    the form of `value`; without it, the influence is determined for changes of 10 %. `dynamic`: the
+    input is used by --dynamic only. `varied` is False for a choice without a tolerance, such as a
+    node.
     """
 
     name: str

@@ -37,7 +37,7 @@ def wedge_angle(R: float, r: float, X: float) -> float:
 
 
 def _flat(q: Any, quantity: str, *, inverse: bool) -> tuple[SharedReading, ...]:
-    """The wedge of a star whose flats lie `OFF` farther out than nominal."""
+    """The wedge of a star with flats at a radius larger by `OFF` than nominal."""
     nominal, real = (math.tan(wedge_angle(q.R, q.r, X)) for X in (q.X, q.X + OFF))
     if not real > 0:
         return ()
@@ -107,7 +107,7 @@ SAME_YIELDS = "the deflections are those of Palmgren's law and Eq. 6"
 
 
 def _composite(effect: float | None) -> SharedReading:
-    """Deflections by the paper's laws, which the references of these cases take as they are."""
+    """Deflections by the laws of the paper, which the references of these cases also use."""
     known = "the elastic bodies of case sprag-wedge"
     return SharedReading(
         assumption=SAME_YIELDS, part="elastic bodies deflect less",

@@ -11,11 +11,11 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class SharedReading:
-    """An assumption of both sides about a part, which their agreement therefore does not verify.
+    """An assumption of both sides about a part; their agreement does not verify it.
 
-    `effect` is the error that this leaves in the `quantity` of both sides: (value of both sides -
-    value of the part)/value of the part, so that it adds to a row's difference in the same sense.
-    It is None if it is unknown for these inputs; `source` states its origin.
+    `effect` is the resulting error in the `quantity` of both sides: (value of both sides - value of
+    the part)/value of the part; it is added to the difference of a row with its sign. It is None if
+    it is unknown for these inputs; `source` is its source.
     """
 
     assumption: str
@@ -38,7 +38,7 @@ Function = Callable[[Any, Values], tuple[SharedReading, ...]]
 
 
 def ratio(values: Values, assumed: str, part: str) -> float | None:
-    """One value of the formulas over that of the part, less one; None if either is missing."""
+    """A value of the formulas over that of the part, minus one; None if either is missing."""
     if assumed not in values or not values.get(part):
         return None
     return float(values[assumed] / values[part] - 1)

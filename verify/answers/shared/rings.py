@@ -14,9 +14,9 @@ LIMIT = "plane strain, the other limit"
 
 
 def narrow_race(r_i: float, r_o: float, nu: float, *, bore: bool) -> float:
-    """Displacement of a loaded wall in plane stress over the one in plane strain, less one.
+    """Displacement of a loaded wall in plane stress over that in plane strain, minus one.
 
-    The pressure acts on the bore, else on the rim; Lamé's solution for both.
+    The pressure acts on the bore, otherwise on the rim; Lamé's solution for both.
     """
     loaded, other = (r_i, r_o) if bore else (r_o, r_i)
     stress = (1 - nu) * loaded**2 + (1 + nu) * other**2

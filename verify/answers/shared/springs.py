@@ -34,9 +34,9 @@ def leaf_length(q: Any) -> float:
 
 
 def wide(q: Any, quantity: str, given: float = 1.0) -> tuple[SharedReading, ...]:
-    """The bending stiffness of a strip as wide as h over the one that both sides take.
+    """The bending stiffness of a strip of width h over the stiffness that both sides use.
 
-    Nothing where these agree to `SAME`.
+    No reading if these agree to `SAME`.
     """
     factor = float(width_factor(q.h, leaf_length(q), nu=q.nu))
     if abs(given / factor - 1) < SAME:

@@ -37,7 +37,7 @@ def run_list(names: Sequence[str]) -> int:
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
     """Solve the problems not stored for this code; 1 if a difference exceeds the allowed one.
 
-    Decks and answers remain in `out`. A missing solver is no error, but InputError is raised where
+    Decks and results remain in `out`. A missing solver is no error, but InputError is raised if
     cases are named and none of their problems is stored or could be solved.
     """
     crosses = chosen(names)
@@ -94,7 +94,7 @@ def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Fo
 
 
 def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
-    """One problem solved by both solvers, its deck and answer in a separate folder.
+    """One problem solved by both solvers, with its deck and results in a separate folder.
 
     RuntimeError if the other solver fails, LookupError if its answer lacks something.
     """
@@ -137,7 +137,7 @@ def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
 
 
 def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:
-    """One line each, marked if it is of a problem that is `standing` from an earlier run."""
+    """One line for each problem, marked if its result is from an earlier run (`standing`)."""
     table: list[tuple[str, ...]] = [HEAD]
     table += [
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",

@@ -30,7 +30,7 @@ def run_design(
     path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None,
     units: System | None = None,
 ) -> int:  # fmt: skip
-    """Springs for the task in a file; 0 one is found and confirmed, 1 none, 3 not decided."""
+    """Springs for the task in a file; 0: found and confirmed, 1: none found, 3: undecided."""
     task = load(path)
     system = units or task.system
     if out is not None:

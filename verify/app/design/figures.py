@@ -1,4 +1,4 @@
-"""Pictures of a design: why candidates fall out, where springs are feasible, the front, F(U)."""
+"""Figures of a design: reasons of rejection, feasible region, Pareto front, F(U)."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -25,7 +25,7 @@ NAMES = {
 
 
 def figures(outcome: Outcome) -> list[Picture]:
-    """All that can be drawn; without a feasible spring the front and its curve are left out."""
+    """All possible figures; without a feasible spring, the front and its curve are omitted."""
     s = outcome.search
     if outcome.chosen is None:
         at = s.nearest[0].candidate if s.nearest else 0
@@ -68,7 +68,7 @@ def region(s: Search, i: int, name: str) -> Region:
 
 
 def _thinned(parameter: Any, i: int, most: int) -> Any:
-    """At most `most` of a parameter's values, evenly, including that of candidate `i`."""
+    """At most `most` values of a parameter, evenly distributed, including that of candidate `i`."""
     values, keep = np.unique(parameter), parameter[i]
     if len(values) <= most:
         return values
@@ -100,7 +100,7 @@ def scatter(outcome: Outcome) -> Curves:
 
 
 def front(outcome: Outcome) -> Parallel:
-    """The members over everything that makes a spring better."""
+    """The members over all objectives."""
     s = outcome.search
     goals = s.objectives[s.members]
     shown = np.stack(

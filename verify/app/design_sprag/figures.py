@@ -17,7 +17,7 @@ UNITS = (1.0, 1.0, um)
 
 
 def figures(outcome: Outcome) -> list[Picture]:
-    """All that can be drawn: without a half-space not beside it, of one torque not over them."""
+    """All possible figures; comparisons only with a half-space, or for several torques."""
     found: list[Picture] = [profiles(outcome)]
     if outcome.checks:
         found.append(pressures(outcome))

@@ -14,7 +14,7 @@ MARK = {"holds": "✓", "fails": "✗", "cannot say": "?"}
 
 
 def answer(shown: Shown) -> Markup:
-    """Verdict first; where an input is wrong, what is wrong and no verdict."""
+    """The answer with its verdict first; if an input is wrong, the error without a verdict."""
     if not shown.verdict:
         return _faults(shown)
     first, *rest = shown.lines
@@ -37,7 +37,7 @@ def _is_elsewhere(line: str) -> bool:
 
 
 def brief(shown: Shown) -> Markup:
-    """One line for a narrow screen, where the form is below the answer."""
+    """One line for a narrow screen, on which the form is below the answer."""
     if not shown.verdict:
         return Markup("No answer: an input is wrong")
     margin = f", margin {shown.margin}" if shown.margin else ""
@@ -95,7 +95,7 @@ def evidence(shown: Shown) -> Markup:
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> Markup:
-    """Cells as a table that scrolls by itself where it is too wide."""
+    """Cells as a table that can be scrolled if it is too wide."""
     head = Markup("").join(Markup('<th scope="col">{}</th>').format(lowered(c)) for c in header)
     body = Markup("").join(
         Markup("<tr>{}</tr>").format(

@@ -1,4 +1,4 @@
-"""The answer of a page follows its state; slow notes follow where nothing is typed."""
+"""Updates the answer of a page after a change of its state; slow notes follow after a pause."""
 
 import asyncio
 import json
@@ -29,7 +29,7 @@ class Answering:
         self._stored: tuple[State, Shown] | None = None
 
     def changed(self) -> None:
-        """Answer the present state; states that pass while an answer is computed are skipped."""
+        """Answer the present state; states that are replaced during an answer are skipped."""
         if not self._answering:
             self._answering = True
             background_tasks.create(self._answer(), name="answer")

@@ -1,4 +1,4 @@
-"""The answer of `freewheel check` to what is typed, as plain data for a page."""
+"""The answer of `freewheel check` to the inputs of a page, as plain data."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -27,10 +27,10 @@ Cells = tuple[tuple[str, ...], ...]
 
 @dataclass(frozen=True, kw_only=True)
 class Shown:
-    """What a page shows of one set of inputs.
+    """Content of a page for one set of inputs.
 
-    `faults` and `beside` are messages by the place of an input, `fault` is one without a place;
-    then there is no verdict. `rest` are inputs that were assumed, by name. `values` have keys.
+    `faults` and `beside` are messages by input, `fault` is a message without an input; then there
+    is no verdict. `rest` are assumed inputs by name. `values` have keys.
     """
 
     verdict: str = ""
@@ -56,9 +56,9 @@ class Shown:
 def shown(
     case_name: str, name: str, raw: Mapping[str, Any], notes: bool, _tell: Callable[[Any], None]
 ) -> Shown:
-    """The answer to raw inputs; without `notes` the slow study of assumed inputs is left out.
+    """The answer to raw inputs; without `notes`, the slow study of assumed inputs is omitted.
 
-    Faults of inputs are part of the answer; InputError if there is no such case.
+    Errors of inputs are part of the answer; InputError if there is no such case.
     """
     try:
         case = find(case_name)
@@ -104,7 +104,7 @@ def _evidence(checked: Checked) -> dict[str, Any]:
 
 
 def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ...]]:
-    """Warnings beside the input that they begin with, or that they name alone; and the others."""
+    """Warnings by the input with which they begin or which they name alone; and the others."""
     beside: dict[str, tuple[str, ...]] = {}
     general = []
     by_symbol = model_of(checked.case)

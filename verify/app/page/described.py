@@ -1,4 +1,4 @@
-"""What a form needs to know of a case's inputs, from their model, as plain data."""
+"""Data of the inputs of a case that a form needs, from the model, as plain data."""
 
 import tomllib
 from collections.abc import Callable, Mapping
@@ -59,7 +59,7 @@ class Described:
 
     @property
     def whole(self) -> frozenset[str]:
-        """Names of the inputs that are whole numbers, those of tables included."""
+        """Names of the inputs that are whole numbers, including those of tables."""
         every = [f for field in self.fields for f in (field, *field.fields)]
         return frozenset(field.name for field in every if field.whole)
 

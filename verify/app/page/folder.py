@@ -26,7 +26,7 @@ class Folder:
     def path(self, name: str, *suffixes: str) -> Path:
         """The path of a file in the folder or in one of its folders.
 
-        InputError if the name leads out of the folder, also by a link, is hidden or has another
+        InputError if the file is outside the folder (also by a link), is hidden or has another
         suffix.
         """
         parts = name.replace("\\", "/").split("/")
@@ -57,7 +57,7 @@ class Folder:
         return sorted(found, key=lambda name: (name.count("/"), name))[:MOST_FILES]
 
     def write(self, name: str, text: str, *suffixes: str, replace: bool = False) -> Path:
-        """Write a file, whole or not at all; InputError if it exists, unless `replace`."""
+        """Write a file completely or not at all; InputError if it exists, unless `replace`."""
         path = self.path(name, *suffixes)
         data = text.encode()
         if len(data) > MAX_BYTES:

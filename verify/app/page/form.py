@@ -1,4 +1,4 @@
-"""The form of a case as HTML; what is typed and where messages stand is named by data-place."""
+"""The form of a case as HTML; data-place marks input fields and places of messages."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -13,7 +13,7 @@ ADD, REMOVE = "add", "remove"  # actions of buttons, with the table and the numb
 
 
 def form(case: Described, raw: Mapping[str, Any]) -> Markup:
-    """Needed inputs, then those that may be left out, then tables."""
+    """Required inputs, then optional inputs, then tables."""
     needed = [f for f in case.fields if f.needed and not f.is_table]
     optional = [f for f in case.fields if not f.needed and not f.is_table]
     tables = [f for f in case.fields if f.is_table]

@@ -30,7 +30,7 @@ typed.</p><form><label>Token <input name="token" autofocus></label>{hidden}
 
 
 class Guard:
-    """An ASGI application that hands on what comes from the page, and refuses everything else."""
+    """An ASGI application that accepts requests of the page and refuses all others."""
 
     def __init__(self, app: App, *, token: str, port: int) -> None:
         self.app, self.token = app, token
@@ -54,7 +54,7 @@ class Guard:
             await _refuse(scope, receive, send, "the page needs its token")
 
     def _foreign(self, scope: Scope, headers: Mapping[str, str]) -> str:
-        """Why a request is not one of the page; "" where it is."""
+        """Reason why a request is not from the page; "" if it is."""
         if headers.get("host") not in self.hosts:
             return "unknown host"
         origin = headers.get("origin")

@@ -20,15 +20,15 @@ POLL = 0.004  # s between two looks for an answer
 
 
 class CancelledError(Exception):
-    """The work was ended before its answer."""
+    """The job was cancelled before it had a result."""
 
 
 class FailedError(Exception):
-    """The work has no answer; the message says in one line why."""
+    """The job has no result; the message gives the reason in one line."""
 
 
 class Worker:
-    """One process that does one piece of work at a time, a fresh one after an end by force."""
+    """A process that does one job at a time; after a forced end, it is replaced by a new one."""
 
     def __init__(self) -> None:
         self._process: Any = None
@@ -72,7 +72,7 @@ class Worker:
                 raise (InputError if kind == "input" else FailedError)(value)
 
     def end(self) -> None:
-        """End the process and what it started at once."""
+        """End the process and its child processes immediately."""
         process, self._process = self._process, None
         if process is not None:
             with suppress(ProcessLookupError, PermissionError):
@@ -99,7 +99,7 @@ class Jobs:
         self._most, self._running = most, set[Worker]()
 
     def begin(self) -> Worker:
-        """A worker for a job; InputError if too many run."""
+        """A worker for a job; InputError if too many are running."""
         if len(self._running) >= self._most:
             raise InputError(f"{self._most} jobs are running; wait for one or cancel it")
         worker = Worker()
@@ -107,7 +107,7 @@ class Jobs:
         return worker
 
     def finish(self, worker: Worker) -> None:
-        """End the worker of a job, also before its answer."""
+        """End the worker of a job, also if it has no result yet."""
         self._running.discard(worker)
         worker.end()
 

@@ -15,14 +15,14 @@ BROKEN = "the link holds no session: it was cut or changed"
 
 
 def to_link(state: State) -> str:
-    """The state as letters that an address takes as they are."""
+    """The state in characters that an address permits."""
     data = [state.case, state.name, state.raw, state.other]
     packed = zlib.compress(json.dumps(data, ensure_ascii=False).encode(), 9)
     return base64.urlsafe_b64encode(packed).decode().rstrip("=")
 
 
 def from_link(text: str) -> State:
-    """The state of `to_link`; InputError if the text holds none, or one that is too large."""
+    """The state of `to_link`; InputError if the text contains none, or one that is too large."""
     try:
         packed = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
         data = zlib.decompressobj().decompress(packed, MOST_BYTES)

@@ -16,7 +16,7 @@ PARTS = {
 
 
 def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[str, str]]]]:
-    """Headings with the names and titles of what is below; `files` are Python files of cases."""
+    """Headings with names and titles of their entries; `files` are Python files of cases."""
     own = sorted({*files, *([also] if also.endswith(".py") else [])})
     found = [
         ("Parts", [(case, title) for title, case in PARTS.items()]),

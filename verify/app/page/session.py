@@ -10,9 +10,9 @@ LONGEST_TEXT = 200  # characters of one input
 
 @dataclass(frozen=True)
 class State:
-    """One state of a page; `raw` are inputs as a parameter file holds them, texts as typed.
+    """One state of a page; `raw` are inputs in the form of a parameter file, texts as typed.
 
-    `other` are the raw inputs of the variant that is compared, None without one.
+    `other` are the raw inputs of the variant for comparison, None if there is none.
     """
 
     case: str
@@ -23,7 +23,7 @@ class State:
 
 @dataclass
 class Session:
-    """The present state with those before and after it."""
+    """The present state with previous and undone states."""
 
     state: State
     before: list[State] = field(default_factory=list)
@@ -31,7 +31,7 @@ class Session:
     edited: str = ""  # the input of the last edit, whose further edits are the same step
 
     def put(self, state: State, edited: str = "") -> None:
-        """Make another state the present one; `edited` names the input that alone has changed."""
+        """Make another state the present one; `edited` is the only input that has changed."""
         if state == self.state:
             return
         if not edited or edited != self.edited:
@@ -39,7 +39,7 @@ class Session:
         self.after, self.state, self.edited = [], state, edited
 
     def edit(self, place: str, text: str) -> None:
-        """Type `text` into an input: "r_i", or "supports[2].k" of a table; nothing leaves it out.
+        """Set the text of an input: "r_i", or "supports[2].k" of a table; an empty text omits it.
 
         ValueError for a text that is too long, LookupError if there is no such entry.
         """
@@ -49,7 +49,7 @@ class Session:
         self.put(replace(self.state, raw=raw), place)
 
     def undo(self) -> bool:
-        """Go back one step; whether there was one."""
+        """Go back one step; returns whether there was one."""
         if not self.before:
             return False
         self.after.append(self.state)
@@ -57,7 +57,7 @@ class Session:
         return True
 
     def redo(self) -> bool:
-        """Take back the last `undo`; whether there was one."""
+        """Repeat the last step undone; returns whether there was one."""
         if not self.after:
             return False
         self.before.append(self.state)
@@ -77,7 +77,7 @@ def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
 
 
 def text_at(raw: Mapping[str, Any], place: str) -> str:
-    """The text of one place, "" where it is left out."""
+    """The text of one place, "" if it is omitted."""
     table, bracket, rest = place.partition("[")
     if not bracket:
         return str(raw.get(place, ""))

@@ -1,4 +1,4 @@
-"""The figure of a sweep: a line over one input, or colours over two, with values on pointing."""
+"""The figure of a sweep: a line over one input, or colours over two, with values at the pointer."""
 
 from typing import Any
 

@@ -74,7 +74,7 @@ class Swept:
 def sweep(
     case: str, name: str, raw: Mapping[str, Any], vary: Sequence[str], result: str, tell: Tell
 ) -> Swept:
-    """A result of the formulas over one or two inputs, as `freewheel sweep --vary` names them.
+    """A result of the formulas over one or two inputs, in the form of `freewheel sweep --vary`.
 
     `result` is MARGIN, DESIGN or the key of a value. InputError for wrong inputs and axes.
     """

@@ -14,7 +14,7 @@ _KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def parameter_file(state: State) -> str:
-    """The text of a parameter file with the inputs of a state; tables stand below the others."""
+    """The text of a parameter file with the inputs of a state; tables are below the others."""
     lines = [f"case = {_text(state.case)}", f"name = {_text(state.name)}", "", "[inputs]"]
     tables = {k: v for k, v in state.raw.items() if isinstance(v, list)}
     lines += [_line(k, v) for k, v in state.raw.items() if k not in tables]
@@ -40,7 +40,7 @@ def as_texts(raw: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def as_values(raw: Mapping[str, Any], whole: frozenset[str]) -> dict[str, Any]:
-    """Raw inputs with the texts of whole numbers as such; `whole` names them, also of tables."""
+    """Raw inputs with texts of whole numbers converted; `whole` names them, also in tables."""
     return {k: _value(k, v, whole) for k, v in raw.items()}
 
 
@@ -68,5 +68,5 @@ def _key(key: str) -> str:
 
 
 def _text(value: str) -> str:
-    """A basic string of TOML: JSON's escapes, and DEL, which TOML wants escaped too."""
+    """A basic string of TOML: escapes of JSON, and of DEL, which TOML requires."""
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,4 +1,4 @@
-"""What the page does beside the answer: finite elements, a sweep, a comparison, a report."""
+"""Tools of the page besides the answer: finite elements, a sweep, a comparison, a report."""
 
 import shlex
 from collections.abc import Callable
@@ -57,7 +57,7 @@ class Tools:
         self.old[name] = html(css="error").props(f'id="{name}-old" role="status"')
 
     def tell_old(self) -> None:
-        """State beside what a job has made that it is not of the present inputs."""
+        """State next to a result of a job that it does not belong to the present inputs."""
         for name, raw in self.made.items():
             self.old[name].set_content(OLD if raw != self.screen.session.state.raw else "")
 

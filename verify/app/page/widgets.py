@@ -1,4 +1,4 @@
-"""Elements of the page that take keys and screen readers as the browser gives them."""
+"""Elements of the page that the keyboard and screen readers can use."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any

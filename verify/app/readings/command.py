@@ -145,7 +145,7 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
 
 
 def _keys(key: str, values: Iterable[str]) -> str:
-    """All keys that a formula value of the case can be searched by, those like `key` first."""
+    """All keys of formula values of the case that can be searched, those similar to `key` first."""
     every = list(values)
     return nearest(key, every, most=len(every), between="; ")
 

@@ -33,7 +33,7 @@ def run_sweep(
     path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str], where: Where, out: Path | None, as_json: bool, again: bool,
 ) -> int:  # fmt: skip
-    """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
+    """Formulas and finite elements over a grid or a sample; returns 1 if a point failed, else 0.
 
     A point at which a row does not converge has failed, too. A point has not failed if the rules of
     the inputs reject it or a formula has no value. All points are counted; the other results are
@@ -60,7 +60,7 @@ def run_sweep(
 
 
 def _has_failed(problems: Sequence[str]) -> bool:
-    """Whether one is no refusal, nor a state that the formula does not have."""
+    """Whether a problem is neither a refusal nor a state that the formula does not have."""
     return any(p and p != NO_FORMULA and not p.startswith(REFUSED) for p in problems)
 
 

@@ -127,7 +127,7 @@ def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
     box: tuple[tuple[float, float], ...] = (), nominal: bool = False, unsafe: int | None = None,
 ) -> Measured:  # fmt: skip
-    """A map over two axes; `nominal` is true where all other inputs are as in the file."""
+    """A map over two axes; `nominal` is true if all other inputs are as in the file."""
     x, y = axes
     return Measured(
         title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
@@ -246,7 +246,7 @@ def _at_nominal(a: Axis, value: float) -> bool:
 
 
 def _reached(a: Axis) -> bool:
-    """Whether the value of the file lies between the ends of the axis."""
+    """Whether the value of the file is between the ends of the axis."""
     return a.nominal is not None and a.values[0] <= a.nominal <= a.values[-1]
 
 

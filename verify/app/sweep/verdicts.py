@@ -87,7 +87,7 @@ def sample_in_words(about: Indices) -> str:
 
 
 def small_sample(about: Indices) -> str:
-    """Statement that the indices are too uncertain to rank inputs; "" where they are not."""
+    """Statement that the indices are too uncertain to rank inputs; "" if they are not."""
     if not (widest := max(s.widest for s in (about.formula, about.fe, about.error))) > LOOSE:
         return ""
     rows = about.rows + about.dropped

@@ -38,7 +38,7 @@ class Noted:
 
 @dataclass(frozen=True)
 class Notes:
-    """Notes in the store, made where they are missing."""
+    """Recorded calls in the store; missing records are made."""
 
     store: Store
     jobs: int
@@ -78,7 +78,7 @@ class Notes:
         self, kind: str, doing: str, work: Mapping[str, Callable[[], Any]], limit: float,
         *, needed: bool = True,
     ) -> dict[str, Any]:  # fmt: skip
-        """What is stored, and what is not, worked out."""
+        """Recorded calls: from the store, and otherwise determined now."""
         stored = self.store.load(KIND, list(work))
         known = {}
         for name, content in stored.items():

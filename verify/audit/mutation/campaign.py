@@ -47,7 +47,7 @@ class Campaign:
         return 1
 
     def _outcome(self, key: str, answer: Answer) -> Outcome | None:
-        """The mutant's fate; None if tests are still to come."""
+        """The outcome of a mutant; None if further tests remain."""
         if answer.failure:
             by = By.TIME if answer.failure == LATE else By.CRASHED
             what = answer.failure
@@ -61,7 +61,7 @@ class Campaign:
         return Outcome(key, by, what, round(self.spent[key], 1))
 
     def _next(self, key: str) -> Task | None:
-        """Next step of a mutant: the tests, then cases that take long to solve with it."""
+        """Next step for a mutant: the tests, then cases that take a long time to solve with it."""
         changed = self.mutants[key]
         while (stage := self.stages.get(key, JUDGED)) < SOLVED:
             self.stages[key] = stage + 1

@@ -8,7 +8,7 @@ ALL = ("analytic", "fem", "meshes", "verify", "tests")
 
 
 def digest(*folders: str) -> str:
-    """Hash of files and of all sources in folders, by default of all that the score depends on."""
+    """Hash of files and of all sources in folders, by default of all on which the score depends."""
     found = hashlib.sha256()
     for folder in folders or ALL:
         place = ROOT / folder

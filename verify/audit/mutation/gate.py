@@ -1,10 +1,11 @@
 """The gate on perturbed references: which rows must fail, which are only listed.
 
-Comparisons that pass and must detect 1 % or less are held to it: identities, asymptotics, trends,
-approximations with an expected interval, and balances. The rest is listed with the reason and with
-its detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less sensitive comparisons.
-Convergence rows stand beside a comparison and have no reference: neither held nor listed.
-A row that fails where it is judged must also fail where a value of its formula is wrong.
+The gate applies to comparisons that pass and must detect 1 % or less: identities, asymptotics,
+trends, approximations with an expected interval, and balances. All others are listed with the
+reason and their detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less sensitive
+comparisons. Convergence rows belong to a comparison and have no reference; the gate neither applies
+to them nor lists them. A row that fails if its reference is changed must also fail if a value of
+its formula is wrong.
 """
 
 from collections.abc import Sequence
@@ -29,7 +30,7 @@ WIDER = "a wider demand"
 
 
 def listed_as(row: Row) -> str:
-    """Why the row is not held to the gate; "" where it is, and of convergence."""
+    """Reason why the gate does not apply to the row; "" if it does, and for convergence rows."""
     if is_convergence(row):
         return ""
     if row.status is not Status.PASS:
@@ -53,7 +54,7 @@ def share(rows: Sequence[Tried], p: float) -> float:
 def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
     """The violations of the gate, one line each; empty if there are none.
 
-    `hidden` names rows that pass although the value of their formula is wrong.
+    `hidden` are rows that pass although the value of their formula is wrong.
     """
     gated = [tried for tried in rows if held(tried.row)]
     found = [] if gated else ["no row is held to the gate"]

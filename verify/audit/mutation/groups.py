@@ -37,9 +37,9 @@ LONGEST = 4.0  # s for a coarsest level that mutants are tried on
 
 @dataclass(frozen=True)
 class Group:
-    """Mutants, those of the sample among them, how one is tried, and the tests that come next.
+    """Mutants with their sample, the function that tries one, and the tests that follow.
 
-    `last` is what is left to ask where all that is quicker has noticed nothing.
+    `last` is the final check if no faster check has detected the mutant.
     """
 
     name: str
@@ -155,7 +155,7 @@ def _task(changed: Changed, stored: Sequence[Bench], moved: Sequence[Bench]) -> 
 
 
 def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
-    """The quickest cases' coarsest levels, or all of them where they take no time."""
+    """The coarsest levels of the fastest cases, or all levels of cases that take little time."""
     known = durations.load(cache.default_folder())
 
     def levels(case: Case) -> Sequence[int]:
@@ -172,7 +172,7 @@ def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Tas
 
 
 def _quick(loads: Sequence[Load]) -> list[Load]:
-    """The cases whose coarsest level, by all that is known of it, is solved in short."""
+    """The cases whose coarsest level, by known durations, is solved in a short time."""
     known = durations.load(cache.default_folder())
     return [
         load for load in loads
@@ -181,7 +181,7 @@ def _quick(loads: Sequence[Load]) -> list[Load]:
 
 
 def _imported(noted: Mapping[str, Noted]) -> None:
-    """Import the modules for solving, which would take each child a second or two."""
+    """Import the modules for solving, which would take each child process a second or two."""
     import importlib
 
     for function in sorted({f for one in noted.values() for f in one.functions}):
@@ -189,7 +189,7 @@ def _imported(noted: Mapping[str, Noted]) -> None:
 
 
 def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
-    """The tests that reach a mutant's function; none where pytest is not installed."""
+    """The tests that reach the function of a mutant; none if pytest is not installed."""
     try:
         from verify.audit.mutation import suite
     except ImportError:

@@ -1,7 +1,7 @@
-"""Changes that any code can suffer: a node of the syntax tree in, the nodes in its place out.
+"""General changes of code: from a node of the syntax tree to its replacements.
 
-An operator takes a node and the names around it, and yields every replacement it makes; a node
-that it doesn't know yields none. Replacements are new nodes, the given one stays as it is.
+An operator takes a node and the names around it, and yields all its replacements, none for an
+unknown node. Replacements are new nodes; the given node is not changed.
 """
 
 import ast
@@ -65,7 +65,7 @@ def sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def constant(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A number twice and half as large, of the other sign, one more or 1 % more."""
+    """A number twice and half as large, with opposite sign, plus one, or 1 % larger."""
     if not isinstance(node, ast.Constant) or type(node.value) not in (int, float):
         return
     value = node.value
@@ -80,12 +80,12 @@ def constant(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def comparison(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A comparison turned into its opposite."""
+    """A comparison replaced by its opposite."""
     yield from _compared(node, TURNED)
 
 
 def boundary(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """< for <=, where the two sides may be equal."""
+    """< for <=, if the two sides may be equal."""
     yield from _compared(node, BOUNDARY)
 
 
@@ -121,7 +121,7 @@ def _called(node: ast.AST, others: dict[str, str]) -> Iterator[ast.Call]:
 
 
 def dropped(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A square root, an absolute value and their like left out: their argument alone."""
+    """A square root, absolute value or similar function replaced by its argument."""
     if isinstance(node, ast.Call) and name_of(node.func) in DROPPED and node.args:
         yield deepcopy(node.args[0])
 
@@ -137,7 +137,7 @@ def condition(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def name_of(node: ast.AST) -> str:
-    """The last part of a name: sin of np.sin; empty without one."""
+    """The last part of a name: sin of np.sin; empty if there is none."""
     if isinstance(node, ast.Attribute):
         return node.attr
     return node.id if isinstance(node, ast.Name) else ""

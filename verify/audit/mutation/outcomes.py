@@ -28,7 +28,7 @@ APART = (By.CRASHED, By.TIME)  # noticed by any run, and no merit of the suite's
 
 @dataclass(frozen=True)
 class Outcome:
-    """Outcome of a mutant; `what` names the rows, the error or the test."""
+    """Outcome of a mutant; `what` is the row, the error or the test."""
 
     id: str
     by: By
@@ -37,7 +37,7 @@ class Outcome:
 
 
 class Outcomes:
-    """The outcomes of the mutants of one `code`, each stored before the next counts as done."""
+    """The outcomes of the mutants of one `code`; each is stored before the next is started."""
 
     def __init__(self, store: Store, code: str) -> None:
         self.store, self.code = store, code

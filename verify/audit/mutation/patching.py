@@ -1,9 +1,8 @@
-"""A mutant put in the place of the living code, in this process and for good.
+"""A mutant put in the place of the running code, permanently for this process.
 
-The code object of a function is replaced, which reaches every name that is bound to it, methods and
-memoised functions, too; a constant is set in every module that has it. What the project's functions
-have memoised is forgotten; whatever else was computed with the old code stays: a mutant belongs
-into a fresh process.
+The code object of a function is replaced; this affects all names of the function, methods and
+cached functions. A constant is set in every module that has it. Caches of functions of the project
+are cleared, but other results of the old code remain: a mutant needs a new process.
 """
 
 import ast
@@ -23,7 +22,7 @@ class NotPatchedError(RuntimeError):
 
 
 def patch(of: Source, changed: Changed) -> int:
-    """Replace the code in all functions that have it; their number. NotPatchedError."""
+    """Replace the code in all functions that have it; returns their number. NotPatchedError."""
     import_module(of.module)  # finite elements, which nothing imports before it solves
     forget_memoised()
     changed.place.put(changed.node)
@@ -60,7 +59,7 @@ def _patch_function(of: Source, name: str, owner: ast.FunctionDef, in_defaults: 
 
 
 def functions(path: str) -> Iterator[FunctionType]:
-    """All living functions of one file, whatever wraps them."""
+    """All functions of one file in this process, including those in wrappers."""
     for item in gc.get_objects():
         if type(item) is FunctionType and item.__code__.co_filename == path:
             yield item

@@ -1,7 +1,7 @@
 """Number of rows that fail if references are wrong: a score for reports and the gate.
 
 `references_moved` changes references where they are judged, `references_read` where the formulas
-return them; here all rows of all cases are tried by both methods in one pass over the levels.
+return them. Here, all rows of all cases are tried by both methods in one pass over the levels.
 """
 
 from collections import Counter
@@ -56,10 +56,10 @@ def measured(
     cases: Sequence[Case], folder: Path | None = None, *,
     show: Progress = lambda _done, _all, _name: None,
 ) -> dict[str, Any]:  # fmt: skip
-    """The score as JSON: shares red by perturbation and kind, survivors, and what is only listed.
+    """The score as JSON: shares of failing rows by perturbation and kind, survivors, listed rows.
 
-    `folder` is the cache of finite elements, from which all levels come: InputError if one is
-    not there. `show` follows the cases.
+    `folder` is the cache of finite elements with all levels: InputError if one is missing. `show`
+    receives the progress.
     """
     rows: list[Both] = []
     for k, case in enumerate(cases):
@@ -89,7 +89,7 @@ def _both(check: Check, context: Context) -> list[Both]:
 
 
 def _has_formula(one: Tried) -> bool:
-    """Whether a formula is one side of the row, so that it should fail with a wrong one."""
+    """Whether a formula is one side of the row, so that the row should fail if it is wrong."""
     return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
@@ -104,7 +104,7 @@ def of_its_own(both: Both) -> str:
 
 
 def score(rows: Sequence[Both]) -> dict[str, Any]:
-    """Of rows that were tried; the gate's part stands under "gate"."""
+    """The score of the tried rows; the part for the gate is under "gate"."""
     moved = [both.moved for both in rows]
     held = [one for one in moved if gate.held(one.row)]
     convergence = sum(is_convergence(one.row) for one in moved)
@@ -163,7 +163,7 @@ def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
 
 
 def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
-    """Rows that are not held to the gate with what they detect, by the reason."""
+    """Rows to which the gate does not apply, with their detection limits, by reason."""
     found: dict[str, list[list[Any]]] = {}
     for one in rows:
         if why := gate.listed_as(one.row):
@@ -172,7 +172,7 @@ def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
 
 
 def _by_formula(rows: Sequence[Both]) -> Mapping[str, Any]:
-    """Agreement of the second method with the first, over held rows that have a formula."""
+    """Agreement of both methods, over rows of the gate that have a formula."""
     asked = [both for both in rows if gate.held(both.moved.row) and _has_formula(both.moved)]
     reached = [both for both in asked if both.by_formula is not None]
     return {

@@ -1,14 +1,14 @@
-"""Every row's reference changed on purpose, and the row judged again: it should fail.
+"""The reference of every row is changed on purpose, and the row is judged again: it should fail.
 
-Every comparison is judged in `verify.judging.judge`: `moved` changes the reference there and
-nothing else, neither tolerance nor scale nor what is expected. Stored finite elements are
-judged again; none are solved.
+Every comparison is judged in `verify.judging.judge`: `moved` changes only the reference there,
+neither tolerance nor scale nor expected values. Stored finite elements are judged again; none are
+solved.
 
-The reference r is multiplied by 1 + p; where it is zero, p times the row's scale is added. Where
-the scale is another magnitude than |r|, p times the scale is judged as well: rows against a scale
-need not detect a share of a small r, but the gate requires the strict one, p of r itself.
-Of an approximation the formula is multiplied, whose error the row bounds; of a limit the formula at
-all its points, so that d becomes (1 + d)(1 + p) - 1. A balance has the reference zero.
+The reference r is multiplied by 1 + p; if it is zero, p times the scale of the row is added. If the
+scale is another magnitude than |r|, p times the scale is tried as well: a row with a scale need not
+detect a fraction of a small r, but the gate requires the stricter change, p of r. For an
+approximation, the formula is multiplied, because the row bounds its error; for a limit, the formula
+at all points, so that d becomes (1 + d)(1 + p) - 1. The reference of a balance is zero.
 """
 
 from collections.abc import Iterator, Sequence
@@ -82,7 +82,7 @@ def tried(check: Check, context: Context) -> list[Tried]:
 
 
 def _scale_is_another(row: Row) -> bool:
-    """Whether the row's scale is another magnitude than its reference, by more than 1 %."""
+    """Whether the scale of the row differs from its reference by more than 1 %."""
     r, scale = row.analytic, row.scale
     return bool(r and scale and row.kind in COMPARED and abs(abs(r) / scale - 1) > ALIKE)
 
@@ -104,7 +104,7 @@ def red_names(check: Check, context: Context) -> set[str]:
 
 @contextmanager
 def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Judging with every reference moved by `p` of itself, or of the scale."""
+    """Judging with every reference changed by `p` times the reference, or the scale."""
     changed = _Moved(p, of_scale)
     kept = {name: getattr(judge, name) for name in SEAMS}
     try:
@@ -120,7 +120,7 @@ SEAMS = ("difference", "approximation", "exact", "fit_limit")  # of `verify.judg
 
 
 class _Moved:
-    """The functions of `judge` that take a reference, which they move by `p` first."""
+    """The functions of `judge` with a reference, which they first change by `p`."""
 
     def __init__(self, p: float, of_scale: bool) -> None:
         self.p, self.of_scale = p, of_scale

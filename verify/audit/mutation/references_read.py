@@ -1,10 +1,10 @@
-"""The second, independent method: a formula's value changed before the checks read it.
+"""The second, independent method: the value of a formula is changed before checks read it.
 
-`references_moved` moves a reference where it is judged, and nothing else. Here a value of the
-formulas is multiplied by 1 + p in what a check is given, one key at a time, and whatever the check
-derives from it changes too: tolerance, scale, expected interval. The same rows should fail by both
+`references_moved` changes a reference only where it is judged. Here, a value of the formulas, one
+key at a time, is multiplied by 1 + p in the data of a check; all numbers that the check derives
+from it change as well: tolerance, scale, expected interval. The same rows should fail by both
 methods. A row that fails there and passes here hides an error of its formula; a row that no key
-makes fail computes its formula from the inputs by itself.
+makes fail computes its formula from the inputs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -15,7 +15,7 @@ from verify.core.case import Check, Context, Values
 
 
 class Noted(Mapping[str, float]):
-    """Values that remember which of them were read; being asked for all of them counts as well."""
+    """Values that record which of them were read; reading all of them at once is also recorded."""
 
     def __init__(self, values: Values) -> None:
         self.values_, self.read = values, dict[str, None]()
@@ -33,9 +33,9 @@ class Noted(Mapping[str, float]):
 
 @dataclass(frozen=True)
 class Read:
-    """The rows of a check that fail where one value of the formulas is changed.
+    """The rows of a check that fail if one value of the formulas is changed.
 
-    `red` has, for each key that is read and not zero, names of rows by perturbation.
+    `red` are, for each key that is read and not zero, the names of failed rows by perturbation.
     """
 
     red: Mapping[str, Mapping[float, set[str]]]
@@ -49,7 +49,7 @@ class Read:
 
 
 def read(check: Check, context: Context) -> Read:
-    """A check's rows with every value of the formulas that it reads changed, one at a time."""
+    """Rows of a check with each value of the formulas that it reads changed, one at a time."""
     noted = Noted(context.analytic)
     check.rows(replace(context, analytic=noted))
     found = {}
@@ -65,5 +65,5 @@ def _red(check: Check, context: Context, key: str, p: float) -> set[str]:
 
 
 def own_key(check: Check) -> str:
-    """The key of the value that a check compares; "" without one."""
+    """The key of the value that a check compares; "" if there is none."""
     return str(getattr(check, "analytic", ""))

@@ -1,8 +1,7 @@
-"""Cases whose levels are made with formulas, too: a formula's mutant changes both of their sides.
+"""Cases whose levels also use formulas: a mutant of such a formula changes both sides.
 
-Levels stored by unchanged code are not valid for such a mutant: some rows would fail that pass
-in a new run, and others would pass that fail in it. The key of the stored levels states which
-formulas they are made with.
+Levels stored by unchanged code are not valid for such a mutant: the statuses of rows could differ
+from those of a new run. The key of the stored levels states the formulas that they use.
 """
 
 from collections.abc import Sequence
@@ -28,9 +27,9 @@ def formulas_in(case: Case) -> frozenset[str]:
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Cases whose stored levels stay under a mutant of `module`, and those to solve with it.
+    """Cases whose stored levels are valid for a mutant of `module`, and cases to solve with it.
 
-    Of these the quick ones and the slow ones; none has cases that it moves and that take too long.
+    The latter are divided into fast and slow cases; cases that take too long are in none.
     """
     stored = [bench for bench in benches if module not in formulas_in(bench.load.case)]
     moved = [

@@ -44,10 +44,10 @@ def readers(constant: str, of: Source) -> set[str]:
 
 
 def sample(among: Sequence[Changed], size: int, seed: int) -> list[Changed]:
-    """Mutants in turn of each operator, in an order that other code does not change.
+    """Mutants of each operator in turn, in an order that does not depend on other code.
 
-    Rare mistakes are tried as often as frequent ones, as far as there are mutants; of several
-    changes at one place the first in that order alone.
+    Rare faults are tried as often as frequent ones, as far as there are mutants; of several changes
+    at one place, only the first in this order is used.
     """
     waiting: dict[str, deque[Changed]] = defaultdict(deque)
     for one in sorted(among, key=lambda one: _rank(one, seed)):

@@ -1,7 +1,7 @@
-"""An engine of forked children, which share the parent's loaded modules and cannot change them.
+"""An engine of forked child processes, which have the loaded modules of the parent process.
 
-A child answers with a JSON value through a pipe. It is ended when its time is over, when it takes
-too much memory, and when the parent is stopped.
+A child process returns a JSON value through a pipe. It is ended if its time is over, if it uses too
+much memory, and if the parent is stopped.
 """
 
 import contextlib
@@ -31,7 +31,7 @@ SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 @dataclass(frozen=True)
 class Task:
-    """A task for a child with a time of `limit` seconds; `key` identifies its answer."""
+    """A task for a child process with a time limit `limit` [s]; `key` identifies its result."""
 
     key: Hashable
     work: Callable[[], Any]
@@ -40,7 +40,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Answer:
-    """Result of a child process; `failure` is LATE after a time-out, else its error or signal."""
+    """Result of a child process; `failure` is LATE after a time-out, otherwise error or signal."""
 
     key: Hashable
     value: Any
@@ -50,7 +50,7 @@ class Answer:
 
 @contextmanager
 def forks(jobs: int) -> Iterator[Engine]:
-    """An engine of `jobs` children at a time, each forked for one task; ends them at its end."""
+    """An engine of `jobs` simultaneous child processes, one for each task; it ends them."""
     executor = Forks()
     try:
         yield Engine(executor, lambda: jobs, deadly=(), wait=executor.wait)
@@ -73,7 +73,7 @@ class _Child:
 
 
 class Forks(Executor):
-    """Futures of the answers of forked children, read in `wait`: a thread would be forked too."""
+    """Futures of the results of child processes, read in `wait`: a thread would be forked, too."""
 
     def __init__(self) -> None:
         self.selector = selectors.DefaultSelector()
@@ -89,7 +89,7 @@ class Forks(Executor):
         return future
 
     def wait(self, futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-        """The futures of children that are done or late, after some seconds at most."""
+        """The futures of child processes that are finished or late, after some seconds at most."""
         for ready, _ in self.selector.select(timeout=seconds):
             if piece := os.read(ready.fd, 1 << 16):
                 self.children[ready.fd].read += piece
@@ -110,7 +110,7 @@ class Forks(Executor):
         self.selector.close()
 
     def _conclude(self, pipe: int, otherwise: str) -> None:
-        """End a child; its answer is its output, or `otherwise` if the output is incomplete."""
+        """End a child process; its result is its output, or `otherwise` if this is incomplete."""
         child = self.children.pop(pipe)
         self.selector.unregister(pipe)
         os.close(pipe)
@@ -124,12 +124,12 @@ class Forks(Executor):
 
 
 def _has_ended(pid: int) -> bool:
-    """Whether a child has ended; it stays to be waited for."""
+    """Whether a child process has ended; it is not yet removed from the process table."""
     return os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
 
 def _rest(pipe: int) -> bytes:
-    """What a pipe has, and what is being written into it."""
+    """The content of a pipe, including data being written."""
     found, end = bytearray(), time.monotonic() + SPARE
     while time.monotonic() < end and select.select([pipe], [], [], GRACE)[0]:
         if not (piece := os.read(pipe, 1 << 16)):

@@ -94,7 +94,7 @@ def _stored(name: str) -> Record | None:
 
 
 def _readable(name: str, record: Record) -> Record:
-    """The record of a group's score; LookupError, TypeError, ... where it is not a score."""
+    """The record of the score of a group; LookupError, TypeError, ... if it is no score."""
     caught({name: dict(record.content)})
     return record
 
@@ -143,7 +143,7 @@ def _survivor(group: str, one: Sequence[Any], reasons: Mapping[str, str]) -> Sur
 
 
 def complaints(of: Caught) -> list[str]:
-    """Requirements of the gates that references or the mutants of formulas do not meet."""
+    """Requirements of the gates that references or mutants of formulas do not meet."""
     found = [
         f"{group.name}: {group.caught} of {group.tried} mutants are caught, {LEAST:.0%} required"
         for group in of.groups

@@ -1,8 +1,8 @@
 """Places of possible changes: functions of a module, their nodes, mutants with stable ids.
 
-Left out is what no row is meant to see: docstrings, annotations, messages, what raises and the
-conditions for it, assertions, tolerances and counts of solvers, positions in arrays, and arrays of
-which only the shape is taken.
+Code in which no row can detect a fault is excluded: docstrings, annotations, messages, exceptions
+and their conditions, assertions, tolerances and iteration counts of solvers, indices, and arrays of
+which only the shape is used.
 """
 
 import ast
@@ -28,7 +28,7 @@ TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 @dataclass(frozen=True)
 class Place:
-    """A node by where it hangs: `owner.field`, or an entry of that list."""
+    """Position of a node: `owner.field`, or an entry of that list."""
 
     node: ast.AST
     owner: ast.AST
@@ -45,7 +45,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Mutant:
-    """A change of one function, or of a module's constant; `line` as it was and is afterwards."""
+    """A change of a function or of a constant of a module; `line` before and after the change."""
 
     id: str
     module: str

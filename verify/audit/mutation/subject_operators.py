@@ -69,7 +69,7 @@ def assumption(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def alike(node: ast.AST, around: Around) -> Iterator[ast.AST]:
-    """r_o for r_i, where both are at hand."""
+    """r_o for r_i, if both are available."""
     if not (isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load)):
         return
     known = around.names if isinstance(node, ast.Name) else around.attributes
@@ -94,7 +94,7 @@ def _others(name: str) -> Iterator[str]:
 
 
 def element(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Linear elements for quadratic ones, used with the quadrature and mesh as they are."""
+    """Linear elements for quadratic elements, with the same quadrature and mesh."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in LINEAR:
         changed = deepcopy(node)
         # the class by its library: the module need not import it
@@ -112,13 +112,13 @@ def contact_sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def component(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Held along y for held along x."""
+    """A support along y instead of x."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value in COMPONENTS:
         yield ast.Constant(COMPONENTS[node.value])
 
 
 def quadrature(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A quadrature rule of one point or order less."""
+    """A quadrature rule with one point, or one order, less."""
     if not isinstance(node, ast.Call):
         return
     if RULES.fullmatch(name_of(node.func)) and node.args and _rule(node.args[0]):

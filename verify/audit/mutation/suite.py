@@ -1,6 +1,6 @@
 """The tests of the project, run in this process: which functions each calls, and whether one fails.
 
-Run it in a forked child only: pytest leaves its traces in the process.
+Run it in a forked child process only: pytest changes the state of the process.
 """
 
 import time
@@ -94,9 +94,9 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Seconds and called functions of the tests of a file or folder, until PER_FILE is over.
+    """Seconds and called functions of the tests of a file or folder, until PER_FILE is reached.
 
-    RuntimeError if they do not run: a file without tests is one that catches nothing.
+    RuntimeError if they do not run: otherwise, such a file would count as one without detection.
     """
     forget_memoised()
     tracer = _Tracer()
@@ -107,9 +107,9 @@ def traced(path: str) -> dict[str, tuple[float, list[str]]]:
 
 
 def first_failure(tests: Sequence[str]) -> str:
-    """The first of these tests, in their order, that fails; empty if all pass.
+    """The first failing test of these, in their order; empty if all pass.
 
-    RuntimeError if they do not run: that is no merit of the tests.
+    RuntimeError if they do not run, which is not a detection by the tests.
     """
     settings.load_profile("mutants")
     chosen = _Chosen({name: n for n, name in enumerate(tests)})
@@ -121,9 +121,9 @@ def first_failure(tests: Sequence[str]) -> str:
 
 
 def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:
-    """Tests that reach one of these functions: that call it themselves first, the quickest first.
+    """Tests that reach one of these functions: first those that call it directly, by duration.
 
-    Of a file that reaches it by what its tests share all short tests count.
+    If the shared code of a file reaches the function, all short tests of the file are included.
     """
     direct = {test for test, (_, called) in traces.items() if not called.isdisjoint(functions)}
     files = {test.partition("::")[0] for test in direct}

@@ -14,9 +14,9 @@ PACKAGES = ("analytic", "fem", "meshes", "verify")
 
 
 class Calls:
-    """A context that notes which functions of the project this thread calls while it lasts.
+    """A context that records which functions of the project this thread calls.
 
-    Code objects are held by their identity: their hash takes longer than many a function.
+    Code objects are stored by identity: their hash would take longer than many functions.
     """
 
     def __init__(self) -> None:
@@ -39,9 +39,9 @@ class Calls:
         sys.setprofile(self._before)
 
     def names(self) -> list[str]:
-        """The functions, each once: "analytic.ring.lame:stresses".
+        """Names of the functions, each once: "analytic.ring.lame:stresses".
 
-        A function inside another counts as the outer one; methods are "module:Class.method".
+        A function inside another has the name of the outer one; methods are "module:Class.method".
         """
         return sorted({name for code in self._codes.values() if (name := name_of(code))})
 

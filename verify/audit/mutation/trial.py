@@ -30,9 +30,9 @@ class Bench:
 def tried(
     changed: Changed, benches: Sequence[Bench], moved: Sequence[Bench] = ()
 ) -> Verdict:  # fmt: skip
-    """Put the mutant in place and judge the cases one by one, until one has a failed row.
+    """Put the mutant in place and judge the cases one by one until a row fails.
 
-    `moved` are cases whose levels the mutant changes, too: they are solved with it.
+    `moved` are cases whose levels also depend on the mutant: they are solved with it.
     """
     patch(source(changed.mutant.module), changed)
     for bench in benches:
@@ -58,7 +58,7 @@ def detected(judged: Judged, bench: Bench) -> Verdict | None:
 
 
 def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Verdict:
-    """Put a mutant of finite elements in place and solve cases until one notices it."""
+    """Put a mutant of finite elements in place and solve cases until one detects it."""
     patch(source(changed.mutant.module), changed)
     for bench, levels in work:
         if verdict := _solved(bench, levels):
@@ -67,10 +67,10 @@ def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Ver
 
 
 def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
-    """Solve these levels of a case with the living code and judge it.
+    """Solve these levels of a case with the mutated code and judge it.
 
-    Stored levels that are not solved again are shifted by the change of the first one that is: an
-    error of the model changes every level by the same amount.
+    Stored levels that are not solved again are shifted by the change of the first solved level,
+    because an error of the model changes every level by the same amount.
     """
     case, load = bench.load.case, bench.load
     anew: dict[int, FemResult] = {}
@@ -92,7 +92,7 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
 
 @dataclass(frozen=True)
 class Shift:
-    """What a mutant changes on one level, for the others: values, and arrays of the same shape."""
+    """Change of one level by a mutant, for the other levels: values, and arrays of equal shape."""
 
     before: FemResult
     after: FemResult

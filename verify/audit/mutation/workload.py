@@ -24,7 +24,7 @@ class Judged:
 
 @dataclass(frozen=True)
 class Load:
-    """A case on the paper's inputs with its levels, coarse to fine; values where known already."""
+    """A case at the inputs of the paper with its levels, coarse to fine; values if known."""
 
     case: Case
     inputs: Inputs
@@ -32,7 +32,7 @@ class Load:
     values: Values | None = None
 
     def judged(self) -> Judged:
-        """All rows judged again, as far as nothing is raised."""
+        """All rows judged again, except those of checks that raise."""
         try:
             values = self.case.analytic(self.inputs) if self.values is None else self.values
         except Exception as error:
@@ -48,7 +48,7 @@ class Load:
         return Judged(states, tuple(errors))
 
     def with_values(self) -> "Load":
-        """The same with the formulas' values, for judging alone."""
+        """The same with the values of the formulas, for judging alone."""
         return replace(self, values=self.case.analytic(self.inputs))
 
 

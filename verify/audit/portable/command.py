@@ -1,4 +1,4 @@
-"""`freewheel portable`: run the rows on emulated machines and compare them with this one's."""
+"""`freewheel portable`: run the rows on emulated machines and compare them with this machine."""
 
 import os
 import shutil
@@ -66,7 +66,7 @@ def summarized(
     work: Sequence[Work], emulated: Machines, failures: Mapping[str, str],
     stated: Sequence[reasons.Reason], *, is_full: bool,
 ) -> Summary:  # fmt: skip
-    """Every variant compared with the baseline, over the cases that both have."""
+    """Every variant compared with the baseline, over the common cases."""
     results = {one.name: one.results() for one in work}
     here = results[BASELINE]
     found: list[Difference] = []
@@ -89,7 +89,7 @@ def summarized(
 
 
 def _machines(only: Sequence[str], seeds: int) -> Machines:
-    """The variants that are asked for and can be emulated; the baseline always."""
+    """The requested variants that can be emulated; always with the baseline."""
     if not 0 <= seeds <= MOST_SEEDS:
         raise InputError(f"--seeds must be 0 to {MOST_SEEDS}, got {seeds}")
     every = candidates(effective()["numpy"], seeds)
@@ -101,7 +101,7 @@ def _machines(only: Sequence[str], seeds: int) -> Machines:
 
 
 def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path) -> Work:
-    """The work of one variant's process; its cache is separate, as keys name no processor."""
+    """The work of the process of a variant, with a separate cache: keys omit the processor."""
     place = cache.default_folder()
     environment = variant.applied(os.environ)
     environment["FREEWHEEL_CACHE"] = str(place.with_name(f"{place.name}-machines") / variant.name)

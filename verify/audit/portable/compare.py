@@ -1,6 +1,6 @@
 """Differences between the rows of two machines; this module runs and writes nothing.
 
-How far a row moves and may move is in verify.audit.portable.moving.
+verify.audit.portable.moving defines the change of a row and its limit.
 """
 
 import math
@@ -25,7 +25,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """One row that differs in one variant; `move` is in tolerances, nan if no value moved."""
+    """A row that differs in one variant; `move` is in tolerances, nan if no value changed."""
 
     kind: Kind
     row: str
@@ -57,7 +57,7 @@ def differences(
 def moves(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """The move of every row that both have, however small."""
+    """The change of every row that both have, however small."""
     known, found = ({row.id: row for row in rows} for rows in (baseline, variant))
     return [_moved(was, now, name, perturbed=perturbed) for was, now in _pairs(known, found)]
 
@@ -120,7 +120,7 @@ def _moved(was: Record, now: Record, name: str, *, perturbed: bool) -> Differenc
 def _order(
     before: Sequence[str], after: Sequence[str], known: Mapping[str, Record], name: str
 ) -> list[Difference]:
-    """The first row that stands in another place among those that both have."""
+    """The first row at another position, among the rows that both have."""
     common = [i for i in after if i in known]
     for was, now in zip((i for i in before if i in set(after)), common, strict=True):
         if was != now:

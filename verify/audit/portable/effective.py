@@ -1,7 +1,7 @@
 """Causes of rounding errors in this process: BLAS kernels, threads, instruction sets.
 
-A variable of the environment that selects another processor may have no effect: OpenBLAS takes
-the nearest kernels that it was built with. Only what is in effect here identifies a machine.
+An environment variable that selects another processor may have no effect: OpenBLAS uses the nearest
+kernels that it contains. Only the settings in effect identify a machine.
 """
 
 import json
@@ -24,9 +24,9 @@ NUMBA = "NUMBA_CPU_NAME"
 def effective() -> dict[str, Any]:
     """The record of this process, as JSON.
 
-    `blas` has the core type of the kernels of each library that carries a BLAS, `threads` the
-    number of threads of each, `numpy` the instruction sets that numpy selects at run time, `numba`
-    the processor that numba compiles for.
+    `blas` is the core type of the kernels of each library with BLAS, `threads` the number of
+    threads of each, `numpy` the instruction sets that numpy selects at run time, `numba` the
+    processor for which numba compiles.
     """
     libraries = {_owner(one): one for one in threadpool_info() if one["user_api"] == "blas"}
     extensions: Any = np.show_config(mode="dicts")
@@ -66,7 +66,7 @@ def processor_flags(path: Path | None = None) -> frozenset[str]:
 
 
 def _owner(library: Mapping[str, Any]) -> str:
-    """The package whose wheel holds the library, else the name of its file."""
+    """The package whose wheel contains the library, otherwise the name of its file."""
     path = Path(library["filepath"])
     folder = path.parent.name
     return folder.removesuffix(".libs") if folder.endswith(".libs") else path.name

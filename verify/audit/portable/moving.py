@@ -1,10 +1,11 @@
 """Change of a row between two machines, and its allowed value.
 
-A move is counted in tolerances of the row on this machine. For a fact the tolerance is its margin,
-what may be lost until the verdict changes. A row without a tolerance takes 1e-5 of its scale for
-one, so that the limit of a tenth is 1e-6 of the scale. Perturbed inputs move both sides of a row
-together: there its difference counts, and its values beyond 1e-6 of the scale. A tolerance of
-another size would hide what it allows, so it is a difference too.
+A change is measured in tolerances of the row on this machine. For a fact, the tolerance is its
+margin, the permissible change until the verdict changes. For a row without a tolerance, it is 1e-5
+of its scale, so that the limit of one tenth is 1e-6 of the scale. Perturbed inputs change both
+sides of a row together: then, its difference is compared, and changes of its values beyond 1e-6 of
+the scale. A different tolerance would hide changes that it permits; it is therefore a difference as
+well.
 """
 
 import math
@@ -55,7 +56,7 @@ def move(was: Record, now: Record, *, perturbed: bool) -> float:
 
 
 def _allowed(row: Record) -> float:
-    """What the row may differ by: its tolerance, of a fact its margin, else a part of the scale."""
+    """Permissible change of the row: its tolerance, the margin of a fact, or part of the scale."""
     U = _tolerance(row)
     if row.kind == FACT and row.difference is not None and math.isfinite(row.difference):
         return max(abs(row.difference) - U, 0.0)
@@ -69,7 +70,7 @@ def _tolerance(row: Record) -> float:
 
 
 def is_other_tolerance(was: Record, now: Record) -> bool:
-    """Whether the tolerance is there once only or differs by a factor, of a fact by its share."""
+    """Whether the tolerance exists only once or differs by a factor; for a fact, by its share."""
     small, large = sorted((_tolerance(was), _tolerance(now)))
     if was.kind == FACT and large - small <= LIMIT * _allowed(was):
         return False

@@ -1,7 +1,7 @@
 """Inputs of the papers perturbed in their thirteenth digit: a substitute for another machine.
 
-The defaults of the case's inputs change themselves. So formulas, finite elements and whatever
-else takes them see the same numbers, and these count as the paper's: every row is judged.
+The default inputs of the case are changed. Therefore, formulas, finite elements and all other code
+use the same numbers, and these are treated as the inputs of the paper: every row is judged.
 """
 
 import zlib
@@ -21,8 +21,8 @@ SIZE = 1e-13  # standard deviation of the relative change of an input
 class Outcome:
     """Result for the default inputs of one model.
 
-    `fixed` are the numbers that a rule of the model leaves no choice, which stay as they are;
-    `rejected` is the rule that all perturbed values break together, in which case all stay.
+    `fixed` are numbers that a rule of the model determines; they are not changed. `rejected` is the
+    rule that the perturbed values violate together; then, no value is changed.
     """
 
     fixed: tuple[str, ...] = ()
@@ -37,10 +37,10 @@ def perturb_defaults(models: Iterable[type[Inputs]], seed: int) -> dict[type[Inp
 def perturbed(
     inputs: Inputs, seed: int, fixed: Collection[str] = (), place: str = ""
 ) -> dict[str, Any]:
-    """The values of the inputs, each number times 1 + 1e-13 N(0, 1), entries of tables too.
+    """The values of the inputs, each number times 1 + 1e-13 N(0, 1), including entries of tables.
 
-    Whole numbers, words, what is left out and the places in `fixed` ("segments[3].length") stay as
-    they are. The factor depends on the seed and on the place alone.
+    Whole numbers, words, omitted inputs and the places in `fixed` ("segments[3].length") are not
+    changed. The factor depends only on the seed and on the place.
     """
     return {
         name: _perturbed(getattr(inputs, name), seed, fixed, f"{place}{name}")
@@ -66,7 +66,7 @@ def _normal(seed: int, place: str) -> float:
 
 
 def _perturb(model: type[Inputs], seed: int) -> Outcome:
-    """Perturb the defaults of one model, but for those that its rules fix one by one."""
+    """Perturb the defaults of one model, except those that its rules determine."""
     fixed: list[str] = []
     while True:
         try:
@@ -84,7 +84,7 @@ def _perturb(model: type[Inputs], seed: int) -> Outcome:
 
 
 def _place(error: ValidationError) -> str:
-    """The single number that breaks a rule, as "segments[3].length"; empty without one."""
+    """The single number that violates a rule, as "segments[3].length"; empty if there is none."""
     fault: Any = error.errors(include_url=False)[0]
     reason = (fault.get("ctx") or {}).get("error")
     if isinstance(reason, EntryError):

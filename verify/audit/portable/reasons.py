@@ -20,7 +20,7 @@ RowKind = Literal["identity", "asymptotic", "approximation", "trend", "fact", "e
 
 
 class Reason(BaseModel):
-    """One entry of reasons.toml: which rows (* stands for anything), of which kind, and why."""
+    """One entry of reasons.toml: rows (* stands for any letters), kind of change, and reason."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -29,7 +29,7 @@ class Reason(BaseModel):
     kind: RowKind | None = None
 
     def covers(self, difference: Difference) -> bool:
-        """Whether the entry is about this difference: never about one of the first kind."""
+        """Whether the entry applies to this difference; it never does to one of the first kind."""
         pattern = ".*".join(map(re.escape, self.rows.split("*")))
         return (
             difference.kind is Kind.VALUE
@@ -39,7 +39,7 @@ class Reason(BaseModel):
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none without a file; InputError states the first fault in one line."""
+    """All entries, none without a file; InputError states the first error in one line."""
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))

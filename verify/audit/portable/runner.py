@@ -17,7 +17,7 @@ GUESS = 15.0  # s that a case takes on one processor, before any is known
 
 @dataclass(frozen=True, kw_only=True)
 class Work:
-    """What one process does: the cases of a variant, in its environment, with its log's folder."""
+    """Work of one process: the cases of a variant, its environment, and the folder of its log."""
 
     place: Place
     folder: Path
@@ -40,9 +40,9 @@ class Work:
 
 
 def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
-    """Run the missing variants; by name the exits of the processes that failed.
+    """Run the missing variants; returns the exit statuses of failed processes by name.
 
-    Ends all processes where it is interrupted; what they stored serves the next run.
+    All processes end if it is interrupted; the next run uses what they have stored.
     """
     waiting = [one for one in work if not one.is_done()]
     running: dict[str, tuple[Work, subprocess.Popen[bytes]]] = {}
@@ -68,7 +68,7 @@ def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
 
 
 class Progress:
-    """How many cases of all variants are done, and how long the others will take."""
+    """Number of finished cases of all variants, and the remaining time."""
 
     def __init__(self, work: Sequence[Work], processes: int) -> None:
         self.processes = processes

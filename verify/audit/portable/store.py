@@ -1,4 +1,4 @@
-"""Results of the variants in the store, which count while the code and the machine stand."""
+"""Results of the variants in the store, valid for unchanged code and machine."""
 
 import hashlib
 import json
@@ -24,10 +24,10 @@ LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
 
 @dataclass(frozen=True, kw_only=True)
 class CaseRecord:
-    """The rows of one case on one machine, and the seconds that they took there.
+    """The rows of one case on one machine, and their seconds.
 
-    `fixed` are inputs that could not be perturbed, `rejected` says why none could, `errors` counts
-    what went wrong inside the case.
+    `fixed` are inputs that could not be perturbed, `rejected` is the reason if none could be,
+    `errors` is the number of errors inside the case.
     """
 
     rows: tuple[Record, ...]

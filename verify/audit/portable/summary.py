@@ -16,7 +16,7 @@ LARGEST = 15
 
 @dataclass(frozen=True, kw_only=True)
 class Machine:
-    """One variant that was run: what is in effect there, and what its cases say of its inputs."""
+    """A variant that was run: its settings in effect, and remarks of its cases on inputs."""
 
     name: str
     what: str
@@ -41,7 +41,7 @@ class Summary:
 
     @property
     def first_kind(self) -> tuple[Difference, ...]:
-        """Rows whose status differs, that only one machine has, or of the same name."""
+        """Rows whose status differs, that only one machine has, or with equal names."""
         return tuple(d for d in self.differences if d.kind is not Kind.VALUE)
 
     @property
@@ -51,7 +51,7 @@ class Summary:
 
     @property
     def is_portable(self) -> bool:
-        """Whether every variant ran whole and no row differs without a reason."""
+        """Whether every variant was run completely and no row differs without a reason."""
         broken = any(machine.rejected for machine in self.machines)
         return not (self.failures or broken or self.first_kind or self.unexplained)
 

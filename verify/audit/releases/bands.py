@@ -42,7 +42,7 @@ def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """What demands and bands are relative to: a larger one lets more pass where a row judges."""
+    """Reference value of requirements and bands: if it is larger, more results pass."""
     if was.unit != now.unit:  # reported as a change of kind
         return
     if was.scale is None or now.scale is None:
@@ -58,7 +58,7 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Acceptance figures in words, each beside the one of the same word; all where words differ."""
+    """Acceptance figures in words, paired by word; all figures if the words differ."""
     if [word for word, _ in was] == [word for word, _ in now]:
         for old, new in zip(was, now, strict=True):
             if _is_looser(old, new):
@@ -77,7 +77,7 @@ def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
 
 
 def _is_looser(old: tuple[str, float], new: tuple[str, float]) -> bool:
-    """Whether a figure lets more pass than one of the same word."""
+    """Whether a figure permits more than the previous figure with the same word."""
     return new[1] > old[1] if old[0] == "accepted" else new[1] < old[1]
 
 
@@ -98,7 +98,7 @@ def share(value: float | None, digits: int = 4) -> str:
 
 
 def _shares(one: Figure) -> tuple[str, str]:
-    """A figure in both runs; a stated one with as many digits as tell them apart."""
+    """A figure in both runs; a stated figure has as many digits as needed to distinguish both."""
     most = RECORDED_DIGITS + 1 if one.stated else 4
     for digits in range(4, most + 1):
         told = share(one.was, digits), share(one.now, digits)
@@ -108,9 +108,9 @@ def _shares(one: Figure) -> tuple[str, str]:
 
 
 def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) -> tuple[str, str]:
-    """Both ends in both runs in per cent, with as many digits as tell them apart.
+    """Both ends in both runs in per cent, with as many digits as needed to distinguish both.
 
-    They show at least 1e-4 of the width.
+    Digits are at least 1e-4 of the width.
     """
     for more in range(RECORDED_DIGITS):
         told = _range(was, more), _range(now, more)

@@ -21,7 +21,7 @@ def since(results: Sequence[CaseResult]) -> Drift | None:
 
 
 def lines(found: Drift) -> list[str]:
-    """One line where nothing moved; else what was loosened first, and a part of the rest."""
+    """One line if nothing changed; otherwise, loosened requirements first, then others."""
     head = f"since {found.release}: {summary(found)}"
     red = [f"{WITHOUT}: {line(c)}" for c in found.unexplained]
     explained = [f"  {line(c)}" for c in found.changes if c.loosened and c.reason]

@@ -1,10 +1,11 @@
-"""What has changed since a release: what people state, exactly, and computed numbers beyond noise.
+"""Changes since a release: stated numbers exactly, computed numbers beyond numerical errors.
 
-Kinds, statuses, demands, stated bands and figures count whenever they differ; computed numbers
-beyond the row's numerical error and 10 % of its band (verify.audit.releases.thresholds). A loosened
-demand or band, a larger scale of either, a row that is gone or that judges less, needs a stated
-reason (verify.audit.releases.reasons); without one the run fails. Numbers that print alike are no
-change, for which stated ones are printed with all digits that differ.
+Kinds, statuses, requirements, stated bands and figures are reported if they differ at all; computed
+numbers, if they change by more than the numerical error of the row and 10 % of its band
+(verify.audit.releases.thresholds). A loosened requirement or band, a larger scale of either, and a
+row that is missing or judges less, need a stated reason (verify.audit.releases.reasons); otherwise,
+the run fails. Numbers that are printed with equal digits are not a change; stated numbers are
+printed with all digits that differ.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -56,7 +57,7 @@ def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Rea
 
 
 def _visible(changes: Iterable[Change]) -> list[Change]:
-    """Without those that print alike before and after."""
+    """Without changes that are printed with equal digits before and after."""
     return [c for c in changes if c.was != c.now]
 
 
@@ -66,7 +67,7 @@ def _gone(
     renamed: Collection[str],
     whole: Collection[str],
 ) -> list[Change]:
-    """Rows that a case no longer has; those that judged something need a reason."""
+    """Rows that a case no longer has; those that were judged need a reason."""
     return [
         Change(row=i, aspect="gone", was=row.status, now="none", loosened=STRENGTH[row.status] > 0)
         for i, row in before.items()

@@ -1,9 +1,10 @@
-"""Whether a stored number is one that a person wrote: its digits say so, for records do not.
+"""Whether a stored number was stated by a person or computed, by its digits.
 
-Stated figures have one or two significant digits, computed ones fill the nine that are stored. A
-number of up to four is taken as stated: a computed one is that round once in ten thousand, and
-then it merely has to repeat. Ends of intervals and acceptance figures are stored themselves, not
-as a quotient, so that six digits without any remainder tell them: once in a thousand.
+Stated figures have one or two significant digits; computed figures have all nine digits that are
+stored. A number with up to four digits is considered stated: one in ten thousand computed numbers
+has so few digits, and then it only has to be repeated exactly. Ends of intervals and acceptance
+figures are stored directly, not as a quotient; they are considered stated if they have up to six
+digits, which happens for one in a thousand computed numbers.
 """
 
 import math
@@ -26,7 +27,7 @@ def is_stated(value: float | None, rounding: float = 0.0) -> bool:
 
 
 def is_literal(value: float | None) -> bool:
-    """Whether a number that is stored as it was given is stated; zero is.
+    """Whether a number that is stored in its given form is stated; zero is.
 
     >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
     (True, True, False)

@@ -21,9 +21,9 @@ Aspect = Literal[
 
 
 class Reason(BaseModel):
-    """One entry of changes.toml: which rows (* stands for anything), what of them, and why.
+    """One entry of changes.toml: rows (* stands for any letters), the change, and the reason.
 
-    `since` is the release from which it departs; `what` tells the change.
+    `since` is the release before the change; `what` describes the change.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -42,7 +42,7 @@ class Reason(BaseModel):
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none without a file; InputError states the first fault in one line."""
+    """All entries, none without a file; InputError states the first error in one line."""
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))

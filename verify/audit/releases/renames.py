@@ -1,4 +1,4 @@
-"""Rows that have another name than in a release: by the list of names, else by their numbers."""
+"""Rows with another name than in a release: by the list of names, otherwise by their numbers."""
 
 import math
 import re
@@ -47,7 +47,7 @@ def _may_be(old: str, new: str, was: Kept, now: Kept) -> bool:
 
 
 def _same_run(was: Kept, now: Kept) -> bool:
-    """Whether all numbers repeat, as they do on the same processor."""
+    """Whether all numbers are equal, as on the same processor."""
     return _repeats(
         *([x.analytic, x.reference, x.difference, x.u_num] for x in (was, now)), tol=SAME_RUN
     )
@@ -70,7 +70,7 @@ def _repeats(was: Numbers, now: Numbers, *, tol: float) -> bool:
 
 
 def name_change(old: str, new: str) -> Change:
-    """A new name; where it states another figure, it may claim less."""
+    """A new name; if it states another figure, the row may claim less."""
     figures = [re.findall(r"\d+(?:\.\d+)?(?= ?%)", name) for name in (old, new)]
     return Change(
         row=new, aspect="name", was=old.partition("/")[2], now=new.partition("/")[2],

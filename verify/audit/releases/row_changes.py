@@ -39,7 +39,7 @@ def row_changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _of_red(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Of a row that is red in one run: it may lack any number there."""
+    """Changes of a row that fails in one run, in which any number may be missing."""
     if (was.kind, was.unit) == (now.kind, now.unit):
         yield from (c for c in _values(row_id, was, now) if NOTHING not in (c.was, c.now))
     is_red = now.status == Status.FAIL
@@ -68,7 +68,7 @@ def _moved(
     error: float,
     limit: float,
 ) -> Iterator[Change]:
-    """A value that moved by more than `limit` [unit] and round-off, or is there in one run only."""
+    """A value that changed by more than `limit` [unit] and round-off, or exists in one run only."""
     was, now = values
     if was is None and now is None:
         return
@@ -91,7 +91,7 @@ def _size(change: float, scale: float, error: float) -> str:
 
 
 def _less_sensitive(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Detection limit, or else uncertainty, where it grew to a multiple and by 10 % of the band."""
+    """Detection limit, or uncertainty, if it increased to a multiple and by 10 % of the band."""
     if row_id.endswith(CONVERGENCE):
         return
     for aspect, read in (("detects", _detected), ("uncertainty", _uncertainty)):
@@ -110,7 +110,7 @@ def _detected(row: Kept) -> float | None:
 
 
 def _uncertainty(row: Kept) -> float | None:
-    """The expanded one over the scale; of a fact that of its margin."""
+    """The expanded uncertainty over the scale; for a fact, that of its margin."""
     return row.tolerance if row.kind == "fact" else _numerical(row)
 
 

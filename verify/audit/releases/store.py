@@ -32,9 +32,9 @@ _FIGURE = re.compile(r"(\d+(?:\.\d+)?) ?% (accepted|asked|required)|(accepted): 
 class Kept:
     """Stored values of a row. Dimensional numbers are in `unit`, as in `verify.core.results.Row`.
 
-    `reference` is what the formula is compared with: finite elements', or the partner's.
-    `figures` are the acceptance figures [%] that a fact states in words, by "accepted" or
-    "required"; `accepted` is the one that bounds the size of a difference, over the row's scale.
+    `reference` is the value with which the formula is compared, by finite elements or the partner.
+    `figures` are the acceptance figures [%] in the words of a fact, by "accepted" or "required";
+    `accepted` is the limit of the size of a difference, over the scale of the row.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class Kept:
 
     @property
     def bound(self) -> float | None:
-        """What a balance may leave, over its scale."""
+        """Permissible residual of a balance over its scale."""
         if self.kind != "exact" or self.tolerance is None or not self.scale:
             return None
         return self.tolerance / self.scale
@@ -88,7 +88,7 @@ def kept(row: Row) -> Kept:
 
 
 def _accepted(row: Row) -> float | None:
-    """What a size may be where a figure stated beforehand bounds it: the tolerance lacks its U."""
+    """Permissible size if a figure stated beforehand limits it: the tolerance excludes its U."""
     stated = row.kind is Kind.IDENTITY and row.grid is None and row.interval_source
     if not stated or row.tolerance is None or row.u_num is None or not row.scale:
         return None
@@ -100,7 +100,7 @@ def _short(value: float | None, digits: int = ENOUGH) -> float | None:
 
 
 def _figures(words: str) -> tuple[tuple[str, float], ...]:
-    """Acceptance figures that stand in words: "0.2% accepted", "accepted: 1%", "2% required"."""
+    """Acceptance figures in words: "0.2% accepted", "accepted: 1%", "2% required"."""
     return tuple(
         (EARLIER.get(word, word), float(match[1] or match[4]))
         for match in _FIGURE.finditer(words) for word in (match[2] or match[3],)
@@ -119,7 +119,7 @@ def path_of(name: str, folder: Path | None = None) -> Path:
 
 
 def store(rows: Sequence[Row], name: str, commit: str, folder: Path | None = None) -> Path:
-    """Write a release, the same bytes for the same run and day; the file that has it."""
+    """Write a release, with identical bytes for the same run and day; returns its file."""
     by_case: dict[str, dict[str, Any]] = {}
     for row in rows:
         by_case.setdefault(row.case, {})[row.quantity] = _line(kept(row))
@@ -135,7 +135,7 @@ def store(rows: Sequence[Row], name: str, commit: str, folder: Path | None = Non
 
 
 def _line(one: Kept) -> list[Any]:
-    """The columns of a row; empty ones at its end are left out."""
+    """The columns of a row; empty columns at the end are omitted."""
     line = [getattr(one, field.name) for field in fields(Kept)]
     while line[-1] is None or line[-1] == ():
         line.pop()

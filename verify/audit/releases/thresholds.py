@@ -1,15 +1,15 @@
-"""Change of a number since a release up to which the difference does not count.
+"""Permissible change of a number since a release.
 
-A stated number repeats to the last bit on every processor: any difference of it counts. These are
-the demand, and an acceptance figure, bound, printed digit or end or width of an interval that is a
-literal of the source. A computed number (a value, a bound from a condition number, an interval
-from a series) depends in its last digits on the processor, and where equations are badly
-conditioned in more of them: it counts beyond the numerical error of the row in both runs and
-beyond 10 % of the row's band.
+A stated number is identical on every processor: any difference is reported. These are the
+requirement, and an acceptance figure, bound, printed digit, or end or width of an interval that is
+a literal in the source. The last digits of a computed number (a value, a bound from a condition
+number, an interval from a series) depend on the processor, and more digits if equations are badly
+conditioned: a difference is reported if it exceeds the numerical error of the row in both runs and
+10 % of the band of the row.
 
-A record does not say which of the two a number is, but its digits do (module digits). It
-is enough that either run's number is stated: who replaces an estimate by a literal, or a literal
-by an estimate, has changed the source.
+A record does not state to which of these kinds a number belongs, but its digits show it (module
+digits). It is sufficient that the number is stated in one of the runs: if an estimate is replaced
+by a literal, or a literal by an estimate, the source has changed.
 """
 
 import math
@@ -28,10 +28,10 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 
 @dataclass(frozen=True)
 class Figure:
-    """A number that lets more pass the larger it is, in both runs, over the row's scale.
+    """A number in both runs, relative to the scale of the row; if it is larger, more results pass.
 
-    A difference counts beyond `limit`; a figure that is no longer there counts as loosened. One
-    that is `stated` is told with the digits that differ.
+    A difference is reported beyond `limit`; a figure that no longer exists is considered loosened.
+    A `stated` figure is printed with all digits that differ.
     """
 
     aspect: str
@@ -54,7 +54,7 @@ class Figure:
 
 
 def figures(was: Kept, now: Kept) -> Iterator[Figure]:
-    """Demand, bound, acceptance figure and the reference's uncertainty of one row."""
+    """Requirement, bound, acceptance figure and uncertainty of the reference of one row."""
     error = relative_error(was, now)
     limit = RECORDED_TOL * (was.demand or 0.0) + RELATIVE_ROUND_OFF
     demanded = _either_literal(was.demand, now.demand)
@@ -78,10 +78,10 @@ def _figure(
 def is_wider(
     old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
 ) -> bool:
-    """Whether an interval lets more pass than the old one at either end, or by its stated width.
+    """Whether an interval permits more than the old one at either end, or by its stated width.
 
-    `error` is the numerical error of the row, relative like the interval. The centre of an
-    interval of stated width may be computed.
+    `error` is the numerical error of the row, relative like the interval. The centre of an interval
+    with a stated width may be computed.
     """
     if old is None or new is None:
         return old is not None
@@ -104,7 +104,7 @@ def _either_literal(was: float | None, now: float | None) -> bool:
 
 
 def numerical_error(was: Kept, now: Kept) -> float:
-    """Expanded numerical error of both runs [unit]; of a balance what is allowed.
+    """Expanded numerical error of both runs [unit]; for a balance, its bound.
 
     The tolerance of a fact is the uncertainty of its margin; that of a limit is its band.
     """
@@ -121,7 +121,7 @@ def relative_error(was: Kept, now: Kept) -> float:
 
 
 def half_width(row: Kept) -> float | None:
-    """Half of what a row lets pass, over its scale: interval, acceptance figure or tolerance."""
+    """Half of the permissible range of a row over its scale: interval, figure or tolerance."""
     if row.interval is not None:
         return (row.interval[1] - row.interval[0]) / 2
     return row.accepted if row.accepted is not None else _relative(row.tolerance, row.scale)
@@ -139,7 +139,7 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """Allowed change of the scale [unit]: the numerical error of both runs, or 10 % of itself."""
+    """Permissible change of the scale [unit]: numerical error of both runs, or 10 % of it."""
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 
