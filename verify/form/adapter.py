@@ -24,10 +24,10 @@ from verify.form.quantity import CaseError, Quantity, solving
 
 
 def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
-    """The case of a class: comparisons by name as of the default inputs, numbers of any inputs.
+    """The case of a class: comparisons named for the default inputs, numbers for any inputs.
 
-    `time_limit` is that of its formulas and of a level [s]. Comparisons are stated when they are
-    first read, so that a process states those of the cases that it works on.
+    `time_limit` [s] applies to its formulas and to each level. Comparisons are made when they are
+    first read: a process makes only those of the cases that it uses.
     """
 
     def default() -> Case:
@@ -101,7 +101,7 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Numbers of a case's quantities and further ones of its comparisons, by name [SI]."""
+    """Numbers of the quantities of a case, and further numbers of its comparisons, by name [SI]."""
 
     name = "quantities"
 
@@ -175,10 +175,10 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
 
 
 def _check(one: Comparison, own: bool) -> Check:
-    """The check of a comparison, whose functions are those of the inputs at hand.
+    """The check of a comparison, with functions for the present inputs.
 
-    A function of a check takes the inputs or the context first, and may belong to the instance that
-    stated it: the default one here.
+    A function of a check has the inputs or the context as its first argument, and may belong to the
+    instance that made it: here, that of the default inputs.
     """
     check: Any = one.check
     functions = [
@@ -199,10 +199,10 @@ def _stated(one: Comparison) -> dict[str, str]:
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
-    """A function of the check of that name.
+    """The function with this name for a check.
 
-    In a user's (`own`) case an expected error must be independent of the reference; tests check
-    that of the suite's cases.
+    In the case of a user (`own`), an expected error must be independent of the reference; for the
+    cases of the suite, tests verify this.
     """
 
     def call(first: Any, *rest: Any) -> Any:

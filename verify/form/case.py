@@ -1,7 +1,7 @@
 """A case: inputs, formulas, a reference that shares no code with them, and comparisons.
 
-A case is one class. Its fields are the inputs, its quantities the formulas of the source; an
-instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
+A case is one class. Its fields are the inputs, its quantities are the formulas of the source. An
+instance is the problem with numbers: `CurvedBar().sigma_i` is a stress in Pa.
 """
 
 from collections.abc import Generator, Iterable, Mapping, Sequence
@@ -29,8 +29,8 @@ def solved(
 ) -> FemResult:  # fmt: skip
     """One level of the reference: numbers and arrays by name, in SI units.
 
-    `mesh_size` is relative to what stays the same over the levels, `iteration` the relative
-    uncertainty of all numbers by iteration or round-off, or of each by name.
+    `mesh_size` is relative to a constant length; `iteration` is the relative uncertainty of all
+    numbers by iteration or round-off, or of each by name.
     """
     numbers = {k: float(v) for k, v in values.items() if np.ndim(v) == 0}
     arrays = {k: np.asarray(v) for k, v in values.items() if k not in numbers}
@@ -68,7 +68,7 @@ class Case(Inputs):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        """Broken rules of a declaration are found where the class is made."""
+        """Violations of rules for a declaration are found when the class is made."""
         cls.id = vars(cls).get("id", cls.__module__.rpartition(".")[2].replace("_", "-"))
         names = {meta(field)["symbol"]: name for name, field in cls.model_fields.items()}
         for q in cls.quantities():
@@ -81,7 +81,7 @@ class Case(Inputs):
                 raise q.broken(str(error)) from error
 
     def reference(self, level: int) -> FemResult:
-        """Solve one level; meshes and finite elements are imported here, not above."""
+        """Solve one level; meshes and finite elements are imported in this method, not above."""
         raise NotImplementedError
 
     def comparisons(self) -> Iterable[Comparison | Check]:
@@ -109,7 +109,7 @@ class Case(Inputs):
         return None
 
     def warnings(self) -> Iterable[str]:
-        """Warnings where these inputs leave the range of the formulas."""
+        """Warnings if these inputs are outside the range of the formulas."""
         return ()
 
     def advice(self) -> Iterable[str]:
@@ -117,7 +117,7 @@ class Case(Inputs):
         return ()
 
     def summary(self) -> Mapping[str, Any]:
-        """The advice for programs, as JSON beside the values of `check`."""
+        """The advice for programs, as additional JSON of `check`."""
         return {}
 
     def refusal(self) -> str:
@@ -189,11 +189,11 @@ class Case(Inputs):
         return {k: v for k, v in self.__dict__.items() if not k.startswith(MEMO)}
 
     def __iter__(self) -> Generator[tuple[str, Any], None, None]:
-        """Names and values of the inputs alone, as `dict(case)` has them."""
+        """Names and values of the inputs only, for `dict(case)`."""
         yield from ((name, getattr(self, name)) for name in type(self).model_fields)
 
     def __copy__(self) -> Self:
-        """Without computed values, which `model_copy` would take to other inputs."""
+        """Copy without computed values, which `model_copy` would transfer to other inputs."""
         copied = super().__copy__()
         for key in [key for key in copied.__dict__ if key.startswith(MEMO)]:
             del copied.__dict__[key]

@@ -14,7 +14,7 @@ from verify.form.tex import EXTREMES, FUNCTIONS
 def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
     """TeX of a method that returns one expression of `symbols`; empty if it does more.
 
-    A constant alone is no equation, and nor is a number that is read from a solution.
+    A constant alone is no equation, nor is a number that is read from a solution.
     """
     if formula.__code__.co_name == "<lambda>":
         return ""

@@ -1,7 +1,7 @@
 """Comparisons of formulas with a reference, by kind, each judged by `verify.judging`.
 
-A check of `verify.judging` that has no function here is stated as it is, or in a `Comparison` with
-the quantity that it judges.
+A check of `verify.judging` without a function here can be yielded directly, or in a `Comparison`
+with the quantity that it judges.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -37,7 +37,7 @@ class Expected(NamedTuple):
 class Computed(NamedTuple):
     """An expected error that takes long to compute: `interval` is called when the row is judged.
 
-    It gives low and high, or None if the interval is too wide to judge by.
+    It returns low and high, or None if the interval is too wide for judging.
     """
 
     interval: Callable[[], tuple[float, float] | None]
@@ -50,18 +50,18 @@ def about(error: float, slack: float, source: str) -> Expected:
 
 
 def underived(reason: str) -> Expected:
-    """No expected error is known, for that reason: the error is only displayed."""
+    """No expected error is known, for the stated reason: the error is only displayed."""
     return Expected(-inf, inf, reason, sharp=False)
 
 
 @dataclass(frozen=True)
 class State:
-    """The formulas in another state: under another load, or as a long part.
+    """The formulas in another state: under another load, or for a long part.
 
-    `case` has the quantities of that state, such as `self.at(T=...)`. Names of its numbers end in
-    `key`, as the reference's do; names of its rows in `words`; `symbol` is a format of its symbols.
-    The state of the inputs themselves has no `key`; inputs without the state have no `case`.
-    Numbers of a state that is not `displayed` are compared in their rows and are no values of
+    `case` has the quantities of this state, such as `self.at(T=...)`. Names of its numbers end in
+    `key`, like those of the reference; names of its rows end in `words`; `symbol` is a format of
+    its symbols. The state of the inputs has no `key`; if the inputs have no such state, there is no
+    `case`. Numbers of a state that is not `displayed` are compared in rows, but are no values of
     `check`.
     """
 
@@ -80,12 +80,12 @@ def key_of(q: Quantity, state: State | None) -> str:
 class Options(TypedDict, total=False):
     """Options that every comparison of a quantity with a reference may state.
 
-    `order` is the reference's order of convergence in theory. `against` distinguishes rows of one
-    quantity; `name`, `symbol` and `unit` replace those of the declaration. `state` is another one
-    than that of the inputs. `sensitivity` is the smallest error that must make the row fail, `own`
-    the same for inputs of the user where that is less demanding. `by` names a second method that is
-    refined like a mesh, `printed` values of the papers beside the row ("paper:id"), and `shares`
-    what both sides have in common.
+    `order` is the theoretical order of convergence of the reference. `against` distinguishes rows
+    of one quantity; `name`, `symbol` and `unit` replace those of the declaration. `state` is
+    another state than that of the inputs. `sensitivity` is the smallest error that must make the
+    row fail, `own` the same for inputs of a user if it is less strict. `by` is the name of a second
+    method that is refined like a mesh, `printed` are values of the papers for the row ("paper:id"),
+    and `shares` is common to both sides.
     """
 
     order: float | None
@@ -103,10 +103,10 @@ class Options(TypedDict, total=False):
 
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
-    """A check, the formula that it judges, and further `numbers` [SI] that the check needs.
+    """A check, the formula that it judges, and further `numbers` [SI] for the check.
 
-    `shares` states what both sides have in common, beside the inputs; `expected` is the error that
-    an approximation was stated with.
+    `shares` states what is common to both sides, other than the inputs; `expected` is the stated
+    error of an approximation.
     """
 
     check: Check
@@ -127,7 +127,7 @@ class Comparison:
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
-        """The further numbers, and that of the quantity in another state if none of them is it."""
+        """The further numbers, and that of the quantity in another state if it is not among them."""
         found = {key: finite(v() if callable(v) else v) for key, v in self.numbers.items()}
         if self.quantity and self.state and self.state.case and self.key not in found:
             found[self.key] = self.quantity.of(self.state.case)
@@ -138,11 +138,11 @@ def identity(
     q: Quantity, reference: str = "", *, scale: Scale | None = None,
     uncertainty: Number | None = None, **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """Formula and reference solve one problem and differ by numerical error only.
+    """Formula and reference solve the same problem and differ by numerical errors only.
 
-    `reference` names the reference's number, by default as the quantity. `scale` is the natural
-    magnitude where the quantity may vanish: another quantity, or a number [SI] by its name.
-    `uncertainty` is that of a formula with a truncated series, over the scale.
+    `reference` is the name of the number of the reference, by default that of the quantity. `scale`
+    is the natural magnitude if the quantity may vanish: another quantity, or a number [SI] by its
+    name. `uncertainty` is that of a formula with a truncated series, over the scale.
     """
     numbers = dict(scale) if isinstance(scale, Mapping) else {}
     more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}
@@ -158,7 +158,7 @@ def approximation(
 ) -> Comparison:  # fmt: skip
     """The formula neglects an effect; its signed error must lie in an interval derived beforehand.
 
-    Comparisons are stated before the reference is solved: no interval can be read off it.
+    Comparisons are stated before the reference is solved: no interval can be taken from it.
     """
     source = "" if expected is None else expected.source
     if expected is not None and not source:
@@ -181,9 +181,9 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """The formula becomes exact as a parameter goes to 0 and errs with a power of it.
+    """The formula is exact for a parameter of 0, and its error is a power of the parameter.
 
-    `points` reads parameter, signed error and its standard uncertainty off all levels.
+    `points` returns parameter, signed error and its standard uncertainty from all levels.
     """
     check = checks.Limit(name=name, symbol=symbol, unit="1", exponent=exponent,
                          points=lambda context: points(context.fem), demand=sensitivity[0],
@@ -195,7 +195,7 @@ def over_family(
     q: Quantity, reference: str, *, at: Sequence[float], family: Callable[[float], object],
     order: float | None = None,
 ) -> Callable[[Sequence[FemResult]], Points]:  # fmt: skip
-    """Points of a limit: `family` is the case of one value, `reference` the results `at` all."""
+    """Points of a limit: `family` returns the case of a value, `reference` all results `at`."""
 
     def points(levels: Sequence[FemResult]) -> Points:
         sizes, d, u = [level.h for level in levels], [], []
@@ -238,7 +238,7 @@ def balance(
     residual: str, name: str, symbol: str, unit: str, *, of: Mapping[str, float], bound: float,
     because: str,
 ) -> Comparison:  # fmt: skip
-    """A balance that the reference meets to round-off: |residual| <= bound x scale, named `of`."""
+    """A balance that the reference satisfies to round-off: |residual| <= bound x scale `of`."""
     check = checks.Exact(name=name, symbol=symbol, unit=unit, fem=residual, scale=next(iter(of)),
                          bound=bound, bound_reason=because)  # fmt: skip
     return Comparison(check=check, numbers=of)

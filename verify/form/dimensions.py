@@ -19,7 +19,7 @@ class DimensionFaultError(Exception):
 
 
 class Dimension:
-    """A dimension with the arithmetic of numbers that have it; plain numbers have none."""
+    """A dimension with the arithmetic of numbers that have it; plain numbers are dimensionless."""
 
     def __init__(self, powers: Powers) -> None:
         self.powers = powers
@@ -94,7 +94,7 @@ def powers_of(unit: str) -> Powers:
 
 
 def words(powers: Powers) -> str:
-    """A dimension in words: "a length"; one that has none as "[length]^4".
+    """A dimension in words: "a length"; a dimension without a word as "[length]^4".
 
     >>> words(powers_of("MPa")), words(powers_of("mm^4")), words(powers_of("deg"))
     ('a pressure or stress', '[length]^4', 'a number')

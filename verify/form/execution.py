@@ -18,12 +18,12 @@ class TimeLimitError(Exception):
 
 @contextmanager
 def executed(file: str, time_limit: float | None) -> Iterator[None]:
-    """Execute code of a case in a file; one outside the suite has a limit of its time [s].
+    """Execute code of a case in a file; code outside the suite has a time limit [s].
 
-    A fault becomes a CaseError with its place in the file. What states that there is no solution,
-    or that the machine failed, passes unchanged; so does a ValueError of the suite's cases, which
-    speaks of inputs. In others it may be that of math.sqrt. Ctrl-C reaches the first process only:
-    in others the code itself has raised KeyboardInterrupt.
+    An error becomes a CaseError with its place in the file. Errors that state that there is no
+    solution, or that the machine failed, are not changed; neither is a ValueError of a case of the
+    suite, which is about inputs. In other cases, a ValueError may come from math.sqrt. Ctrl-C
+    reaches the first process only: in other processes, the code raised KeyboardInterrupt.
     """
     try:
         with limited(time_limit):
@@ -52,8 +52,8 @@ def _located(error: BaseException, file: str) -> CaseError:
 def limited(seconds: float | None) -> Iterator[None]:
     """Raise `TimeLimitError` if the body takes longer, at any line.
 
-    A limit needs the main thread of a process that has interval timers; without it there is none.
-    Limits may be nested: the inner one replaces the outer one for its body.
+    A limit needs the main thread of a process with interval timers; otherwise, there is no limit.
+    Limits can be nested: the inner limit replaces the outer one in its body.
     """
     in_main = threading.current_thread() is threading.main_thread()
     if seconds is None or not in_main or not hasattr(signal, "setitimer"):

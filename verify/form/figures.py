@@ -18,9 +18,9 @@ from verify.judging.profiles import along
 
 @dataclass(frozen=True, kw_only=True)
 class Overlay:
-    """Formulas over a parameter of a family of cases, the reference's array as dots at `at`.
+    """Formulas over a parameter of a family of cases; an array of the reference as dots at `at`.
 
-    `family` is the case of one value, `over` the values of the curves.
+    `family` returns the case for a value; `over` are the values of the curves.
     """
 
     title: str
@@ -34,7 +34,7 @@ class Overlay:
     note: str = ""
 
     def drawn(self, context: Context) -> tuple[Curves]:
-        """The curves, and the dots where the reference is solved."""
+        """The curves, and the dots if the reference was solved."""
         unit = self.quantities[0].unit
         cases, f, x = [self.family(s) for s in self.over], units.factor(unit), np.array(self.over)
         curves = [
@@ -54,12 +54,12 @@ class Overlay:
 
 @dataclass(frozen=True, kw_only=True)
 class AlongLine:
-    """A formula along a line with the reference's array on it, and the difference below.
+    """A formula along a line with the array of the reference, and the difference below.
 
-    `curve` gives the formula [SI] at any points; the array called `reference` has the values `at`
-    stations, on every level the same; `part` (start, end) is where in an array that has several
-    lines. `order` is that of its largest error, `scale` the natural magnitude [SI]. A formula that
-    `neglects` something may differ by more than the uncertainty.
+    `curve` returns the formula [SI] at any points; the array `reference` has the values `at`
+    stations, equal on every level; `part` (start, end) selects a line of an array with several.
+    `order` is that of its largest error, `scale` the natural magnitude [SI]. A formula that
+    `neglects` an effect may differ by more than the uncertainty.
     """
 
     title: str
@@ -107,7 +107,7 @@ class Drawn:
 
 
 def converged(draw: Callable[[Context], Figure]) -> Drawn:
-    """A figure, if there are enough levels to state the uncertainty of the finest."""
+    """A figure, if there are enough levels to state the uncertainty of the finest level."""
     return Drawn(lambda context: (draw(context),) if context.converging else ())
 
 

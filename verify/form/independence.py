@@ -1,7 +1,7 @@
-"""Whether an expected error stands by itself: it may not follow the formula that it judges.
+"""Whether an expected error is independent of the formula that it judges.
 
-What formula and expected error both read, as steps and shared values, is changed, too: a mistake
-there would move both.
+Values that formula and expected error both read, such as steps and shared values, are also changed:
+a mistake there would change both.
 """
 
 from contextlib import suppress
@@ -24,9 +24,9 @@ def check(case: Case, one: Comparison) -> None:
 
 
 def follows(case: Case, one: Comparison) -> str:
-    """Name of the value that moves a formula and its expected error together; "" for none.
+    """Name of a value that changes both a formula and its expected error; "" if there is none.
 
-    That is the formula itself, or a formula, step or shared value that it reads.
+    It is the formula itself, or a formula, step or shared value that it reads.
     """
     if one.quantity is None or (before := _interval(one)) is None:
         return ""

@@ -15,10 +15,11 @@ MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
 def reached(
     form: type[Inputs], start: Collection[str], *, formulas: bool
 ) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-    """Module, class and members that some members use, themselves among them.
+    """Module, class and members that some members use, including these members.
 
-    A member is used where an attribute of its name is read, whatever the object: more is found
-    rather than less. Without `formulas` quantities that a reference may not read are left out.
+    A member is considered used if an attribute of its name is read from any object: too many are
+    found rather than too few. Without `formulas`, quantities that a reference may not read are
+    omitted.
     """
     bodies = {cls: dict(_body(cls)) for cls in _classes(form)}
     hidden = set() if formulas else {name for name in _names(form) if _is_formula(form, name)}

@@ -35,17 +35,17 @@ class CaseError(ValueError):
 
 @dataclass(eq=False)
 class Quantity:
-    """A formula of the source and all that is stated about it, as decorator of a method.
+    """A formula of the source with its data, as decorator of a method.
 
-    The method returns SI units. `equation` is its number in the source, `source` names another
-    one. `tex` is the right side of the equation; left out, it is derived from the code of a method
-    that returns one expression. `safe` is the side on which an error does no harm. `form_of` names
-    the input or quantity of which this is another form, as printed, corrected or for small angles:
-    both share symbol and reference; `form` states which one it is. A "step" of a formula is not
-    compared. "geometry" follows from the inputs without any theory, so that the reference may read
-    it. `when(case)` states whether these inputs have the quantity: a deflection needs a load. If
-    only solving shows it, the method returns nan, or inf for a limit that is not reached. The
-    constants of a `fitted` equation have arbitrary units: its dimension is not checked.
+    The method returns SI units. `equation` is its number in the source; `source` is another source.
+    `tex` is the right side of the equation; if omitted, it is derived from the code of a method
+    that returns one expression. `safe` is the safe side of an error. `form_of` is the input or
+    quantity of which this is another form, as printed, corrected or for small angles: both have the
+    same symbol and reference; `form` is the name of this form. A "step" of a formula is not
+    compared. "geometry" follows from the inputs without a theory; the reference may also read it.
+    `when(case)` states whether the quantity exists for these inputs: a deflection needs a load. If
+    only the solution shows this, the method returns nan, or inf for a limit that is not reached.
+    The constants of a `fitted` equation have arbitrary units: its dimension is not checked.
     """
 
     symbol: str
@@ -79,15 +79,14 @@ class Quantity:
         return Declared(self)
 
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
-        """Declare a method with arguments as one quantity for each, as of modes or places.
+        """Declare a method with arguments as one quantity for each, such as modes or places.
 
-        `{0}` in symbol and meaning stands for the first index, `{1}` for the second; `when` takes
-        them, too.
+        `{0}` in symbol and meaning is the first index, `{1}` the second; `when` also receives them.
         """
         return partial(Family.of, self, tuple(product(*indices)))
 
     def of(self, case: object) -> float | None:
-        """Its number [SI], None if the inputs of the case do not have it."""
+        """Its number [SI], None if it does not exist for the inputs of the case."""
         if self.when is not None and not self.when(case):
             return None
         return finite(getattr(case, self.name))
@@ -112,7 +111,7 @@ class Quantity:
 
 
 def finite(number: SupportsFloat) -> float | None:
-    """The number, None for nan or inf: one solution computes several numbers, and not all exist."""
+    """The number, None for nan or inf: not all numbers of one solution need exist."""
     value = float(number)
     return value if isfinite(value) else None
 
@@ -146,10 +145,10 @@ class Declared:
 
 @dataclass(frozen=True)
 class Family:
-    """Quantities of one formula with an index: of the class declarations, of an instance numbers.
+    """Quantities of one formula with an index: declarations of a class, numbers of an instance.
 
-    `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")`,
-    whose name is whirl_1_forward.
+    `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")` with
+    the name whirl_1_forward.
     """
 
     members: Mapping[tuple[object, ...], Declared]
@@ -214,9 +213,9 @@ def forget() -> None:
 
 @contextmanager
 def changed(q: "Quantity | shared[Any] | None") -> Iterator[None]:
-    """Increase a quantity by CHANGE, with all that depends on it; afterwards nothing has changed.
+    """Increase a quantity by CHANGE, with all values that depend on it; afterwards, restore them.
 
-    Of what is shared numbers and arrays change.
+    Among shared values, numbers and arrays are changed.
     """
     before, token = _code[0], _larger.set(q)
     forget()

@@ -39,7 +39,7 @@ def polar(r: float, degrees: float) -> Point:
 
 
 def rollers(count: int, r: float, at: float) -> list[Shape]:
-    """Circles round the axis, the first one half a pitch from the x axis."""
+    """Circles about the axis, the first half a pitch from the x axis."""
     return [circle(r, "faint", polar(at, (k + 0.5) * 360 / count)) for k in range(count)]
 
 

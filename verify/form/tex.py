@@ -104,7 +104,7 @@ def plain(tex: str) -> str:
 
 
 def _over(match: re.Match[str]) -> str:
-    """A fraction a/b in one line, in brackets where the text around it would change its meaning."""
+    """A fraction a/b in one line, in brackets if the text around it would change its meaning."""
     above, below = (
         m if re.fullmatch(r"[\w.\\]+|\([^()]*\)", m) else f"({m})" for m in match.groups()
     )
@@ -123,7 +123,7 @@ def evaluate(
 ) -> T | None:
     """Value of the equation for `values` by symbol, such as numbers [SI].
 
-    None if it is more than arithmetic, or has no value there: a root of a negative number.
+    None if it is more than arithmetic, or has no value, such as a root of a negative number.
     """
     variables = {f"x{k}": value for k, value in enumerate(values.values())}
     text = plain(put_in(tex, {s: f"({name})" for s, name in zip(values, variables, strict=True)}))

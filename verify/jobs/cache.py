@@ -1,10 +1,10 @@
-"""Results of references in the store, keyed by everything that they depend on.
+"""Results of references in the store; the key includes all data on which they depend.
 
-The key covers the case, its inputs, the level, the sources of exactly the fem and meshes modules
-that the case's `fem` function reaches, that function with the module-level names it uses, and the
-versions of the libraries. A changed formula or judging rule therefore reruns no finite elements.
-Analytic modules count where such a function itself imports one, as its reference (a half-space).
-The content of an entry is an npz file, its structure JSON inside.
+The key includes the case, its inputs, the level, the sources of exactly the fem and meshes modules
+that the `fem` function of the case reaches, this function with the names of its module that it
+uses, and the versions of the libraries. A change of a formula or of a rule of judging therefore
+solves no finite elements again. Analytic modules are included if such a function imports one as its
+reference (a half-space). The content of an entry is an npz file with its structure in JSON.
 """
 
 import hashlib
@@ -40,7 +40,7 @@ UNREADABLE = (
 
 
 def default_folder() -> Path:
-    """The cache of this checkout; FREEWHEEL_CACHE names another place (~ is one's home)."""
+    """The cache of this checkout; FREEWHEEL_CACHE selects another folder (~ is the home folder)."""
     named = os.environ.get("FREEWHEEL_CACHE")
     if named:
         return Path(os.path.expanduser(named))  # noqa: PTH111 - pathlib's raises without a home

@@ -1,4 +1,4 @@
-"""A dask cluster as an engine: one that listens somewhere, or one of processes made for the run."""
+"""A dask cluster as an engine: at an address, or of processes started for the run."""
 
 import logging
 import time
@@ -23,9 +23,9 @@ AHEAD = 1  # task that waits on the cluster for each that is solved
 
 @contextmanager
 def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
-    """The cluster of the scheduler at an address, tcp://host:port; without one, a local one.
+    """The cluster of the scheduler at an address, tcp://host:port; without it, a local cluster.
 
-    A local cluster has `processes` workers of one thread. GoneError if nothing answers.
+    A local cluster has `processes` workers with one thread each. GoneError if nothing answers.
     """
     import dask.config
     from distributed import Client, LocalCluster
@@ -75,7 +75,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
 
 
 class _Threads:
-    """Number of threads of the workers, requested from time to time, as workers come and go."""
+    """Number of threads of the workers, requested from time to time, because workers may change."""
 
     def __init__(self, client: Any) -> None:
         self.client, self.asked, self.count = client, 0.0, 1

@@ -1,7 +1,7 @@
-"""Results that took hours, stored with the project and read while their code stands.
+"""Results that took hours, stored with the project and valid while their code is unchanged.
 
-A deep case is a `Case` without rows: its levels are parts of a larger measurement on the default
-inputs, each solved and cached like any level, so that an interrupted run continues where it was.
+A deep case is a `Case` without rows: its levels are parts of a larger measurement at the default
+inputs. Each is solved and cached like any level: an interrupted run can be continued.
 """
 
 from collections.abc import Sequence

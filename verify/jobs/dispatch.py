@@ -1,7 +1,7 @@
 """One dispatcher for all studies: tasks on an engine, progress, and a clean end when stopped.
 
-A study hands over its tasks and takes each answer as it comes, which it stores at once. What an
-interrupted run has stored is found by the next one: it continues with the others.
+A study provides tasks and receives each result when it is complete, and stores it at once. The next
+run finds the results that an interrupted run has stored, and continues with the others.
 """
 
 import time
@@ -18,11 +18,11 @@ from verify.jobs.executor import Drive, Split
 
 @dataclass
 class Dispatch:
-    """A run with `total` results called `what`; `done` exist, of which `known` existed before it.
+    """A run with `total` results called `what`; `done` exist, `known` existed before the run.
 
-    A study changes `total` where answers add further tasks, and `unstored`, how many of `done`
-    are not in the store: failed ones, or all where it takes no more. `title` names a running
-    task; `remaining` estimates the seconds left, by default from the pace of this run.
+    A study changes `total` if results add further tasks, and `unstored`, the number of `done` that
+    are not in the store: failed ones, or all if the store accepts no more. `title` is the name of a
+    running task; `remaining` estimates the remaining seconds, by default from the pace of this run.
     """
 
     what: str
@@ -47,10 +47,10 @@ class Dispatch:
         take: Callable[[], Any],
         receive: Callable[[Any, Any], int],
     ) -> None:
-        """Do every task that `take` returns until it has none (None) and no answer adds one.
+        """Do every task that `take` returns until it returns None and no result adds a task.
 
-        `receive` takes a task and its answer, `Lost` where there is none, and returns how many
-        results are there with it. KeyboardInterrupt, GoneError and OSError state what is stored.
+        `receive` gets a task and its result (`Lost` if there is none) and returns the number of
+        results stored with it. KeyboardInterrupt, GoneError and OSError state what is stored.
         """
         try:
             with engine as entered:
@@ -76,7 +76,7 @@ class Dispatch:
         return list(self.drive.running.values())
 
     def at_pace(self) -> float:
-        """Seconds left at the mean pace of this run."""
+        """Remaining seconds at the mean pace of this run."""
         made = self.done - self.known
         return (time.monotonic() - self.start) / made * (self.total - self.done) if made else 0.0
 
@@ -101,7 +101,7 @@ def queue(waiting: deque[Any]) -> Callable[[], Any]:
 
 
 class _Waiting:
-    """Tasks as they are taken: an end is no end where an answer adds further ones."""
+    """Waiting tasks in order; further tasks may be added after the last one."""
 
     def __init__(self, take: Callable[[], Any]) -> None:
         self.take = take

@@ -45,7 +45,7 @@ class DynamicResult:
 def run_dynamic(
     case: Case, inputs: Inputs, values: Values, *, where: str, drawn: bool, quiet: bool
 ) -> DynamicResult:
-    """The dynamic part on these inputs, its figures only where they are `drawn`.
+    """Result of the dynamic part for these inputs; figures only if they are `drawn`.
 
     InputError states in one line, after `where`, that there is none or why it has no answer; a run
     of more than two seconds is reported on stderr unless `quiet`.

@@ -15,10 +15,10 @@ PICTURES = "pictures"  # a folder whose files are drawn again in a minute: they 
 
 
 def adopt(folder: Path) -> int:
-    """Move such files into the folder's store, and return how many they were.
+    """Move files of earlier versions into the store of the folder; returns their number.
 
-    A file is removed after its content is stored: nothing is lost where this is interrupted.
-    Files that are no results stay. OSError if the store takes none.
+    A file is removed after its content is stored: nothing is lost by an interruption. Files that
+    are no results are not moved. OSError if the store accepts none.
     """
     files = [p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name)]
     moved = [path for path in files if path.parent.name != PICTURES and _move(path, folder)]

@@ -7,21 +7,22 @@ from typing import Any
 
 
 class GoneError(OSError):
-    """The engine answers no more; earlier answers remain stored."""
+    """The engine no longer answers; earlier results are stored."""
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-    """Futures that are done, once at least one is or after some seconds."""
+    """Futures that are done, when at least one is done, or after some seconds."""
     return wait(futures, seconds, FIRST_COMPLETED).done
 
 
 @dataclass(frozen=True)
 class Engine:
-    """An executor, its number of simultaneous tasks, and the means to end a task without an answer.
+    """An executor, its number of simultaneous tasks, and functions to end tasks without a result.
 
-    `gone` says why it will never answer again, "" while it may. `renew` ends idle processes, so
-    that a task that killed one finds a fresh one. `ahead` tasks wait there for each that is solved.
-    `wait` returns the futures that are done: an executor without threads works in it.
+    `gone` returns the reason why it can no longer answer, otherwise "". `renew` ends idle
+    processes: a task that killed a process then gets a new one. `ahead` tasks wait in the engine
+    for each task in progress. `wait` returns the futures that are done: an executor without threads
+    works in it.
     """
 
     executor: Executor

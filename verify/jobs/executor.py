@@ -1,7 +1,8 @@
 """Executors of tasks: this process, processes of this machine, or a dask cluster.
 
-An engine is an executor of concurrent.futures and what must be known of it besides. `Drive` runs
-tasks on any of them: a few tasks ahead, what died done once more, the caller woken in between.
+An engine is an executor of concurrent.futures with further data. `Drive` runs tasks on any engine:
+it submits a few tasks in advance, repeats tasks of dead processes once, and returns control to the
+caller in between.
 """
 
 import os
@@ -27,7 +28,7 @@ ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
 
 @dataclass(frozen=True)
 class Lost:
-    """No answer: the process died on the task twice, or the task raised, with its traceback."""
+    """No result: the process died twice with the task, or the task raised, with its traceback."""
 
     reason: str
     trace: str = ""
@@ -48,7 +49,7 @@ class Here(Executor):
 
 @dataclass(frozen=True)
 class Where:
-    """An engine by its name, with `jobs` processes (0: one a core); InputError for wrong ones."""
+    """An engine by its name, with `jobs` processes (0: one per core); else InputError."""
 
     jobs: int = 0
     engine: str = "local"
@@ -67,7 +68,7 @@ class Where:
             )
 
     def entered(self) -> AbstractContextManager[Engine]:
-        """The engine, to be entered where something is solved; GoneError if it isn't there."""
+        """The engine, entered when tasks are solved; GoneError if it is not available."""
         processes = self.jobs or os.cpu_count() or 1
         if self.engine == "local":
             return local(processes)
@@ -104,8 +105,8 @@ Split = Callable[[Any], Sequence[Any]]
 class Drive:
     """Solves tasks by `function` on an engine.
 
-    `running` holds each running task and its start [s, of `time.monotonic`]. `split` gives the
-    tasks to repeat where a process died; `begun` is called before a task is submitted.
+    `running` contains each running task and its start [s, of `time.monotonic`]. `split` returns the
+    tasks to repeat if a process died; `begun` is called before a task is submitted.
     """
 
     engine: Engine
@@ -115,12 +116,12 @@ class Drive:
     running: dict[int, tuple[Any, float]] = field(default_factory=dict)
 
     def answers(self, tasks: Iterable[Any]) -> Iterator[tuple[Any, Any] | None]:
-        """Each task with its answer as they come, and None every TICK seconds.
+        """Each task with its result, in order of completion, and None every TICK seconds.
 
-        A task is taken from `tasks` when its turn comes, and `tasks` is asked again after every
-        answer. One whose process dies is split and done again when no other is left, each part
-        alone in a fresh process; Lost is its answer if that dies too.
-        GoneError if the engine answers no more.
+        A task is taken from `tasks` when it can be submitted; `tasks` is read again after every
+        result. If its process dies, a task is split and repeated when no other task is left, each
+        part alone in a new process; if this process also dies, the result is Lost. GoneError if the
+        engine no longer answers.
         """
         waiting = iter(tasks)
         while died := (yield from self._round(waiting, self.engine.ahead)):

@@ -13,7 +13,7 @@ PARTS = ("equations", "findings", "warnings", "tables", "figures", "pictures")  
 
 
 def named(error: BaseException) -> str:
-    """The exception's name and message in one line."""
+    """Name and message of the exception in one line."""
     text = " ".join(str(error).split())
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
@@ -25,7 +25,7 @@ def unsolved(error: BaseException) -> bool:
 
 
 def of_machine(error: BaseException) -> bool:
-    """Whether the machine failed, such as for want of memory: another run may not fail."""
+    """Whether the machine failed, for example for lack of memory: another run may succeed."""
     return isinstance(error, MemoryError | OSError | BrokenExecutor)
 
 
@@ -38,28 +38,28 @@ class Guard:
         self.traces: list[str] = []
 
     def values(self, inputs: Any) -> dict[str, float]:
-        """The analytic values, none where the formulas fail."""
+        """The values of the formulas; empty if the formulas fail."""
         return dict(self._part("formulas", self.case.analytic, {})(inputs))
 
     def guarded(self) -> Case:
-        """The case with empty equations, tables and the like where making them fails."""
+        """The case with empty equations, tables and similar parts if making them fails."""
         parts: dict[str, Any] = {p: self._part(p, getattr(self.case, p), ()) for p in PARTS}
         return replace(self.case, sketch=self._part("sketch", self.case.sketch, None), **parts)
 
     def silent(self) -> Case:
-        """The case without them, where there are no values to put in."""
+        """The case without these parts, if there are no values for them."""
         empty: dict[str, Any] = dict.fromkeys((*PARTS, "sketch"), lambda *_: ())
         return replace(self.case, **empty | {"sketch": lambda _inputs: None})
 
     def judged(self, check: Check, rows: Callable[[], list[Row]]) -> list[Row]:
-        """The rows of one check, red ones of the same names where judging fails."""
+        """The rows of one check; if judging fails, failed rows with the same names."""
         try:
             return list(rows())
         except Exception as error:  # whatever it is, it is this case's alone
             return self.red(check, self._note(error))
 
     def red(self, check: Check, reason: str) -> list[Row]:
-        """The rows that a check would give, failed for one reason."""
+        """The rows of a check as failed rows, for one reason."""
         try:
             known = check.skipped(self.case.id, "")
         except Exception as error:

@@ -1,8 +1,8 @@
-"""Judged cases of the suite in the store, by all that they follow from.
+"""Judged cases of the suite in the store; the key includes all data on which they depend.
 
-A key covers the files that the module of a case and the judging may depend on, and the versions of
-the libraries under them. An entry names the levels that it was judged from, and counts while these
-are stored. Fields of the finest level stay in the entry of that level, and are read when asked for.
+A key includes the files on which the module of a case and the judging may depend, and the versions
+of their libraries. An entry lists the levels from which it was judged, and is valid while these are
+stored. Fields of the finest level remain in the entry of this level, and are read when needed.
 """
 
 import hashlib
@@ -61,7 +61,7 @@ class Judged:
 
 
 def keys(modules: Mapping[str, str]) -> dict[str, str]:
-    """Keys under which each case of the suite is stored; `modules` are those that declare them."""
+    """Keys under which each case of the suite is stored; `modules` are the modules of the cases."""
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]
     return {
         name: hashlib.sha256(json.dumps([

@@ -1,6 +1,6 @@
-"""One case: its levels solved or taken from the cache, then everything judged.
+"""One case: its levels are solved or taken from the cache, then all rows are judged.
 
-An error inside a case is a failed row of that case, with a traceback beside the report.
+An error inside a case gives a failed row of this case, with a traceback in the report folder.
 """
 
 import shlex
@@ -28,10 +28,9 @@ INDEPENDENT = (
 
 @dataclass(frozen=True)
 class Job:
-    """A case with the inputs to run it on; `use_fem` False judges the formulas alone.
+    """A case with its inputs; `use_fem` False judges the formulas only.
 
-    `values` are known results of the formulas, if any; without `drawn` no figure is
-    made.
+    `values` are known results of the formulas, if any; without `drawn`, no figure is made.
     """
 
     case: Case
@@ -48,9 +47,9 @@ class Job:
 
 @dataclass(frozen=True)
 class Solved:
-    """One level: its result, or in one line why there is none, with the traceback if any.
+    """One level: its result, or the reason in one line with the traceback, if any.
 
-    `unstored` says why the cache could not take the result.
+    `unstored` is the reason if the cache could not store the result.
     """
 
     result: FemResult | None
@@ -108,7 +107,7 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
 
 
 def ignores_level(levels: Sequence[FemResult]) -> bool:
-    """Whether all numbers and arrays are the same on every level, without a stated round-off.
+    """Whether all numbers and arrays are equal on all levels, without a stated round-off.
 
     Single numbers may be the same in the suite, such as a formula that is drawn point by point.
     """

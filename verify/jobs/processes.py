@@ -1,8 +1,8 @@
 """An executor of processes that may die: only the task of a dead process is lost.
 
-The executors of the standard library give up every task when one process dies, and wait for
-running ones when shut down. Here each thread of a pool drives one process; shutting down kills
-them all, and a process whose parent is gone ends by itself.
+The executors of the standard library stop all tasks if one process dies, and wait for running tasks
+when they are shut down. Here, each thread of a pool controls one process; shutting down kills all
+of them, and a process ends if its parent process has ended.
 """
 
 import os
@@ -37,10 +37,10 @@ GUARD = (
 
 
 def refuse_reimport() -> None:
-    """End this process where it only imports the script of its parent, which reports it.
+    """End this process if it only imports the script of its parent; the parent reports this.
 
-    A process that is spawned imports that script before it has a task; without the guard in GUARD
-    the script would run in every process, and write its files there, too.
+    A spawned process imports that script before it gets a task; without the guard in GUARD, the
+    script would run in every process and also write its files there.
     """
     if getattr(current_process(), "_inheriting", False):  # set by multiprocessing until it is done
         os._exit(UNGUARDED)
@@ -55,10 +55,10 @@ class RemoteTraceback(Exception):  # noqa: N818 - the cause of another exception
 
 
 class Processes(ThreadPoolExecutor):
-    """`count` spawned processes, each with one task at a time; functions go by their names.
+    """`count` spawned processes, each with one task at a time; functions are sent by name.
 
-    A task whose process dies raises WorkerDiedError; the next one finds a fresh process. Each has
-    one BLAS thread unless the environment says otherwise.
+    A task whose process dies raises WorkerDiedError; the next task gets a new process. Each process
+    has one BLAS thread unless the environment states another number.
     """
 
     def __init__(self, count: int) -> None:
@@ -80,17 +80,17 @@ class Processes(ThreadPoolExecutor):
         return super().submit(self._remotely, function, args, kwargs)
 
     def gone(self) -> str:
-        """Reason why no process can answer any more, "" while one can."""
+        """Reason why no process can answer any more, "" if one can."""
         return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
-        """Kill the processes; running tasks are lost, waiting ones are cancelled."""
+        """Kill the processes; running tasks are lost, waiting tasks are cancelled."""
         self._ended = True
         self.renew()
         super().shutdown(wait, cancel_futures=cancel_futures)
 
     def renew(self) -> None:
-        """Kill the processes; the next tasks find fresh ones."""
+        """Kill the processes; the next tasks get new ones."""
         with self._changing:
             for worker in self._workers:
                 worker.process.kill()
@@ -108,7 +108,7 @@ class Processes(ThreadPoolExecutor):
         raise raised from RemoteTraceback(trace)
 
     def _worker(self) -> "_Worker":
-        """The process of this thread; a fresh one where the last has died."""
+        """The process of this thread; a new one if the last has died."""
         worker: _Worker | None = getattr(self._own, "worker", None)
         if worker is not None and worker.process.is_alive():
             return worker
@@ -165,7 +165,7 @@ def _without_interrupts() -> None:
 
 @contextmanager
 def interrupts_blocked() -> Iterator[None]:
-    """Threads and processes that are started inside it do not see Ctrl-C."""
+    """Threads and processes that are started in this context do not receive Ctrl-C."""
     resource_tracker.ensure_running()  # started by one of them it would let Ctrl-C through there
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:

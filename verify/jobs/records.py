@@ -1,9 +1,9 @@
 """Records of long measurements: small files of the project, valid for the code that made them.
 
-All kinds have one form: {"checksum", "kind", "subject", "date", "made by", "content"}. "made by" is
-everything that the content depends on: hashes of code, inputs, settings. A record is current while
-it equals what the present code states. The checksum of all the rest tells an edited or damaged
-file.
+All kinds have one form: {"checksum", "kind", "subject", "date", "made by", "content"}. "made by"
+includes all data on which the content depends: hashes of code, inputs, settings. A record is valid
+as long as "made by" equals the value for the present code. The checksum of all other fields shows
+whether a file was edited or damaged.
 """
 
 import hashlib
@@ -25,7 +25,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Record:
-    """Measured result of a subject, the day (UTC), and its dependencies; both as JSON."""
+    """Measured result of a subject, its day (UTC), and its dependencies; both as JSON."""
 
     date: str
     made_by: Any
@@ -56,9 +56,9 @@ class Records:
             return None
 
     def current(self, subject: str, made_by: Any, read: Callable[[Record], T]) -> T | None:
-        """Result of `read` for the record; None if anything else than `made_by` made it.
+        """Result of `read` for the record; None if it was not made by `made_by`.
 
-        Both are compared as JSON. A record that `read` fails on is no record either.
+        Both are compared as JSON. A record for which `read` fails is not valid.
         """
         record = self.stored(subject)
         if record is None or record.made_by != json.loads(json.dumps(made_by)):

@@ -32,12 +32,12 @@ def run(
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
 ) -> list[CaseResult]:
-    """Solve levels that the cache lacks and judge every job; results in the order of `jobs`.
+    """Solve levels that are not in the cache and judge every job; results in the order of `jobs`.
 
-    OSError names the missing library if gmsh cannot start and something must be solved.
-    `engine` is entered where something is to be solved; without one this process does. `show`
-    receives the state, `warn` receives warnings for the user at once. With `judged` cases are
-    judged on the engine, too, each as soon as its levels are stored, and handed to it.
+    OSError states the missing library if gmsh cannot start and a level must be solved. `engine` is
+    entered if levels must be solved; without an engine, this process solves them. `show` receives
+    the state, `warn` receives warnings for immediate display. With `judged`, cases are also judged
+    on the engine as soon as their levels are stored, and passed to it.
     """
     many = bool(judged and cache_folder and len(jobs) > FEW)
     with _begun(engine or local(0), jobs) if many else nullcontext(engine or local(0)) as place:
@@ -81,7 +81,7 @@ def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:
 
 
 class _Work:
-    """Levels that are solved and cases that are judged, with an estimate of the time left."""
+    """Levels to solve and cases to judge, with an estimate of the remaining time."""
 
     def __init__(
         self, jobs: Sequence[Job], tasks: Sequence[Task], solved: dict[tuple[int, int], Solved],
@@ -154,7 +154,7 @@ class _Work:
         return 1
 
     def _judge_if_solved(self, i: int) -> None:
-        """Have a case judged next whose levels are all there, if other processes can read them."""
+        """Judge cases next whose levels are all available, if other processes can read them."""
         job, known = self.jobs[i], self.levels(i)
         if self.hand_over is None or self.folder is None or self.left[i]:
             return

@@ -24,9 +24,9 @@ def solve(
     quiet: bool = False,
     judged: Callable[[CaseResult], None] | None = None,
 ) -> list[CaseResult]:
-    """Run the jobs at the given place, with the cache and progress on stderr.
+    """Run the jobs on the given engine, with the cache, and progress on stderr.
 
-    `judged` takes each case that is judged while others are solved, on this machine alone.
+    `judged` receives each case judged while others are solved, on this machine only.
 
     KeyboardInterrupt and GoneError state what is stored for the next run.
     """

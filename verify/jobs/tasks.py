@@ -33,7 +33,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Judging:
-    """A job, given by its number, whose levels are solved; those with a result are stored."""
+    """A job, given by its number, whose levels are solved; levels with a result are stored."""
 
     case: Case
     inputs: Inputs
@@ -50,12 +50,12 @@ class Judging:
 
 
 def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
-    """The task of a case that another process finds by its id: its functions do not pickle."""
+    """The task of a case that another process finds by its id: functions cannot be pickled."""
     return kind(find(case_id), *rest)
 
 
 def load(case_ids: Sequence[str]) -> None:
-    """Import cases, with all that their references need."""
+    """Import cases, with all modules that their references need."""
     for one in case_ids:
         Case.finder(one)
 

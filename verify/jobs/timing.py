@@ -23,11 +23,11 @@ USUAL = Path(__file__).with_name("seconds.json")  # by case and level, on one ma
 
 
 def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
-    """Seconds that each level will take.
+    """Expected duration of each level in seconds.
 
-    A known level takes its stored time. Another one of the same case is scaled from the nearest
-    known level by the cost model; a case of which nothing is known costs, at its finest level,
-    what the others' finest known levels cost (median).
+    For a known level, it is the stored duration. For another level of the same case, it is scaled
+    from the nearest known level by the cost model. For a case without known levels, the finest
+    level has the median duration of the finest known levels of other cases.
     """
     levels = list(levels)
     finest: dict[str, int] = {}
@@ -45,7 +45,7 @@ def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> d
 
 
 def refined(earlier: Mapping[Level, float], measured: Mapping[Level, float]) -> dict[Level, float]:
-    """Earlier durations at the pace of this run, and those that this run measured itself."""
+    """Earlier durations scaled to the pace of this run, and durations measured in this run."""
     both = [level for level in measured if level in earlier]
     before = sum(earlier[level] for level in both)
     pace = sum(measured[level] for level in both) / before if before else 1.0
@@ -55,10 +55,10 @@ def refined(earlier: Mapping[Level, float], measured: Mapping[Level, float]) -> 
 def remaining_seconds(
     running: Sequence[tuple[float, float]], waiting: Sequence[float], processes: int
 ) -> float:
-    """Seconds until the last level ends.
+    """Seconds until the end of the last level.
 
-    `running` holds (expected, elapsed) seconds of the running levels, `waiting` the expected
-    seconds of those that follow in this order, each on the process that is free first.
+    `running` contains (expected, elapsed) seconds of the running levels, `waiting` the expected
+    seconds of those that follow in this order, each on the first free process.
     """
     left = [e - t if e > t else OVERRUN * t for e, t in running]
     free = left + [0.0] * max(processes - len(left), 0)

@@ -1,4 +1,4 @@
-"""Formulas with a band of errors on user inputs: SHOWN where meshes do not resolve the band."""
+"""Formulas with a band of errors for user inputs: SHOWN if meshes do not resolve the band."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ TWICE = 2.2  # half bands: largest change of a formula inside its band, with a m
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """`rows` on user inputs: SHOWN where the meshes leave the `band` undecided."""
+    """`rows` for user inputs: SHOWN if the meshes do not decide about the `band`."""
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:
         return rows

@@ -35,7 +35,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Constant:
-    """A number "module:NAME" that is another multiple of itself; an integer stays one."""
+    """A number "module:NAME" that is multiplied by a factor; an integer remains an integer."""
 
     target: str
     factor: float
@@ -48,7 +48,7 @@ Change = Argument | Constant
 
 
 def as_given(q: Any) -> Any:
-    """The inputs as they are."""
+    """The inputs without changes."""
     return q
 
 
@@ -56,13 +56,14 @@ def as_given(q: Any) -> Any:
 class Rerun:
     """A cause of a difference and its removal; `what` describes it in words.
 
-    Removed by other `inputs`, which formulas then take as well, by `changes` to the case's
-    finite elements, or by other ones, `fem(inputs, level)`, with the case's keys. `rows` names the
-    rows that it is about, * for any letters, all where empty. It is run on `levels`, coarse to
-    fine: on the finer of two its effect is read, on the coarser how well; without any on the two
-    coarsest of the case. A cause that means nothing while another one acts is removed `after` that
-    one, given by its name: its `inputs` or `fem` lack both. An assumption of both sides is
-    `shared`: no part of their difference, and listed beside it.
+    It is removed by other `inputs`, which the formulas also use, by `changes` of the finite
+    elements of the case, or by other finite elements, `fem(inputs, level)`, with the keys of the
+    case. `rows` are names of affected rows (* stands for any letters; all rows if empty). It is run
+    on `levels`, coarse to fine: the finer of two gives its effect, the coarser the uncertainty; by
+    default, these are the two coarsest levels of the case. A cause that has no meaning while
+    another one acts is removed `after` that cause, given by its name: its `inputs` or `fem` exclude
+    both. An assumption of both sides is `shared`: it is no part of their difference and is listed
+    separately.
     """
 
     cause: Cause
@@ -87,9 +88,9 @@ class Rerun:
 
 @dataclass(frozen=True)
 class Corrected:
-    """A formula that is replaced by a corrected one, whose value has the analytic `key`.
+    """A formula that is replaced by a corrected formula, whose value has the analytic `key`.
 
-    Replacement for the row with this name; `what` describes its part of the difference.
+    Replacement for the row with this name; `what` describes its contribution to the difference.
     """
 
     row: str
@@ -122,8 +123,8 @@ class Without:
 class Statement:
     """Statement of a case on its error budget.
 
-    `finer` is a level beyond the finest, 0 where one takes too long: then the three finest are
-    extrapolated. `headline` names the row that is drawn, the first approximation where empty.
+    `finer` is a level beyond the finest; 0 if it takes too long, and the three finest are
+    extrapolated. `headline` is the row that is drawn, by default the first approximation.
     `corrected` formulas precede all reruns; a large remainder is `left` with its reason.
     """
 

@@ -45,8 +45,8 @@ class Identity(FemClaim):
 class Approximation(FemClaim):
     """A formula that neglects an effect: m = formula/FE - 1 in an interval derived beforehand.
 
-    `interval(inputs, analytic values)` must not look at these finite elements; `source` says
-    where it comes from. Without an interval the row is SHOWN.
+    `interval(inputs, analytic values)` must not use the finite elements of the row; `source` is its
+    source. Without an interval, the row is SHOWN.
     """
 
     kind = Kind.APPROXIMATION
@@ -111,7 +111,7 @@ class Order(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Exact(Claim):
-    """A finite-element balance that holds to round-off: |residual| <= bound x scale."""
+    """A balance of finite elements to round-off: |residual| <= bound x scale."""
 
     kind = Kind.EXACT
 
@@ -135,9 +135,9 @@ class Exact(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Limit(Claim):
-    """The formula becomes exact as eps goes to 0: d = d0 + c eps^q with d0 = 0 (asymptotic).
+    """The formula is exact for eps = 0: d = d0 + c eps^q with d0 = 0 (asymptotic).
 
-    `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
+    `points(context)` returns eps, d = formula/FE - 1 and its standard uncertainty.
     """
 
     kind = Kind.ASYMPTOTIC
@@ -186,11 +186,11 @@ Margin = Callable[[Context], tuple[float, float, str]]
 
 @dataclass(frozen=True, kw_only=True)
 class Accepted(Claim):
-    """A statement with an acceptance figure, which is one for the paper's numbers: judged there.
+    """A statement with an acceptance figure that is valid, and judged, for the inputs of the paper.
 
-    At user inputs it is SHOWN. `margin` returns the margin to the figure, its expanded uncertainty,
-    and the error in words.
-    What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
+    At user inputs, it is SHOWN. `margin` returns the margin to the figure, its expanded
+    uncertainty, and the error in words. A statement for fitted inputs is CALIBRATED: `fitted` names
+    them.
     """
 
     kind = Kind.FACT

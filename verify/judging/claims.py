@@ -1,4 +1,4 @@
-"""Common part of all claims of a case: rows in display units, convergence beside agreement.
+"""Common part of all claims of a case: rows in display units, each with its convergence row.
 
 Keys name SI values of the analytic or finite-element side; rows carry display units.
 """
@@ -26,11 +26,11 @@ STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in
 
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
-    """Data of all claims. `printed` lists published values ("paper:id") stated beside the row.
+    """Data of all claims. `printed` lists published values ("paper:id") stated with the row.
 
-    `formula` is the key of the analytic value that is judged, `equation` its number or source, in
-    which `form`, and `safe` the side on which an error of it does no harm; `shares` states what
-    both sides have in common beside the inputs.
+    `formula` is the key of the judged value of the formulas, `equation` its number or source,
+    `form` its form, and `safe` its safe side; `shares` states what is common to both sides, other
+    than the inputs.
     """
 
     kind: ClassVar[Kind]
@@ -57,7 +57,7 @@ class Claim(ABC):
         """Judge the claim."""
 
     def skipped(self, case: str, reason: str) -> list[Row]:
-        """The rows that `rows` would give, not run."""
+        """The rows of `rows`, as not run."""
         return [self._row(case, self.kind, judge.Verdict(Status.SKIP, reason))]
 
     def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
@@ -105,11 +105,11 @@ def beside(reference: str, unit: str) -> Published:
 def convergence_verdict(
     grid: GridConvergence, h: Sequence[float], v: Sequence[float], u_it: float, allowed: float
 ) -> judge.Verdict:
-    """Order above 0.5 by more than iteration explains, or else an index within `allowed`.
+    """Order above 0.5 by more than the effect of iteration, or otherwise an index within `allowed`.
 
-    `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit. An order
-    that iteration may take to either side of 0.5 counts as one below, with three times the spread
-    as its index: the verdict is then the same on both sides.
+    `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit. If
+    iteration may move an order to either side of 0.5, the order is treated as below 0.5, with three
+    times the spread as the index: the verdict is then the same on both sides.
     """
     if grid.behaviour == "monotone" and grid.order is not None:
         verdict = judge.fact(grid.order - LEAST_ORDER, order_from_iteration(h, v, u_it))
@@ -132,11 +132,11 @@ def convergence_verdict(
 
 @dataclass(frozen=True, kw_only=True)
 class FemClaim(Claim):
-    """A claim about finite-element values `fem`, whose order in theory is `formal`.
+    """A claim about finite-element values `fem` with the theoretical order `formal`.
 
-    `by` names another method, refined like a mesh, whose values these are. A sweep takes the claim
-    with it where it can be judged by values alone, which `swept` says. `own_demand`, for the reason
-    `own_reason`, is the required sensitivity at user inputs, where it is less than the suite's.
+    `by` is the name of another method with these values, refined like a mesh. A sweep includes the
+    claim if it can be judged by values only, as stated by `swept`. `own_demand`, for the reason
+    `own_reason`, is the required sensitivity at user inputs, if it is lower than that of the suite.
     """
 
     swept: ClassVar[bool] = True
@@ -166,7 +166,7 @@ class FemClaim(Claim):
         return make_row(case, Kind.FACT, verdict, name, "p", "1", **more)
 
     def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
-        """The separate row of convergence beside a comparison."""
+        """The separate convergence row of a comparison."""
         h, v = context.series(self.fem)
         verdict = convergence_verdict(grid, h, v, u_it, self.demanded(context) * scale)
         return self._convergence_row(
@@ -179,11 +179,11 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """The acceptance figure for the paper's numbers, no sharper one for user inputs."""
+        """The acceptance figure for the paper's inputs; for user inputs, none that is stricter."""
         return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:
-        """The convergence with everything that it was judged from, in the display unit."""
+        """The convergence with all data from which it was judged, in the display unit."""
         f = units.factor(self.unit)
         h, v = context.series(self.fem)
         return Grid(
