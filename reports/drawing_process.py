@@ -19,7 +19,7 @@ NO_PICTURE = "no picture"
 
 
 class DrawingProcess:
-    """A context. A process that fails is replaced for the next scenes if it has drawn any."""
+    """A context. A process that fails after some scenes is replaced for the remaining scenes."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None

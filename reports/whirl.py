@@ -15,8 +15,8 @@ from verify.core.figures import Array, ComplexArray, Mode, Whirl
 
 YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts
 EDGE, GAP, NAME = 8.0, 20.0, 18.0  # around all, between panels, for a panel's name
-LENGTH = 0.94  # of a panel that the shafts take
-REACH, MOST = 0.16, 45.0  # of a panel that the largest displacement takes, and pixels
+LENGTH = 0.94  # length of the shafts over the width of a panel
+REACH, MOST = 0.16, 45.0  # largest displacement over the width of a panel, and in pixels
 TALLEST = 390.0  # panels in one column
 LETTER = 6.2  # about the width of a letter
 LINE = 16  # of the key

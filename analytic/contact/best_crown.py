@@ -1,13 +1,13 @@
-r"""The logarithmic crown with the lowest pressure under a load among those that spare the ends.
+r"""The logarithmic crown with the lowest pressure under a load, among those with unloaded ends.
 
-An end that carries load has no highest pressure (`strips`), whatever few strips give: a crown
-counts only if the last strip at each end, about as wide as the contact's half-width b, carries
-nothing. (Contacts that end nearer to the roller's end can have a peak lower by some per cent, but
-the least overload or tilt loads the end.) Among these differential evolution searches the one with
-the lowest peak, a generation of crowns pressed at once; K_1, K_2 and z_m, in
-:math:`A_1 = W/(\pi l E^*)`, the unit of Lundberg's crown, are taken to three digits. The optimum is
-flat: crowns that differ by tens of per cent in a parameter may differ by a tenth of a per cent in
-peak pressure.
+At an end that carries load, the pressure has no maximum (`strips`), although few strips give one.
+Therefore, a crown is admissible only if the last strip at each end, whose width is about the
+half-width b, carries no load. (Contacts that end nearer to the end of the roller can have a peak
+that is lower by some per cent, but the least overload or tilt loads the end.) Differential
+evolution searches these crowns for the lowest peak; all contacts of a generation are solved at
+once. K_1, K_2 and z_m, in :math:`A_1 = W/(\pi l E^*)`, the unit of Lundberg's crown, have three
+digits. The optimum is flat: crowns that differ by tens of per cent in a parameter may differ by a
+tenth of a per cent in peak pressure.
 """
 
 from dataclasses import dataclass
@@ -36,8 +36,8 @@ LOADED = 1e3  # beyond every peak over Hertz's pressure of a uniform load
 class BestCrown:
     """K_1, K_2, z_m [length] of a crown designed for the load, and its peak pressure [stress].
 
-    `free` is whether its ends carry nothing; if no crown's do, it is the one whose ends carry
-    least.
+    `free` states whether its ends are unloaded; if no crown has unloaded ends, it is the crown with
+    the least end load.
     """
 
     K_1: float
@@ -97,7 +97,7 @@ def best_crown(
 
 
 def _hopeless(intermediate_result: OptimizeResult) -> bool:
-    """Whether no crown has freed the ends by now: the search for the least loaded goes no finer."""
+    """Whether no crown has unloaded ends yet: the search for the least end load stops early."""
     return bool(intermediate_result.nit >= PATIENCE and intermediate_result.fun >= LOADED)
 
 

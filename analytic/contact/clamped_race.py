@@ -56,7 +56,7 @@ def approach_to_rim(
 
 
 def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -> float:
-    """The sum of delta_n (no unit), by which the held rim enters the approach.
+    """The sum of delta_n (no unit), the effect of the fixed rim on the approach.
 
     >>> round(rim_constant(r_i=1.0, r_o=1.4, nu=0.3, assumption="plane strain"), 3)
     -1.493
@@ -67,7 +67,7 @@ def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -
 
 @cache
 def _constant(ratio: float, nu: float) -> float:
-    """The sum of delta_n, with a remainder that falls with 1/n²."""
+    """The sum of delta_n, with a remainder that decreases as 1/n²."""
     n = np.arange(2, TERMS + 1, dtype=np.float64)
     delta = np.concatenate([[_first(ratio, nu) - 1], _higher(n, ratio, nu) - 1 / n])
     tail = delta[-1] * TERMS  # sum of c/n² beyond n is c/n

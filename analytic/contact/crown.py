@@ -132,7 +132,7 @@ def straight_length(*, K_2: ArrayLike, length: ArrayLike) -> Array:
 
 
 def _position(y: ArrayLike, length: ArrayLike) -> Array:
-    """2|y|/l; ValueError beyond the ends, where rounding is forgiven."""
+    """2|y|/l; ValueError beyond the ends, except for rounding."""
     y, length = finite(y, "position", "m"), positive(length, "length", "m")
     t = 2 * np.abs(y) / length
     if not np.all(t <= 1 + 1e-12):

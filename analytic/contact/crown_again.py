@@ -1,4 +1,4 @@
-"""Crowns of rollers written a second time, for references, so that both are independent.
+"""Crowns of rollers in a second implementation, for references that are independent.
 
 Same as in `crown`, with other symbols: E' for 2 E*, the half-length as a
 unit, and logarithms of products. Any consistent units.

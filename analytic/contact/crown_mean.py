@@ -21,7 +21,7 @@ def mean_drop(A: float, K_2: float, z_m: float) -> float:
 
 
 def z_m_share(A: float, z_m: float) -> float:
-    r"""Growth of the mean drop in per cent per per cent of z_m; K_1 does the rest of one.
+    r"""Relative increase of the mean drop per relative increase of z_m; K_1 causes the rest.
 
     .. math:: \frac{z_m}{\bar z}\frac{\partial\bar z}{\partial z_m}, \qquad
         \frac{\partial\bar z}{\partial z_m}

@@ -9,8 +9,9 @@ chord at -x', the half plane's kernel comes out and an analytic rest:
     k(x, x') = \frac{2}{\pi E'}\left[\ln|x - x'| - \ln(y + y') + \frac{y y'}{R^2}\right],
     \qquad y = \sqrt{R^2 - x^2}
 
-Poisson's ratio enters through E' alone. The flats act along y only, so the rim touches where its
-height after loading is the flat's; with the pressure q per unit length of the flat
+Poisson's ratio has an effect only through E'. The flats act along y only: the rim is in contact
+where its height after loading equals that of the flat; with the pressure q per unit length of the
+flat
 
 .. math:: y(x) + \int_{-a}^{a} k(x, x')\, q(x')\, dx' = R - \delta, \qquad |x| \le a.
 
@@ -18,9 +19,9 @@ q = sqrt(1 - s²) sum b_k U_2k(s), s = x/a, vanishes at the edges and makes the 
 algebraic; the rest of the kernel is analytic, so the series converges geometrically, with the ratio
 :math:`(R/a + \sqrt{R^2/a^2 - 1})^{-2}`. Exact within linear elasticity on the undeformed circle.
 
-The same solution serves a column of equal discs, whose common planes are flats by symmetry. It
-does not serve a disc that is held otherwise than by an opposite contact (a rigid core, a support
-spread over the far side): that changes the correction to Hertz at its leading order.
+The solution is also valid for a column of equal discs, whose common planes are flats by symmetry.
+It is not valid for a disc with another support than an opposite contact (a rigid core, a support
+distributed over the opposite side), which changes the leading order of the correction to Hertz.
 
 References
 ----------
@@ -53,7 +54,7 @@ class PressedDisc:
 
     @property
     def moment_width(self) -> float:
-        """Half-width [length] 2 sqrt(int q x² / int q) that the pressure's moments give.
+        """Half-width [length] 2 sqrt(int q x² / int q) from the moments of the pressure.
 
         It is a for Hertz's pressure; here it exceeds a by 1/16 (a/R)² of it, as q is flatter.
         """

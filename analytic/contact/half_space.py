@@ -55,10 +55,10 @@ class HalfSpace:
     ) -> HalfSpaceContact:
         """Contact under either `load` or `approach`, with the `gap` (nx, ny) before it.
 
-        `start` is a guess of the pressure. If the gap is a mirror image of itself about the
-        middle of an even number of cells, so is the pressure, and half is solved. An approach
-        that reaches nothing gives zero load. Raises ArithmeticError if `limit` iterations
-        leave a residual above `tolerance`.
+        `start` is an estimate of the pressure. If the gap is symmetric about the middle of an even
+        number of cells, so is the pressure, and half of the grid is solved. An approach without
+        contact gives zero load. Raises ArithmeticError if `limit` iterations leave a residual above
+        `tolerance`.
         """
         gap = _field(gap, self.shape, "gap", "m")
         load, approach = _one_of(load, approach)
@@ -94,7 +94,7 @@ class HalfSpace:
         return found
 
     def influence(self, gap: Array) -> Convolution:
-        """The influence, on halves where `gap` allows it; made once."""
+        """The influence, on half of the grid if `gap` is symmetric; computed once."""
         near = MIRROR * np.ptp(gap)
         mirrored = tuple(
             n % 2 == 0 and bool(np.abs(gap - np.flip(gap, axis)).max() <= near)
@@ -156,7 +156,7 @@ def _one_of(load: float | None, approach: float | None) -> tuple[float | None, f
 
 
 def _first(K: Convolution, gap: Array, approach: float | None) -> Array:
-    """Pressures to start from: uniform, or those that would lift an overlap by themselves."""
+    """Initial pressures: uniform, or those of independent cells with this overlap."""
     if approach is None:
         return np.ones_like(gap)
     return np.asarray(np.maximum(K.precondition(np.maximum(approach - gap, 0.0)), 0.0))

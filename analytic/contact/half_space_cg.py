@@ -58,7 +58,7 @@ def solve(
     tolerance: float,
     limit: int,
 ) -> Pressed:
-    """Pressures for the `gap` where `total`, the sum of the part's pressures, or `approach` rules.
+    """Pressures for the `gap` with a given `total`, the sum of the pressures, or `approach`.
 
     Raises ArithmeticError if `limit` iterations leave more than the `tolerance`.
     """

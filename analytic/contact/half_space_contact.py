@@ -12,8 +12,8 @@ from analytic.contact.checks import Array
 class HalfSpaceContact:
     """Fields (nx, ny) over the cells; x and y from the middle of the grid.
 
-    `displacement` is the sum of both bodies', `gap` the remaining distance; residual: the
-    largest gap where pressure acts or overlap where none does, over the largest displacement.
+    `displacement` is the sum for both bodies, `gap` the remaining distance; residual: the largest
+    gap at cells with pressure or overlap at cells without pressure, over the largest displacement.
     """
 
     pressure: Array

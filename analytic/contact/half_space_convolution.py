@@ -1,8 +1,8 @@
 """Displacements of a half-space's cells from their pressures, and an approximate inverse of that.
 
-On a grid of equal cells the influence depends on the distance alone: a convolution, done by fast
-transforms over a grid padded with as many zeros, so that nothing repeats. Where pressures are
-mirror images about the middle of an even number of cells, cosines over one half take the place of
+On a grid of equal cells, the influence depends on the distance only: it is a convolution, computed
+by fast transforms over a grid padded with as many zeros, so that it is not periodic. If pressures
+are symmetric about the middle of an even number of cells, cosines over one half replace
 exponentials over the whole. Workers of the transforms: `scipy.fft.set_workers`.
 
 References
@@ -41,19 +41,19 @@ class Convolution:
         self._inverse = self._arranged(1 / kernel[::2, ::2])  # positive for cells of any shape
 
     def displacement(self, pressure: Array) -> Array:
-        """Displacements [length] under `pressure`, both as large as the solved part of the grid."""
+        """Displacements [length] under `pressure`, both on the solved part of the grid."""
         return self._filter(pressure, 2, self._symbol)
 
     def precondition(self, displacement: Array) -> Array:
-        """Pressures [stress] roughly under `displacement`, as if both repeated: definite."""
+        """Approximate pressures [stress] for `displacement`, as if both were periodic; definite."""
         return self._filter(displacement, 1, self._inverse)
 
     def half(self, field: Array) -> Array:
-        """The part of a whole field that is solved for."""
+        """The solved part of a complete field."""
         return field[tuple(np.s_[n // 2 :] if m else np.s_[:] for n, m in self._axes())]
 
     def whole(self, field: Array) -> Array:
-        """The whole of a field from its solved part."""
+        """The complete field from its solved part."""
         for axis, (_, mirrored) in enumerate(self._axes()):
             if mirrored:
                 field = np.concatenate([np.flip(field, axis), field], axis)
@@ -63,7 +63,7 @@ class Convolution:
         return list(zip(self.shape, self.mirrored, strict=True))
 
     def _arranged(self, kernel: Array) -> Array:
-        """A kernel's transform at the frequencies 0 to half a period, as the fields' stand."""
+        """Transform of a kernel at frequencies 0 to half a period, in the order of the fields."""
         x, y = (n - 1 for n in kernel.shape)
         if self.mirrored[1]:
             kernel = kernel[:, :y]

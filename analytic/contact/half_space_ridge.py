@@ -1,7 +1,7 @@
-"""Readings of a roller on a half-space that do not depend on its cells, and a grid for them.
+"""Evaluation of a roller on a half-space independent of its cells, and a grid for this.
 
-The pressure of a loaded end has no limit, so that the largest pressure is that farther than d from
-the ends, and ends are measured by their load.
+The pressure of a loaded end has no limit. Therefore, the largest pressure outside the end zones d
+is evaluated, and the load of the end zones.
 """
 
 import math
@@ -76,17 +76,17 @@ class Ridge:
     def unevenness(self) -> float:
         """Share of the load that would have to move for the line load to be even.
 
-        It has neither a peak nor a mesh.
+        It has neither a peak nor an effect of the mesh.
         """
         line = self.contact.line_load
         return float(np.abs(line / line.mean() - 1).mean() / 2)
 
     def inner(self, end: float) -> float:
-        """The place [length] that is `end` away from the roller's end."""
+        """Position [length] at the distance `end` from the end of the roller."""
         return self.contact.length / 2 - end
 
     def beyond(self, end: float) -> Array:
-        """Pressures at x = 0 of all places farther than `end` from the ends."""
+        """Pressures at x = 0 of all positions outside the end zones `end`."""
         return np.asarray(self.pressure[np.abs(self.contact.y) <= self.inner(end)])
 
 
@@ -96,7 +96,7 @@ def press_ridge(
 ) -> Ridge:  # fmt: skip
     """The contact on a grid with a line of cells along each edge of the contact at its middle.
 
-    `across` are cells on the half-width there, `along` those on the roller, whose profile is
+    `across` is the number of cells on the half-width, `along` that on the roller, whose profile is
     `crown`. A coarse solution gives the width of the contact.
     """
     roller: dict[str, Any] = {"crown": crown, "load": load, "R": R, "length": length,

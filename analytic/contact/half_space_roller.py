@@ -133,7 +133,7 @@ def press_roller(
 def _within(
     pressed: Callable[[int, float], HalfSpaceContact], across: int, patch: float
 ) -> HalfSpaceContact:
-    """The contact in a `patch`, made wider until it does not reach the sides."""
+    """The contact in a `patch`, which is widened until the contact does not reach its sides."""
     patch = float(positive(patch, "width of the patch", "m"))
     for _ in range(MOST):
         found = pressed(across, patch)

@@ -153,10 +153,11 @@ def pressure_of_overlap(
 def interferences_lost(
     walls: Sequence[Wall], *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
 ) -> Array:
-    """Interference [length] that p_i and p_o take from each interface; shaped (walls - 1,).
+    """Decrease of interference [length] by p_i and p_o at each interface; shaped (walls - 1,).
 
-    It is the gap that they open between walls that do not touch. For two walls it is the
-    interference at which the contact opens; negative where the pressures tighten it.
+    It is the gap that they open between walls without contact. For two walls, it is the
+    interference at which the contact opens; it is negative if the pressures increase the contact
+    pressure.
     """
     finite([p_i, p_o], "pressures", "Pa")
     _check_stack(walls)

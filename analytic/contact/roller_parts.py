@@ -1,4 +1,4 @@
-"""Readings of pressures along a roller that a model gives in equal parts of it."""
+"""Evaluation of pressures along a roller that a model gives in equal parts of the roller."""
 
 from dataclasses import dataclass
 

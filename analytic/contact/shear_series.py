@@ -1,9 +1,10 @@
 r"""First-order error of Hertz's largest shear stress below a line contact.
 
-What Hertz's half plane lacks of a disc between flats is of the first order, unlike in the pressure.
-The opposite contact adds sigma_y = -P/(pi R), hence the shear stress P/(2 pi R) = p_0 a/(4R); and
-the circle bends away, so that forces at x' are nearer to the depth z by x'²/(2R). With the half
-plane's kernel the largest shear stress is, at its depth h = g^(-1/2) a (g the golden ratio),
+Hertz's half plane differs from a disc between flats already in the first order of the stress,
+unlike for the pressure. The opposite contact adds sigma_y = -P/(pi R), hence the shear stress P/(2
+pi R) = p_0 a/(4R); and by the curvature of the circle, forces at x' are nearer to the depth z by
+x'²/(2R). With the kernel of the half plane, the largest shear stress is, at its depth h = g^(-1/2)
+a (g the golden ratio),
 
 .. math:: \frac{\tau}{p_0} = g^{-5/2} + \frac{a}{R}\left[\frac{1}{4} - \frac{1}{\pi}
     \int_{-1}^{1} \frac{s^2}{2}\,\frac{6 s^2 h^2 - h^4 - s^4}{(s^2 + h^2)^3}

@@ -5,8 +5,8 @@ r"""Mutual deflections of the slices of a line contact: weights w and the matrix
 The sum of S is n s whatever w is: w only redistributes the load over the slices, s, the compliance
 of one slice, alone sets the law of the whole.
 
-The paper does not say what w is, and the work that it cites for it could not be had. `love` is the
-displacement of a half-space under a uniform load on the rectangle D x 2b,
+The paper does not define w, and the work cited for it was not available. `love` is the displacement
+of a half-space under a uniform load on the rectangle D x 2b,
 
 .. math::
     w(d) = G(d + D/2) - G(d - D/2), \qquad
@@ -55,7 +55,7 @@ def love(distance: ArrayLike, width: ArrayLike, half_width: ArrayLike) -> Array:
 def compliance_matrix(weights: ArrayLike, *, compliance: ArrayLike) -> Array:
     """S of symmetric `weights` (..., n, n) and the slices' compliance s, (...).
 
-    ValueError unless the weights are positive definite, without which S has no unique answer.
+    ValueError unless the weights are positive definite; otherwise, S has no unique solution.
 
     >>> compliance_matrix([[2.0, 1.0], [1.0, 2.0]], compliance=6.0).tolist()  # the sum is 2 times 6
     [[4.0, 2.0], [2.0, 4.0]]

@@ -25,10 +25,10 @@ ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps co
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Forces of S (cases, n, n), f (cases, n), and how they grow where f grows by `rate`.
+    """Forces for S (cases, n, n), f (cases, n), and their derivative if f increases by `rate`.
 
-    `carries` is where the search starts and, changed in place, where it ends. ArithmeticError if
-    it does not.
+    `carries` is the start of the search and, changed in place, its result. ArithmeticError if the
+    search does not end.
     """
     q, growth = np.zeros_like(f), np.zeros_like(f)
     best = np.full(len(f), f.shape[1] + 1)
@@ -62,13 +62,13 @@ def _solve(S: Array, right: Array, on: NDArray[np.bool_]) -> Array:
 
 
 def _wrong(S: Array, q: Array, f: Array, on: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Slices that carry and pull, and slices that do not and interpenetrate."""
+    """Loaded slices with tension, and unloaded slices that interpenetrate."""
     largest = ROUND_OFF * f.max(axis=1, keepdims=True)
     overlap = f - np.einsum("cij,cj->ci", S, q)
     return np.asarray(np.where(on, q * S[:, :1, 0] < -largest, overlap > largest))
 
 
 def _last(wrong: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The last of the wrong slices of each case alone."""
+    """Only the last of the wrong slices of each case."""
     after = np.cumsum(wrong[:, ::-1], axis=1)[:, ::-1]
     return np.asarray(wrong & (after == 1))

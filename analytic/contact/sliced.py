@@ -37,12 +37,12 @@ class SlicedContact:
 
     @property
     def half_width(self) -> Array:
-        """Half-width [m] that Hertz gives each slice's line load, (..., n)."""
+        """Half-width [m] by Hertz for the line load of each slice, (..., n)."""
         return np.asarray(np.sqrt(4 / np.pi * self.line_load * (self.R / self.E_star)[..., None]))
 
     @property
     def peak_pressure(self) -> Array:
-        """Peak pressure [Pa] that Hertz gives each slice's line load, (..., n)."""
+        """Peak pressure [Pa] by Hertz for the line load of each slice, (..., n)."""
         return np.asarray(np.sqrt(self.line_load * (self.E_star / (np.pi * self.R))[..., None]))
 
 
@@ -71,7 +71,7 @@ class Cases:
         approach: ArrayLike | None,
         compliance: ArrayLike | None,
     ) -> Self:
-        """Arguments checked and spread over all cases; ValueError if they do not fit."""
+        """Arguments checked and broadcast over all cases; ValueError if they do not fit."""
         gap = finite(gap, "gap", "m")
         if gap.ndim == 0 or gap.shape[-1] == 0:
             raise ValueError(f"gap must have a height [m] for each slice, got shape {gap.shape}")

@@ -7,7 +7,8 @@ q is the force of each of n equal slices, z the gap at its centre (crown, tilt a
 without the parabola across), S the matrix of `slice_compliance`, with Love's weights for Hertz's
 half-width under the mean load W/l by default.
 
-The finer a roller without a crown is cut, the more its ends carry: their peak does not converge.
+For a roller without crown, the load of the ends increases with the number of slices: their peak
+does not converge.
 
 SI with the default compliance, `palmgren.compliance`; any consistent units with another one.
 

@@ -9,7 +9,7 @@ quadratic in the distance rho across (K_0 of the wave number k along y, k rho sm
     2K_0(k\rho) = 2\lambda + \frac{k^2\rho^2}{2}\,(\lambda + 1), \qquad
     \lambda = -\gamma - \ln\frac{k\rho}2, \quad k^2 = -\partial_y^2 .
 
-On the middle line x = 0 the strips have it all. Across, with the ellipse's
+On the middle line x = 0, the strips include this term. Across, with the ellipse's
 :math:`\int p\,d\xi = q` and
 :math:`\int p\ln|x - \xi|\,d\xi = q\,(\ln\frac b2 - \frac12 + x^2/b^2)`, the quadratic term's
 curvature is

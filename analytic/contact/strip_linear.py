@@ -50,7 +50,7 @@ def direct(system: System) -> tuple[Array, Array]:
 
 
 def product(x: Real, matrix: Real) -> Real:
-    """Return `x @ matrix` in pieces that a BLAS keeps to the calling thread.
+    """`x @ matrix` in pieces that a BLAS computes in the calling thread.
 
     Threads that each wait for a BLAS of several threads took twenty times as long.
     """
@@ -64,7 +64,7 @@ def product(x: Real, matrix: Real) -> Real:
 def conjugate_gradients(system: System) -> tuple[Array, Array]:
     """Step of the loads (N, n) and of the approach (N,), to about 1e-3 of itself.
 
-    In single precision, on systems scaled to a right-hand side of 1: the step need not be better.
+    In single precision, on systems scaled to a right-hand side of 1; more accuracy is not needed.
     """
     single, n = np.float32, system.s.shape[-1]
     free = system.missing is None
@@ -126,7 +126,7 @@ def _shared(system: System) -> tuple[Array, Array]:
 
 
 def _dense(system: System) -> Array:
-    """J (N, n, n); strips without load are held by a huge diagonal."""
+    """J (N, n, n); strips without load have a very large diagonal."""
     far, bands = system.far, system.bands
     _, cases, n = bands.shape
     J = np.empty((cases, n, n))

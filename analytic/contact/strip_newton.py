@@ -147,8 +147,8 @@ def solve(
 def _system(s: Array, gap: Array, carries: Mask, response: Response, total: Array | None) -> System:
     """Newton's system.
 
-    A strip about to carry has no slope at s = 0 (it is a logarithm): it takes the one at the load
-    that its penetration will call for, from below.
+    For a strip that is about to carry load, the slope at s = 0 is infinite (a logarithm): the slope
+    at the load for its penetration is used, approached from below.
     """
     seed = np.clip(-gap / 30, 1e-300, 0.5)
     response.slopes[0] = np.where(
@@ -170,7 +170,7 @@ def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None)
 
 
 def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Array, Array]:
-    """Start: every strip a spring of the stiffness that the whole row has on average."""
+    """Start: every strip is a spring with the mean stiffness of the whole row."""
     n = h.shape[-1]
     softness = np.pi * (np.log(2 * n) + 0.5)
     if Delta is None:

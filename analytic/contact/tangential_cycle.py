@@ -59,7 +59,7 @@ def slip(
     E_star: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Relative slip [length] at x at the force Q, from where the surfaces first met."""
+    """Relative slip [length] at x at the force Q, since the first contact of the surfaces."""
     sign, back = _reversal(Q, Q_max, branch)
     first = partial_slip.slip(x, Q=Q_max, P=P, mu=mu, a=a, E_star=E_star)
     undone = partial_slip.slip(x, Q=back, P=P, mu=mu, a=a, E_star=E_star)
@@ -75,7 +75,7 @@ def rigid_displacement_beyond_stick(
     E_star: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Tangential displacement [length] of the bodies, beyond a contact that sticks whole."""
+    """Tangential displacement [length] of the bodies, in excess of a contact without slip."""
     sign, back = _reversal(Q, Q_max, branch)
     load = {"P": P, "mu": mu, "E_star": E_star}
     first = partial_slip.rigid_displacement_beyond_stick(Q=Q_max, **load)
@@ -84,7 +84,7 @@ def rigid_displacement_beyond_stick(
 
 
 def beyond_chord(share: ArrayLike, *, Q_max: float, P: float, mu: float, E_star: float) -> Array:
-    """Displacements (2n,) [length] beyond the line between both reversals, down and up again.
+    """Displacements (2n,) [length] in excess of the line between both reversals, down and up.
 
     On each branch at the n shares Q/Q_max, which rise from -1 to 1.
 

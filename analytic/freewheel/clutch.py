@@ -101,13 +101,13 @@ class RollerClutch:
         return np.asarray(p_i), np.asarray(p_o)
 
     def loads_at_pressure(self, p: ArrayLike) -> tuple[Array, Array]:
-        """P = N/L [force/length] at which the inner and the outer contact reach p [stress]."""
+        """P = N/L [force/length] for the pressure p [stress] of the inner and outer contact."""
         p = positive(p, "pressure", "Pa")
         P_i, P_o = (p**2 * np.pi * R / E for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)
 
     def loads_at_half_width(self, a: ArrayLike) -> tuple[Array, Array]:
-        """P = N/L [force/length] at which the inner and the outer contact reach a [length]."""
+        """P = N/L [force/length] for the half-width a [length] of the inner and outer contact."""
         a = positive(a, "half-width", "m")
         P_i, P_o = (a**2 * np.pi * E / (4 * R) for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)

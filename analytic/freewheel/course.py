@@ -49,7 +49,7 @@ class Course:
 
     @property
     def slips_at(self) -> float:
-        """First time [s] of these at which mu_req exceeds mu; infinite if it holds throughout."""
+        """First time [s] of these at which mu_req exceeds mu; infinite if it never does."""
         slipping = np.flatnonzero(self.mu_req > self.mu)
         return float(self.t[slipping[0]]) if slipping.size else np.inf
 
@@ -64,7 +64,7 @@ def follow(
 ) -> Course:
     """Course of one clutch along `path`, at evenly spaced times unless `t` [s] names them.
 
-    A cycle needs some 100 times: the peak is then short of its value by 5e-4 at most.
+    A cycle needs some 100 times: the peak is then too small by at most 5e-4.
     """
     t = np.linspace(0, path.duration, POINTS) if t is None else np.asarray(t, dtype=np.float64)
     criterion.friction(mu)
@@ -84,7 +84,7 @@ def _without_round_off(load: Array) -> Array:
 
 
 def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
-    """Locked times next to overrunning ones with an axial load that keeps its sign in between.
+    """Locked times next to overrunning times, with an axial load of constant sign in between.
 
     A time without torque but with an axial load is one of them.
     """

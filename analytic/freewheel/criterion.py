@@ -52,13 +52,13 @@ def required_friction(*, alpha: ArrayLike, T: ArrayLike, F_ax: ArrayLike, R: Arr
 
 
 def required_friction_of_ratio(*, alpha: ArrayLike, ratio: ArrayLike, R: ArrayLike) -> Array:
-    """mu_req where the axial load is `ratio` = F_ax/T [1/length] times the torque."""
+    """mu_req if the axial load is `ratio` = F_ax/T [1/length] times the torque."""
     lever = np.asarray(ratio, dtype=np.float64) * positive(R, "race's radius", "m")
     return np.asarray(np.tan(np.asarray(alpha)) * np.hypot(1.0, lever))
 
 
 def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: ArrayLike) -> Array:
-    """F_ax [force] on the whole clutch at which mu_req = mu; nan if it slips without (Eq. 9).
+    """F_ax [force] on the whole clutch at which mu_req = mu; nan if it slips without F_ax (Eq. 9).
 
     >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
     4.0
@@ -70,14 +70,14 @@ def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: Arra
 
 
 def safety(*, mu: ArrayLike, mu_req: ArrayLike) -> Array:
-    """Available over required friction, mu/mu_req (Eq. 10): the clutch holds from 1 on."""
+    """Available over required friction, mu/mu_req (Eq. 10): the clutch holds if >= 1."""
     return np.asarray(friction(mu) / np.asarray(mu_req))
 
 
 def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -> NDArray[np.str_]:
     """Class of mu/mu_req: "red" below `red`, "green" from `green` on, "yellow" between (Sec. 7).
 
-    "free" where the ratio is nan: the clutch overruns.
+    "free" if the ratio is nan: the clutch overruns.
 
     >>> traffic_light([0.79, 0.8, 1.0]).tolist()
     ['red', 'yellow', 'green']

@@ -1,6 +1,7 @@
-"""First limit of a clutch, as its torque grows under its axial load and as it falls.
+"""First limit of a clutch as its torque increases or decreases at constant axial load.
 
-Each limit is met alone: the axial load stays as the torque grows, and the reverse. SI units.
+Each limit is determined alone: the axial load is constant for increasing torque, and vice versa. SI
+units.
 """
 
 import math
@@ -51,10 +52,11 @@ class Limit:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Duty:
-    """A clutch with the friction mu under a torque and an axial load on the whole of it.
+    """A clutch with the friction mu under a torque and an axial load on the whole clutch.
 
-    T [N m] is positive where it locks, F_ax [N] not negative. `p_lim` [Pa] is the permissible
-    pressure, if any; `e_lim` is e/L up to which rollers may tilt, or until one end lifts off.
+    T [N m] is positive in the locking direction, F_ax [N] not negative. `p_lim` [Pa] is the
+    permissible pressure, if any; `e_lim` is the largest permissible e/L of tilting rollers, by
+    default that at which one end lifts off.
     """
 
     clutch: RollerClutch
@@ -120,7 +122,7 @@ class Duty:
 
     @property
     def least_torque(self) -> float:
-        """Torque [N m] above which friction transmits the axial load, 0 if it does at any torque.
+        """Torque [N m] above which friction transmits the axial load; 0 if it does at any torque.
 
         nan if no range of transmitted torques contains T.
         """
@@ -137,7 +139,7 @@ class Duty:
 
     @property
     def allowed_shift(self) -> float:
-        """e/L up to which the rollers do not tilt."""
+        """Largest e/L without tilting of the rollers."""
         return LIFT_OFF if self.e_lim is None else self.e_lim
 
     @property
@@ -159,7 +161,7 @@ class Duty:
         return sorted(found, key=lambda x: x.at)
 
     def largest_axial_load(self, T: Array) -> Array:
-        """F_ax [N] at which rollers' ends reach p_lim, or tilt, at T [N m]; nan without a state."""
+        """F_ax [N] at which the rollers' ends reach p_lim, or tilt, at T [N m]; nan without a state."""
         now, cam = state.loaded(self.clutch, T), self.clutch.cam
         share = np.full(T.shape, self.allowed_shift)
         if self.p_lim is not None:
@@ -171,7 +173,7 @@ class Duty:
 
 
 def uneven(factor: float) -> float:
-    """e/L at which Hertz's pressure at one end is `factor` times the even one; 0 where below 1.
+    """e/L at which Hertz's pressure at one end is `factor` times the mean; 0 if it is less than 1.
 
     >>> uneven(2**0.5), uneven(2.0)  # of a line load of 2 and of 4 times its mean: see `tilt`
     (0.16666666666666674, 0.33333333333333337)

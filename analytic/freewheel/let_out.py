@@ -1,8 +1,9 @@
-"""Loss of clamping force of a ring, held about the axis, that slips along it under torque.
+"""Loss of clamping force if a ring without rotation slips axially under torque.
 
-Slip is along the resultant of the friction, so that its parts along the axis and around it are as
-F_a and F_t. If the ring is held, the rollers move out of their wedges: the part around the
-axis equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
+Slip is along the resultant of the friction; its axial and circumferential components are
+proportional to F_a and F_t. If the ring cannot rotate, the rollers move out of their wedges: the
+circumferential component equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R dphi,
+until both are zero.
 """
 
 import numpy as np
@@ -17,7 +18,7 @@ GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 def let_out(clutch: RollerClutch, *, T: float, mu: float) -> tuple[Array, Array]:
     """Axial slip (m,) [length] with the friction mu, and the torque (m,) over T.
 
-    Backwards: the first is where nothing is left. nan if T alone slips, tan(alpha) > mu.
+    In reverse order: the first state has no force. nan if T alone slips, tan(alpha) > mu.
     """
     state = at_normal_force(clutch, GRID * loaded(clutch, T).N)
     tan = np.tan(state.alpha)

@@ -95,7 +95,7 @@ limits = roller_torque_limits  # its name in version 0.1
 
 
 def pop_through(clutch: RollerClutch) -> Array:
-    """Torque [force x length] at the maximum alone; infinite without a maximum."""
+    """Torque [force x length] at the maximum; infinite without a maximum."""
     last = _last(clutch)
     summit = _summit(clutch, last)
     within = last >= summit
@@ -110,12 +110,12 @@ def _last(clutch: RollerClutch) -> Array:
 
 
 def _summit(clutch: RollerClutch, last: Array) -> Array:
-    """Normal force [force] from which on torque no longer grows; infinite if never."""
+    """Normal force [force] above which the torque no longer increases; infinite if never."""
     return _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
 
 
 def _release(clutch: RollerClutch, mu: Array) -> Array:
-    """Torque at which tan(alpha) = mu: 0 where it is more without load, infinite if never."""
+    """Torque at which tan(alpha) = mu: 0 if it is larger without load, infinite if never."""
     at = state.at_angle(clutch, 2 * np.arctan(mu))
     started = np.tan(clutch.cam.alpha0) > mu
     reached = np.where(clutch.cam.sense > 0, at.T, np.inf)
@@ -130,7 +130,7 @@ def _growth(now: RollerClutchState) -> Array:
 
 
 def _corner_angle(now: RollerClutchState) -> Array:
-    """Half the angle psi [rad] under which the contact would stand at the corner."""
+    """Half of the angle psi [rad] for which the contact is at the corner."""
     cam = now.bodies.clutch.cam
     _, y = cam.centre(d_i=now.d_i, d_o=now.d_o)
     return np.asarray(np.arctan(cam.corner / y) / 2)
@@ -139,7 +139,7 @@ def _corner_angle(now: RollerClutchState) -> Array:
 def _first(
     clutch: RollerClutch, last: Array, met: Callable[[RollerClutchState], NDArray[np.bool_]]
 ) -> Array:
-    """Least normal force [force] at which `met` holds, on bisection; infinite if never."""
+    """Least normal force [force] at which `met` is true, by bisection; infinite if never."""
     shape = np.broadcast_shapes(last.shape, clutch.cam.alpha0.shape)
     low, high = np.broadcast_to(LEAST * last, shape), np.broadcast_to(last, shape)
     never = ~met(state.at_normal_force(clutch, high))

@@ -1,4 +1,4 @@
-"""Changes by which a clutch holds, and the margin of one that holds. Lengths in m."""
+"""Changes with which a clutch holds, and the margin of a clutch that holds. Lengths in m."""
 
 import math
 from collections.abc import Callable
@@ -34,7 +34,7 @@ def shifted(clutch: RollerClutch, name: str, by: Array | float) -> RollerClutch:
 
 
 def ratios(duty: Duty, clutch: RollerClutch) -> Array:
-    """mu/mu_req of `clutch` under these loads; 0 where it releases itself or has no state at T."""
+    """mu/mu_req of `clutch` under these loads; 0 if it releases itself or has no state at T."""
     now = state.loaded(clutch, duty.T)
     asked = criterion.required_friction(
         alpha=now.alpha, T=duty.T, F_ax=duty.F_ax, R=clutch.cam.race
@@ -50,7 +50,7 @@ def moved_to(duty: Duty, goal: float) -> float:
 
 
 def to_spare(duty: Duty) -> float:
-    """Largest shift [m] of the flats towards the axis at which it holds; nan if unlimited."""
+    """Largest shift [m] of the flats towards the axis for which it holds; nan if unlimited."""
     far = -_first(duty, -1.0, lambda dX: ratios(duty, _nearer(duty, dX)) < 1)
     return far if far > 0 else math.nan
 
@@ -66,7 +66,7 @@ def until_pop_through(duty: Duty) -> float:
 
 
 def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) -> float:
-    """The first dX [m] of this sign, up to next to no wedge, at which `met` holds; nan if none."""
+    """The first dX [m] of this sign, down to nearly no wedge, with `met` true; nan if none."""
     dX = sense * np.linspace(0.0, MAX_SHIFT * duty.clutch.cam.room, POINTS)
     there = met(dX)
     if not np.any(there):
@@ -78,7 +78,7 @@ def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) 
 
 
 def _nearer(duty: Duty, dX: Array) -> RollerClutch:
-    """Clutches with their flats nearer; those past a corner stay at the last that is not."""
+    """Clutches with flats nearer to the axis; at a corner, the last possible clutch is repeated."""
     for share in np.linspace(1.0, 0.0, 50):
         try:
             return shifted(duty.clutch, "X", np.maximum(dX, share * dX.min()))
@@ -88,7 +88,7 @@ def _nearer(duty: Duty, dX: Array) -> RollerClutch:
 
 
 def friction_for(duty: Duty, goal: float) -> float:
-    """Friction at which mu/mu_req is `goal`, or more if the rollers need it to stay.
+    """Friction at which mu/mu_req is `goal`, or more if it is needed to hold the rollers.
 
     ValueError if no equilibrium exists at the torque.
     """
@@ -117,9 +117,9 @@ def per_micrometre(duty: Duty) -> dict[str, float]:
 
 
 def bearing(duty: Duty) -> list[tuple[str, float]]:
-    """L, R_a, X [m] that just give an equilibrium at T, where `duty` has none; if they exist.
+    """L, R_a, X [m] with a limiting equilibrium at T, for which `duty` has none; if they exist.
 
-    All torques grow with L; R_a is the outer radius of the part with its housing.
+    All torques are proportional to L; R_a is the outer radius of the part with its housing.
     """
     clutch, cam = duty.clutch, duty.clutch.cam
     L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))
@@ -143,7 +143,7 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
 def _towards(
     T: float, near: float, far: float, made: Callable[[float], RollerClutch]
 ) -> float | None:
-    """The value between `near` and `far` from which on the clutch `made` of it carries T [N m]."""
+    """The value between `near` and `far` from which the clutch `made` with it carries T [N m]."""
 
     def bears(value: float) -> bool:
         return bool(np.isfinite(state.loaded(made(value), T).N))

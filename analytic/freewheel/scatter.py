@@ -40,7 +40,7 @@ class Scatter:
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles and shares, SI; shares of none are left out, but for those that slip."""
+        """Percentiles and shares, SI; shares of zero are omitted, except that of slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
         found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}
@@ -94,5 +94,5 @@ def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
 
 
 def deviation(cam: Cam, sigma: Mapping[str, float]) -> float:
-    """Standard deviation of alpha_0 [rad] to first order; 0 where nothing scatters."""
+    """Standard deviation of alpha_0 [rad] to first order; 0 without scatter."""
     return first_order(cam, sigma)[0] if sigma else 0.0

@@ -53,7 +53,7 @@ def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
 
 
 def _over_ratios(function: Callable[..., float], ratio: Array, n: ArrayLike) -> Array:
-    """`function` of ratio and n, through interpolation in ln(ratio - 1) where there are many."""
+    """`function` of ratio and n, interpolated in ln(ratio - 1) if there are many values."""
     ratio, n = np.broadcast_arrays(ratio, np.asarray(n))
     found = np.empty(ratio.shape)
     for count in np.unique(n):
@@ -104,7 +104,7 @@ def _star(ratio: float, *, n: int, nu: float) -> float:
 def _clamped_waves(m: Array, s: float, nu: float) -> Array:
     """E' U/(p r_o) of the pressures cos(m theta), m >= 2, on the rim 1, with the bore s clamped.
 
-    The powers of `clamped_race`; those that fall outwards are scaled to 1 at the bore.
+    The powers of `clamped_race`; those that decrease outwards are scaled to 1 at the bore.
     """
     k, one = (3 - nu) / (1 + nu), np.ones(m.size)
     U = np.array([one, one, k - m - 1, k + m - 1])

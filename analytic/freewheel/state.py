@@ -129,7 +129,7 @@ def at_angle(clutch: RollerClutch, psi: ArrayLike) -> RollerClutchState:
 def _newton(
     residual: Callable[[Array], tuple[Array, Array]], start: Array, clutch: RollerClutch
 ) -> Array:
-    """N [force] where `residual`, a function of ln N with its slope, vanishes; 0 stays 0."""
+    """N [force] at which `residual`, a function of ln N with its slope, vanishes; 0 remains 0."""
     N, ceiling = np.minimum(start, _widest(clutch)), _widest(clutch)
     with np.errstate(divide="ignore", invalid="ignore"):
         for _ in range(STEPS):
@@ -143,7 +143,7 @@ def _newton(
 
 
 def _widest(clutch: RollerClutch) -> Array:
-    """N [force] at which the wider contact reaches the half-width where Hertz ends."""
+    """N [force] at which the wider contact reaches the half-width limit of Hertz's theory."""
     return np.asarray(
         clutch.L * np.minimum(*clutch.loads_at_half_width(WIDEST * clutch.cam.roller))
     )

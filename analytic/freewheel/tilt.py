@@ -27,7 +27,7 @@ def offset(*, F_a: ArrayLike, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike) ->
 
 
 def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
-    """Peak of the line load over its mean; infinite if e reaches the roller's end.
+    """Peak of the line load over its mean; infinite if e reaches the end of the roller.
 
     >>> peak_factor(e=[0.0, 1.0, 2.0], L=6.0).tolist()  # 1 + 6 e/L, then 4/(3 (1 - 2 e/L))
     [1.0, 2.0, 4.0]

@@ -65,10 +65,10 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Ensemble:
-    """Clutches drawn: arrays of those that wedge, and the outcome of each of all.
+    """Sampled clutches: arrays for those that wedge, and the outcome of each of all.
 
     Angles in rad; alpha and mu_req under the load, nan if there is no state. `outcomes` are
-    `Outcome`s, "no state" where an outer cam's rollers pop through or contacts are too wide.
+    `Outcome`s; "no state" if the rollers of an outer cam pop through or contacts are too wide.
     """
 
     drawn: dict[str, Array]

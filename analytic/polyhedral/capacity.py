@@ -34,10 +34,10 @@ STEP = 1e-3  # relative change of N in difference quotients
 
 @dataclass(frozen=True)
 class Driven:
-    """Ring that is locked while its hub turns it: R is proportional to N.
+    """Ring that is locked while the hub rotates it: R is proportional to N.
 
-    The hub touches each flat at e [length] from its middle, with the friction tan_phi; grip is the
-    tangential over the normal force of a roller on the race D_i.
+    The hub touches each flat at e [length] from its middle with the friction tan_phi; grip is the
+    ratio of tangential to normal force of a roller on the race D_i.
 
     >>> from analytic.polyhedral.locking import Roller
     >>> from analytic.polyhedral.sector import Sector
@@ -76,9 +76,9 @@ class Driven:
         return self.contact.lift(hub)
 
     def pressure(self, N: float) -> float:
-        """Pressure [stress] at which the rollers carry N each; it falls if the hub wedges them.
+        """Pressure [stress] at which each roller carries N; it decreases if the hub wedges them.
 
-        Then no pressure holds N; `required_pressure` is the pressure that leads to this state.
+        In the latter case, the state is not reached at this pressure; see `required_pressure`.
         """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
 
@@ -101,7 +101,7 @@ class Driven:
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:
-        """Force N of a roller under the pressure p; 0 before it touches, infinite beyond limits."""
+        """Force N of a roller under the pressure p; 0 without contact, infinite beyond limits."""
         contact, lift = self.contact, self.lift
         p = float(positive(p, "the pressure p", "Pa"))
         if p * contact.growth <= contact.roller.j_D / 2:

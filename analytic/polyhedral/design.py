@@ -80,7 +80,7 @@ class PolyhedralClutch:
 
     @property
     def p_2(self) -> float:
-        """Blocking pressure [Pa] left for the rollers (Eq. 19)."""
+        """Blocking pressure [Pa] that acts on the rollers (Eq. 19)."""
         return float(torque.blocking_pressure(p_t=self.p_t, p_1r=self.p_1r))
 
     @property
@@ -114,7 +114,7 @@ class PolyhedralClutch:
 
     @property
     def hub_share(self) -> float:
-        """Share of N that the hub brings; from 1 on pressure does not limit the torque."""
+        """Share of the hub in N; if it is at least 1, pressure does not limit the torque."""
         hub = {"lever": self.arm, "psi": self.parts.psi, "phi_1": self.phi_1}
         share = torque.hub_share(mu=self.grip, D_i=self.parts.D_i, gamma=self.direction, **hub)
         return float(share)
@@ -148,18 +148,18 @@ class PolyhedralClutch:
 
     @property
     def N(self) -> float:
-        """Normal force [N] on a roller (Eq. 16); F alone while M_t is 0."""
+        """Normal force [N] on a roller (Eq. 16); F alone if M_t is 0."""
         gamma = self.direction
         return float(forces.normal_force(F=self.F, R=self.R, phi_1=self.phi_1, gamma=gamma))
 
     @property
     def p_0_ring(self) -> float:
-        """Hertz's largest pressure [Pa] under N where the roller meets the ring."""
+        """Hertz's largest pressure [Pa] under N between roller and ring."""
         return self._hertz(R_2=self.parts.d_e / 2)
 
     @property
     def p_0_race(self) -> float:
-        """Hertz's largest pressure [Pa] under N where the roller meets the race."""
+        """Hertz's largest pressure [Pa] under N between roller and race."""
         return self._hertz(R_2=-self.parts.D_i / 2)
 
     @property
@@ -200,7 +200,7 @@ class PolyhedralClutch:
 
     @property
     def _chain(self) -> dict[str, float]:
-        """Arguments of Eq. 20, whichever unknown it is solved for."""
+        """Arguments of Eq. 20, for either unknown."""
         parts = self.parts
         geometry = {"z": parts.z, "D_i": parts.D_i, "d_i": parts.d_i, "b": parts.b}
         return {"p_1r": self.p_1r, "share": self.hub_share, "mu": self.grip, **geometry}

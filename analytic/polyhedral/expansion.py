@@ -1,4 +1,4 @@
-r"""Pressure that takes up the clearance of the polyhedral ring (Belcin et al., Eqs. 6-12).
+r"""Pressure that closes the clearance of the polyhedral ring (Belcin et al., Eqs. 6-12).
 
 .. math::
     j_D = D_i - (d_e + 2d), \qquad \sigma_t = \frac{E j_D}{d_m}, \qquad
@@ -101,7 +101,7 @@ def many_corners_factor(*, d_i: ArrayLike, d_e: ArrayLike) -> Array:
 def round_ring_pressure(
     *, j_D: ArrayLike, d_i: float, d_e: float, E: ArrayLike, nu: float, ends: lame.Ends
 ) -> Array:
-    """Pressure [stress] under which a round ring grows by j_D outside, by Lamé."""
+    """Pressure [stress] under which the outside of a round ring grows by j_D, by Lamé."""
     wall = {"r_i": d_i / 2, "r_o": d_e / 2}
     u = lame.radial_displacement(d_e / 2, **wall, p_i=1.0, E=E, nu=nu, ends=ends)
     return np.asarray(positive(j_D, "clearance j_D", "m") / (2 * u))

@@ -17,7 +17,7 @@ def loaded_fillet_stress(
 ) -> float:
     """Largest hoop stress [stress] under the pressure p, the hub's force, and N on 2 a above flats.
 
-    N per unit length, 0 where no roller touches. The largest of `ALONG` points.
+    N per unit length, 0 without contact of rollers. The largest of `ALONG` points.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> alone, pressed_back = (loaded_fillet_stress(ring, p=30.0, N=N, a=0.1) for N in (0.0, 180.0))
@@ -37,7 +37,7 @@ def loaded_fillet_stress(
 def driven_fillet_stress(hub: Driven, N: float, p: float) -> float:
     """Largest fillet stress of a ring driven by its hub, whose rollers carry N per unit length.
 
-    No rollers and no hub where N is 0 or infinite.
+    Without rollers and hub if N is 0 or infinite.
     """
     if not 0 < N < np.inf:
         return loaded_fillet_stress(hub.contact.sector, p=p)

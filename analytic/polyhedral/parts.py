@@ -101,7 +101,7 @@ class PolyhedralParts:
             )
 
     def hub_must_release(self, phi_1: float) -> None:
-        """ValueError unless psi > phi_1 [rad]: else the hub's friction holds the ring."""
+        """ValueError unless psi > phi_1 [rad]: otherwise, friction of the hub blocks the ring."""
         if not self.psi > phi_1:
             raise ValueError(
                 f"hub locks: psi must exceed the angle of friction, got psi={degrees(self.psi):g} "

@@ -76,7 +76,7 @@ class Sector:
 
     @property
     def straight(self) -> float:
-        """Half the straight length of a flat; the rest of it is the fillets'."""
+        """Half the straight length of a flat; the rest of the flat belongs to the fillets."""
         return float(self.fillet_centre * np.sin(self.half_angle))
 
     @property

@@ -59,7 +59,7 @@ def hub_releases(*, psi: ArrayLike, phi_1: ArrayLike) -> NDArray[np.bool_]:
 
 
 def blocking_pressure(*, p_t: ArrayLike, p_1r: ArrayLike) -> Array:
-    """Pressure p_2 [stress] left when the ring touches the rollers (Eq. 19); 0 before it does."""
+    """Pressure p_2 [stress] that remains after contact of ring and rollers (Eq. 19); 0 before."""
     p_t, p_1r = not_negative(p_t, "pressure p_t", "Pa"), not_negative(p_1r, "pressure p_1r", "Pa")
     return np.maximum(p_t - p_1r, 0.0)
 
@@ -77,7 +77,7 @@ def torque(
 ) -> Array:
     """Largest torque M_t [force x length] under the total pressure p_t (Eqs. 17 and 20).
 
-    0 where the ring does not touch the rollers, infinite if it does and locks itself.
+    0 if the ring does not touch the rollers; infinite if it does and locks itself.
     """
     p_2 = blocking_pressure(p_t=p_t, p_1r=p_1r)
     F = forces.pressure_force(p_2=p_2, b=b, d_i=d_i, z=z)
@@ -98,7 +98,7 @@ def required_pressure(
     d_i: ArrayLike,
     b: ArrayLike,
 ) -> Array:
-    """Total pressure p_t [stress] that the torque M_t needs (Eqs. 18 and 20); p_1r at least."""
+    """Total pressure p_t [stress] required for the torque M_t (Eqs. 18 and 20); at least p_1r."""
     N = wedging.least_normal_force(M_t=M_t, mu=mu, z=z, D_i=D_i)
     F = N * np.maximum(1 - np.asarray(share), 0.0)
     unit = forces.pressure_force(p_2=1.0, b=b, d_i=d_i, z=z)

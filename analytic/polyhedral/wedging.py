@@ -48,7 +48,7 @@ def largest_angle(*, mu: ArrayLike) -> Array:
 def cage_force(*, N: ArrayLike, alpha: ArrayLike, mu: ArrayLike) -> Array:
     """Force [force] along the bisector that pulls the roller out when both contacts slip (Eq. 1).
 
-    Negative where the roller must be pushed in to stay at all.
+    Negative if a force into the wedge is needed to hold the roller.
     """
     half, N = _wedge(alpha) / 2, not_negative(N, "normal force", "N")
     return np.asarray(2 * N * (friction(mu) * np.cos(half) - np.sin(half)))
@@ -73,7 +73,7 @@ def tangential_force(*, N: ArrayLike, alpha: ArrayLike) -> Array:
 
 
 def torque(*, N: ArrayLike, alpha: ArrayLike, z: ArrayLike, D_i: ArrayLike) -> Array:
-    """Torque [force x length] of z free rollers where they hold (Eq. 3, corrected).
+    """Torque [force x length] of z free rollers that hold (Eq. 3, corrected).
 
     >>> round(float(torque(N=10.0, alpha=np.pi / 2, z=6, D_i=2.0)), 12)  # tan 45° = 1
     60.0

@@ -5,9 +5,9 @@ length on each patch have the Fourier coefficients, m = k n,
 
 .. math:: p_0 = \frac{nP}{2\pi r}, \qquad p_m = 2 p_0\,\frac{2 J_1(m\alpha)}{m\alpha}.
 
-`FourierRing` solves for the first of them. In what is left out no wave reaches the other wall, so
-that on the loaded wall it is summed in closed form at its leading order 1/m, with phi = n theta,
-t over the patch, s = theta/alpha and <> the mean over the semi-ellipse:
+`FourierRing` solves for the first waves. Omitted waves do not reach the other wall; on the loaded
+wall, their sum has a closed form in the leading order 1/m, with phi = n theta, t over the patch, s
+= theta/alpha and <> the mean over the semi-ellipse:
 
 .. math::
     \sum_k \frac{2 J_1(k n\alpha)}{k n\alpha} \frac{\cos k\phi}{k}

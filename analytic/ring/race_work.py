@@ -1,4 +1,4 @@
-"""Race under Hertz's patches as a whole: the force in its cuts and its energy."""
+"""Complete race under Hertz's patches: the force in its sections and its energy."""
 
 import numpy as np
 

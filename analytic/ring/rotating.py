@@ -87,7 +87,7 @@ def strain_energy(
     nu: float,
     assumption: Assumption,
 ) -> float:
-    r"""Strain energy of the whole ring per unit length [force]: half the body force's work.
+    r"""Strain energy of the whole ring per unit length [force]: half the work of the body force.
 
     .. math:: U = \pi\rho\omega^2\int_{r_i}^{r_o} r^2 u_r\,dr
     """

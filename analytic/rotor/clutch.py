@@ -49,7 +49,7 @@ def slice_middles(*, L: float, n_s: int) -> Array:
 
 
 def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) -> Array:
-    """Angles [rad] of Z sprags around, from psi_0 on, without those `missing` (counted from 0).
+    """Angles [rad] of Z sprags, from psi_0 on, without the `missing` sprags (numbered from 0).
 
     >>> np.degrees(even_angles(Z=4, missing=(1,))).tolist()
     [0.0, 180.0, 270.0]
@@ -148,7 +148,7 @@ class SpragCoupling:
         return self.law(self.deformation(q))[1]
 
     def loads(self, q: ArrayLike) -> Array:
-        """(F_x, F_y, M_x, M_y, M_z) (..., 5) [N, N m] that hold displacements q (..., 5) (Eq. 9).
+        """(F_x, F_y, M_x, M_y, M_z) (..., 5) [N, N m] for displacements q (..., 5) (Eq. 9).
 
         Four sprags, d_t = 1 m, pressed equally by a twist of 1 rad:
 

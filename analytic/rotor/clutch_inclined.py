@@ -60,12 +60,12 @@ def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> fl
 def held_torsional_stiffness(
     *, Z: int, R_i: float, R_e: float, nu: float, k: float, N: float
 ) -> float:
-    """K_zz [N m/rad] of struts held in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
+    """K_zz [N m/rad] of struts pinned in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
 
     The distance of their ends obeys l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta; h = R_i sin nu. N [N]
     is the normal force of a sprag, k [N/m] its slope.
 
-    Without a force it is Z k d_t^2 with d_t = R_i tan nu:
+    Without a force, K_zz is Z k d_t^2 with d_t = R_i tan nu:
 
     >>> K = held_torsional_stiffness(Z=12, R_i=1.0, R_e=2.0, nu=0.1, k=2.0, N=0.0)
     >>> round(K / (12 * 2.0 * math.tan(0.1) ** 2), 12)

@@ -15,7 +15,7 @@ from analytic.rotor.clutch import Array, SpragCoupling
 def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
     """F_r [N] of Eq. 9 as printed: every sprag counts with the cosine of sprag i.
 
-    Four sprags with 3 N each give 12 N without any displacement across:
+    Four sprags with 3 N each give 12 N without any lateral displacement:
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
@@ -38,7 +38,7 @@ def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> floa
 
 
 def stiffness_with_lever(clutch: SpragCoupling, q: ArrayLike, *, lever: float) -> Array:
-    """K (5, 5) where the torque has another lever [m] than d_t: its last row times lever/d_t.
+    """K (5, 5) if the torque has another lever [m] than d_t: its last row times lever/d_t.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> psi = even_angles(Z=4, missing=(0,))

@@ -1,8 +1,8 @@
 """Clutch under load: twist under a torque, displacements under all loads.
 
-The deformation is linear in the displacements, so that the potential is convex: torque grows with
-twist, ever steeper, and Newton's method from a twist that is too large comes down to the root. Of
-all loads together the potential less their work has one minimum.
+The deformation is linear in the displacements; the potential is therefore convex. The torque
+increases progressively with the twist, and Newton's method from too large a twist converges
+monotonically to the root. For all loads together, the potential minus their work has one minimum.
 """
 
 import numpy as np
@@ -105,9 +105,9 @@ def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
 
 
 def _shortened(clutch: SpragCoupling, q: Array, step: Array, P: Array) -> float:
-    """Share of a step, halved until the potential does not rise steeply at its end; 0 if never.
+    """Share of a step, halved until the potential does not increase steeply at its end; 0 if never.
 
-    Slopes are judged, as values of the potential round off long before the loads do.
+    Slopes are compared, because round-off affects values of the potential long before loads.
     """
     slope = float((clutch.loads(q) - P) @ step)
     share = 1.0

@@ -1,8 +1,8 @@
-"""A clutch held aside and tilted at once: coupling of bending forces and tilts.
+"""A clutch with simultaneous offset and tilt: coupling of bending forces and tilts.
 
-At one end of the sprags the offset is twice as large, at the other there is none, so that the load
-is uneven around and along. Eq. 7 then couples a force along y with a tilt about x, and one along x
-with a tilt about y; even loads, or uneven ones around alone, couple neither.
+The offset is twice as large at one end of the sprags and zero at the other; the load is therefore
+not uniform around and along. Eq. 7 then couples a force along y with a tilt about x, and a force
+along x with a tilt about y; a uniform load, or a load that varies around only, couples neither.
 """
 
 import math

@@ -35,7 +35,7 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
 
 
 def approach(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
-    """Deflection delta_0 [m] of both contacts under N [N] (Eq. 2 solved for it).
+    """Deflection delta_0 [m] of both contacts under N [N], from Eq. 2.
 
     >>> float(approach(N=8.0, k_n=1.0, n=3.0))
     2.0

@@ -55,8 +55,8 @@ def study(
 ) -> Study:  # fmt: skip
     """`count` modes at the speed [rad/s], critical speeds, response, the lowest torsion.
 
-    `names` name the shafts, `unbalances` [kg m] lie at stations from 0, by the ratio of
-    their shaft; one that does not turn excites nothing.
+    `names` are the names of the shafts; `unbalances` [kg m] are at stations from 0, by the ratio of
+    their shaft. A shaft that does not rotate excites nothing.
     """
     return Study(
         modes=modes(rotor, speed, count=count),
@@ -71,7 +71,7 @@ def study(
 
 
 def ratios(rotor: TransferMatrixRotor) -> list[float]:
-    """Ratios of speed that unbalance may turn with, in the order of the shafts."""
+    """Speed ratios of rotating unbalances, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
 
 
@@ -86,9 +86,9 @@ def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> 
 
 
 def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
-    """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
+    """Critical speeds [rad/s] of whirl opposite to the unbalance, excited by anisotropic bearings.
 
-    Unbalance excites them only where bearings differ in x and y; where they are given so, all
+    Unbalance excites them only if bearings differ in x and y; if they are stated to differ, all
     critical speeds are also in `study`.
     """
     if not rotor.isotropic:
@@ -108,8 +108,8 @@ def branches(
 ) -> tuple[Array, Array, tuple[int, ...]]:
     """Speeds (n,) up to `top`, natural frequencies (n, branches) [rad/s], sense of each branch.
 
-    `count` branches, an even number. On unlike bearings, where whirl is elliptical, a branch has
-    the sense that it has among the modes `at_speed`.
+    `count` branches, an even number. On anisotropic bearings with elliptical whirl, the sense of a
+    branch is that among the modes `at_speed`.
     """
     speeds = np.linspace(0, top, CAMPBELL)
     if not rotor.isotropic:

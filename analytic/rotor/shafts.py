@@ -1,4 +1,4 @@
-r"""Simply supported uniform shafts that turn, closed form: whirl and critical speeds.
+r"""Simply supported uniform rotating shafts in closed form: whirl and critical speeds.
 
 Mode j of the length L has the wave number k = j pi/L. In the complex coordinate r = x + i y a whirl
 exp(i w t) at the speed W, forward where w > 0, follows from
@@ -104,7 +104,7 @@ class UniformShaft:
     def whirl(self, j: int, *, Omega: float = 0.0, theory: Theory) -> tuple[float, float]:
         """Angular frequencies [1/time] of mode j at the speed Omega: forward, backward (both > 0).
 
-        Timoshenko's upper pair, where shear and slope swing against each other, is left out.
+        Timoshenko's upper pair, in which shear and slope oscillate in opposition, is omitted.
 
         >>> UniformShaft(L=np.pi, d_o=4.0, E=1.0, nu=0.3, rho=1.0, kappa=0.9).whirl(
         ...     1, theory="euler")  # sqrt(E I k^4/(rho A)) = radius of gyration, d/4
@@ -123,7 +123,7 @@ class UniformShaft:
         return self._timoshenko(k, Omega)
 
     def critical_speed(self, j: int, *, theory: Theory, backward: bool = False) -> float:
-        """Speed [1/time] that meets mode j whirling at that speed, forward or backward; or inf.
+        """Speed [1/time] equal to the whirl frequency of mode j, forward or backward; or inf.
 
         Infinite if the gyroscopic stiffening outruns the speed.
 

@@ -1,4 +1,4 @@
-"""Check that bearings and links hold every shaft of a rotor: no free rigid motion."""
+"""Check that bearings and links support every shaft of a rotor: no free rigid motion."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ FREE = 1e-12  # relative to the largest stiffness
 def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> None:
     """ValueError that names the shaft and the free motion: along x or y, or tilting.
 
-    `names` are the shafts' in messages, numbers from 1 where left out.
+    `names` are the names of the shafts in messages, by default numbers from 1.
     """
     values, vectors = np.linalg.eigh(rigid_stiffness(rotor))
     if values[-1] <= 0:
@@ -33,7 +33,7 @@ def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> 
 def rigid_stiffness(rotor: TransferMatrixRotor) -> NDArray[np.float64]:
     """Stiffness of the shafts' rigid motions: shift and tilt about the middle, each in x and y.
 
-    Tilts are measured by the shift that they give half a length away.
+    Tilts are measured by their displacement at half a length.
     """
     lengths = [sum(s.length for s in shaft.segments) for shaft in rotor.shafts]
     motions = np.zeros((rotor.stations, 4, 4 * len(rotor.shafts)))  # x, y, theta_y, -theta_x

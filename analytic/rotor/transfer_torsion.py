@@ -21,8 +21,7 @@ FREE = 1e-12
 def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Array:
     """The lowest `count` natural frequencies (count,) of torsion above zero [rad/s].
 
-    Shafts that nothing holds turn freely, which is no frequency here.
-    ValueError: count < 1.
+    The free rotation of unsupported shafts is no frequency here. ValueError: count < 1.
     """
     if count < 1:
         raise ValueError(f"count must be at least 1, got {count}")

@@ -1,4 +1,4 @@
-r"""Points of the forces on a wedged sprag whose ends move sideways and turn.
+r"""Points of the forces on a wedged sprag whose ends move laterally and rotate.
 
 Forces that leave the middle of a column bend it into an S. Its ends turn by psi (anticlockwise) and
 move by u to the side of A, against its core; so do, by u_r, the races under T = N tan(nu). Surfaces
@@ -76,7 +76,7 @@ class Shift:
 
 
 def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -> Ends | None:
-    """Under Hertz patches of half-widths `a` [length], against the column's core beside its pole.
+    """Under Hertz patches of half-widths `a` [length], relative to the core of the column.
 
     None if a contact lies beyond a flank.
     """
@@ -111,9 +111,9 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
 
 
 def shift(at: Triangle, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
-    """Of a wedged sprag under P = N/(l E') [length]; `races` [length] move sideways as far.
+    """For a wedged sprag under P = N/(l E') [length]; `races` [length] is their lateral motion.
 
-    Both are positive: the inner race to the side of A, the outer one away from it.
+    Both are positive: the inner race moves to the side of A, the outer race away from it.
     """
     OA, OB, beta = float(at.OA), float(at.OB), float(at.beta)
     m, r_e = float(np.asarray(column.sprag.m)), float(np.asarray(column.sprag.r_e))

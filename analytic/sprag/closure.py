@@ -76,7 +76,7 @@ class Wedged:
 
     @property
     def h_i(self) -> Array:
-        """Lever [m] of N about the centroid (Eq. 15, where it is printed h)."""
+        """Lever arm [m] of N about the centroid (in Eq. 15, printed as h)."""
         return np.asarray(self.OC_g * np.sin(self.beta + self.gamma))
 
     @property
@@ -96,7 +96,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
-    """State whose spiral meets the inner race at OA_s and carries its forces at OA [m]."""
+    """State whose spiral touches the inner race at OA_s, with its forces at OA [m]."""
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
     OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)
@@ -118,7 +118,7 @@ def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Ar
 
 
 def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
-    """State under the torque T [N m] of the clutch, the first from no load upwards."""
+    """State under the torque T [N m] of the clutch, the first one for increasing load."""
     T = not_negative(T, "torque", "N m")
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))

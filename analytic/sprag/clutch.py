@@ -44,7 +44,7 @@ class SpragClutch:
         return np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
 
     def rigid_races(self) -> Self:
-        """Clutch with races that do not deflect as rings (Liu's model)."""
+        """Clutch with races without ring deflection (Liu's model)."""
         return replace(self, compliance=self.compliance.rigid_races())
 
 

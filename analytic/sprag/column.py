@@ -45,9 +45,9 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """A sprag cut by flanks at the distance b [length], about the unloaded line of both contacts.
+    """A sprag with flanks at the distance b [length], about the unloaded line of both contacts.
 
-    ValueError if the flanks meet the spiral or the arc nowhere within 75 degrees.
+    ValueError if the flanks do not intersect the spiral or the arc within 75 degrees.
     """
 
     sprag: LogSprag
@@ -70,7 +70,7 @@ class Column:
 
     @property
     def core(self) -> complex:
-        """The point of the middle line beside the pole."""
+        """The point of the middle line next to the pole."""
         low, along = self._middle
         return complex(low - (low * np.conj(along)).real * along)
 
@@ -87,9 +87,9 @@ class Column:
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
-        """Distances of both contacts from the nearer flank, over half of the flanks' distance.
+        """Distances of both contacts from the nearer flank, over half the distance of the flanks.
 
-        1 in the middle, 0 at a flank, below beyond; angles count for lengths.
+        1 in the middle, 0 at a flank, negative beyond; angles are used as lengths.
         """
         at = float(self.sprag.eta_0) + turned, -alpha_b
         inner, outer = (
@@ -99,7 +99,7 @@ class Column:
         return inner, outer
 
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
-        """With the contacts where they are at these angles [rad]; the pole is 0, the arc's top +y.
+        """With the contacts at these angles [rad]; the pole is 0, the top of the arc +y.
 
         None if a contact lies beyond a flank.
         """
@@ -136,7 +136,7 @@ class Column:
 
     @cached_property
     def _flanks(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        """Angles of the spiral and of the arc where the right and the left flank end them."""
+        """Angles of the spiral and of the arc at the right and the left flank."""
         low, along = self._middle
         lean = float(np.angle(-1j * along))  # anticlockwise
         below = _ends(lambda t: ((self._spiral(t) - low) / along).imag, lean, self.b)
@@ -152,7 +152,7 @@ class Column:
 def _ends(
     leftwards: Callable[[Array], Array], middle: float, b: float
 ) -> tuple[Array, Array] | None:
-    """Angles at which the curve is b/2 right and left of the middle line, or None."""
+    """Angles at which the curve is b/2 to the right and left of the middle line, or None."""
     low, high = middle - STEEPEST, middle + STEEPEST
     if not leftwards(np.array(high)) < -b / 2 < b / 2 < leftwards(np.array(low)):
         return None

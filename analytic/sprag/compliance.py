@@ -63,7 +63,7 @@ class Compliance:
         not_negative(self.d_ce, "growth d_ce", "m")
 
     def yields(self, N: ArrayLike) -> Yields:
-        """Deflections under the force N [N], nan if N is or where a law of a contact ends."""
+        """Deflections under the force N [N], nan if N is nan or beyond the law of a contact."""
         N = np.asarray(N, dtype=np.float64)
         return Yields(
             contact_i=self.contact_i(N), contact_e=self.contact_e(N),
@@ -72,5 +72,5 @@ class Compliance:
         )  # fmt: skip
 
     def rigid_races(self) -> Self:
-        """Compliance with races that do not deflect as rings (Liu's model)."""
+        """Compliance with races without ring deflection (Liu's model)."""
         return replace(self, race_i=0.0, race_e=0.0)

@@ -36,13 +36,13 @@ def rolled(clutch: SpragClutch, N: ArrayLike) -> Array:
 
 
 def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Elastic energy U [J] that one sprag and its share of the races hold under N [N]."""
+    """Elastic energy U [J] of one sprag and its share of the races under N [N]."""
     on_way = _way(clutch, N)
     return _integral(on_way.N, on_way.yields.H)
 
 
 def work(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Work [J] of both forces of one sprag on all deflections, N_e dH_e for N dH_e in U."""
+    """Work [J] of both forces of one sprag on all deflections: U with N_e dH_e for N dH_e."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))

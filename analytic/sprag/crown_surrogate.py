@@ -69,7 +69,7 @@ def searched(
 
 
 def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mapping[str, Array]:
-    """The optimal crown, how surrogate and true model came together, and the surrogate's maps.
+    """The optimal crown, the convergence of surrogate and true model, and maps of the surrogate.
 
     Also its value at the crown `at_hand` (3,), or at the nearest of the box.
     """
@@ -100,7 +100,7 @@ def axes(box: Box) -> list[Array]:
 
 
 def held(box: Box, axis: int) -> float:
-    """The constant K_2 (1) or z_m (2) of a map; the box's middle where the box lacks it."""
+    """The constant K_2 (1) or z_m (2) of a map; the middle of the box if the box excludes it."""
     low, high, value = box.low[axis], box.high[axis], HELD[axis]
     return value if low <= value <= high else (low + high) / 2
 

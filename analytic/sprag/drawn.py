@@ -65,9 +65,9 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Touching:
-    """A sprag held by two forces: its rotation, angles [rad], the clutch's torque [N m].
+    """A sprag under two forces: its rotation, angles [rad], the torque of the clutch [N m].
 
-    `A` and `B`, where the forces act, and its pole `C` are places [m], (2,), B straight above O.
+    `A` and `B`, the points of the forces, and its pole `C` are positions [m], (2,); B is above O.
     """
 
     N: float

@@ -89,7 +89,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def column(self) -> Column | None:
-        """The sprag between its flanks; None if it is wider than its round parts."""
+        """The sprag between its flanks; None if it is wider than its curved parts."""
         try:
             return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
         except ValueError:
@@ -144,7 +144,7 @@ class ElasticSpragClutch:
         )
 
     def _constant(self, *, turned: float, alpha_b: float) -> float | None:
-        """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
+        """Approach of a sprag over P/E', without the logarithms of both half-widths in metres.
 
         None if its contacts are beyond its flanks.
         """
@@ -153,7 +153,7 @@ class ElasticSpragClutch:
 
     @property
     def _disc(self) -> float:
-        """The same of the disc between both races, which a sprag without flanks about is."""
+        """The same for the disc between both races, which approximates a sprag without flanks."""
         R_i, R_e = (float(np.asarray(R)) for R in (self.parts.sprag.R_i, self.parts.sprag.R_e))
         return 2 / math.pi * (2 * math.log(2 * (R_e - R_i)) - 1)
 

@@ -84,7 +84,7 @@ class Law(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Columns of the table at one rotation, and the slopes d/dalpha that sliding needs."""
+    """Columns of the table at one rotation, and the derivatives d/dalpha for sliding."""
 
     N: float
     OA: float
@@ -273,7 +273,7 @@ def torque_at(t: float, times: Array, torques: Array) -> float:
 
 @compiled
 def missed(before: Array, now: Array, D_V: float) -> int:
-    """Index, 0 or 1, of a contact that passed the sticking band between two steps; else -1."""
+    """Index, 0 or 1, of a contact that crossed the sticking band in one step; otherwise -1."""
     for contact in range(2):
         v, w = before[3 + contact], now[3 + contact]
         if v * w < 0 and min(abs(v), abs(w)) >= D_V and now[5 + contact] > 0:

@@ -66,7 +66,7 @@ def rolling(mode: Mode) -> list[int]:
 
 @lru_cache(maxsize=9)
 def free(mode: Mode) -> tuple[list[int], list[int], list[int]]:
-    """Contacts that roll, speeds that are free, and those that are not: phi', then alpha'."""
+    """Contacts that roll, free speeds, and dependent speeds: phi', then alpha'."""
     bound = rolling(mode)
     kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
     return bound, kept, [k for k in range(4) if k not in kept]
@@ -104,7 +104,7 @@ class System:
         self._known: dict[tuple[float, bytes, Mode], tuple[Array, Array, Array, float]] = {}
 
     def rest(self, speeds: Speeds) -> Array:
-        """Angles and speeds [rad, rad/s] where the blades alone press and T_i = 0, (8,)."""
+        """Angles and speeds [rad, rad/s] under the springs only, with T_i = 0, (8,)."""
 
         def excess(alpha: float) -> float:
             N, _, OB, _, _, b_e, h = self.sprag.at(alpha)[0]
@@ -143,7 +143,7 @@ class System:
         return self._known[key]
 
     def rates(self, t: float, y: Array, mode: Mode) -> Array:
-        """Derivatives of the state, for which the friction of rolling need not be known."""
+        """Derivatives of the state, computed without the friction of rolling."""
         return np.concatenate([y[4:], self._driven(t, y, mode)[0]])
 
     def _driven(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, Array, float]:
@@ -247,10 +247,10 @@ def engage_by_events(
     balanced: bool = False,
     rtol: float = 1e-9,
 ) -> Events:
-    """Engagement over `duration` [s] from rest under the blades, but for `speeds`; SI units.
+    """Engagement over `duration` [s] from rest under the springs, except for `speeds`; SI units.
 
-    `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` is for the
-    friction that this takes. `balanced` as in `table`. ArithmeticError if the solver or the
+    `unlimited` friction: the contacts always roll (assumption of Xu and Liu); `asked` is for the
+    friction that this requires. `balanced` as in `table`. ArithmeticError if the solver or the
     number of events fails.
     """
     system = System(Sprag(states, n_s, balanced=balanced), motion, torque, unlimited=unlimited)

@@ -49,7 +49,7 @@ class Triangle:
 def triangle(*, OA: ArrayLike, OC_e: ArrayLike, m: ArrayLike) -> Triangle:
     """Triangle O A C_e of a spiral that meets a circle of the radius OA (Eq. 10).
 
-    nan if the spiral's pole is too near to O for it.
+    nan if the pole of the spiral is too near to O for an intersection.
 
     >>> t = triangle(OA=3.0, OC_e=np.sqrt(17), m=1.0)  # 17 = 9 + 2 + 6
     >>> np.round([t.rho**2, np.tan(t.eta), np.tan(t.beta)], 12).tolist()
@@ -84,8 +84,8 @@ def strut(*, OA: ArrayLike, OB: ArrayLike, beta: ArrayLike) -> tuple[Array, Arra
 class LogSprag:
     """Sprag at its first contact with an inner race of the radius R_i and a bore of R_e [length].
 
-    m is the spiral's growth, r_i its radius of curvature where it first touches. ValueError for
-    what cannot wedge.
+    m is the growth of the spiral, r_i its radius of curvature at first contact. ValueError for
+    sprags that cannot wedge.
 
     >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
     >>> round(float(np.degrees(sprag.nu_0)), 2)

@@ -39,7 +39,7 @@ DEGREE = 24  # of the polynomials: 4e-4 of a sprag's approach
 class Outline:
     """Force points A and B as x + iy [length], and the outline between them on either side, (m,).
 
-    The body lies to the right of `left` and to the left of `right`, as seen with B above A.
+    The body is to the right of `left` and to the left of `right`, seen with B above A.
     """
 
     A: complex

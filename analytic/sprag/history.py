@@ -95,7 +95,7 @@ class Engagement:
     def peak(self) -> tuple[float, float]:
         """Time [s] and height [N] of the largest N, on the parabola through three samples.
 
-        If the profile's end is passed, it is the last sample within the profile.
+        If the end of the profile is passed, the last sample within the profile.
         """
         return _summit(self.t, self.N, int(np.argmax(self.N)))
 
@@ -113,7 +113,7 @@ class Engagement:
 
     @cached_property
     def N_static(self) -> float:
-        """N [N] of the closure at rest under the last torque, without blades; nan past the end."""
+        """N [N] of the closure at rest under the last torque, without springs; nan past the end."""
         C, end = float(self.torque.values[-1]), self.table.end
         if C <= 0 or self.table.static_torque(end) < C:
             return 0.0 if C <= 0 else float("nan")
@@ -129,8 +129,8 @@ class Engagement:
     def followed(self) -> bool:
         """Whether the largest force is a peak or at rest: no rise at the end.
 
-        An engagement over the end has been followed as far as there is one; one whose inner race
-        still overruns has not begun.
+        An engagement past the end of the profile is complete; an engagement whose inner race still
+        overruns has not begun.
         """
         N = self.N
         if self.over:

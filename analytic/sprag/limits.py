@@ -27,7 +27,7 @@ class SpragClutchLimits:
 
     @property
     def torque(self) -> Array:
-        """The lesser of both."""
+        """The smaller of both."""
         return np.asarray(np.minimum(self.slip, self.end_of_cam))
 
 

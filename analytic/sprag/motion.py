@@ -12,8 +12,9 @@ from analytic.contact.checks import Array, finite, not_negative, positive
 class Motion:
     """Everything of Eqs. 12-16 that is not geometry; SI. ValueError for impossible values.
 
-    `k_out` is the torsional stiffness that holds the outer race, `C_rl` the damping between the
-    races, `K_r` and `alpha_max` the blades that press a sprag on its races.
+    `k_out` is the torsional stiffness of the support of the outer race, `C_rl` the damping between
+    the races, `K_r` and `alpha_max` those of the energizing springs that press a sprag on its
+    races.
     """
 
     m_g: float  # kg

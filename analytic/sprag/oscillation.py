@@ -1,6 +1,6 @@
 """A sprag clutch about its state at rest, in steps: slow rises, free oscillations, first peaks.
 
-What is compiled is imported where it runs.
+Compiled code is imported when it is used.
 """
 
 import math
@@ -26,7 +26,7 @@ STEP = 0.01  # step over the torque that starts the oscillation
 
 
 def held(motion: Motion, **changes: float) -> Motion:
-    """Motion with the outer race held."""
+    """Motion with a fixed outer race."""
     return replace(motion, I_be=HELD * motion.I_be, **changes)
 
 
@@ -37,7 +37,7 @@ def strut_table(spring: RaceSpring) -> Table:
 
 @dataclass(frozen=True)
 class Oscillation:
-    """A clutch with its outer race held that is at rest under the torque T [N m], or comes to it.
+    """A clutch with a fixed outer race that is at rest under the torque T [N m], or comes to rest.
 
     Small oscillations about rest have about the frequency f [Hz] and the stiffness k [N m/rad]:
     these set times and damping alone. Integrated is `motion`, on the clutch `spring`.

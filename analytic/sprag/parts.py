@@ -21,8 +21,8 @@ from analytic.sprag.laws import Law, palmgren_law, plane_law
 class SpragClutchParts:
     """n_s sprags l long and b wide between rings R_id..R_i and R_e..R_ed of one material [SI].
 
-    `rho` [kg/m³] and the speed `omega` [rad/s] make the outer race's growth. ValueError if a
-    race has no wall or the sprags no room beside each other.
+    The density `rho` [kg/m³] and the speed `omega` [rad/s] determine the growth of the outer race.
+    ValueError if a race has no wall or sprags overlap.
     """
 
     sprag: LogSprag

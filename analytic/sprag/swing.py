@@ -1,4 +1,4 @@
-r"""Two races that swing on a sprag clutch as the spring between them, in time.
+r"""Oscillation in time of two races, with a sprag clutch as the spring between them.
 
 .. math::
     I_{bi}\,\theta_i'' = C - T(\theta) - C_{rl}\,\theta', \qquad

@@ -86,4 +86,4 @@ def loaded(
         now = after(state).scaled(by**power)
         if abs(by - 1) < near:
             return now
-    raise NotFoundError(f"{what} is missed by {by - 1:.1%}")
+    raise NotFoundError(f"{what} is not reached: difference {by - 1:.1%}")

@@ -77,7 +77,7 @@ def conclusion(found: list[Finding]) -> str:
 
 
 def findings() -> Iterator[Finding]:
-    """Everything in the order of the house: machine, packages, libraries, solvers, folders."""
+    """All findings, in the order machine, packages, libraries, solvers, folders."""
     with ThreadPoolExecutor() as pool:
         gmsh = pool.submit(environment.probe, "import gmsh", SECONDS)
         pictures = pool.submit(environment.missing_for_pictures)

@@ -127,7 +127,7 @@ class Comparison:
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
-        """The further numbers, and that of the quantity in another state if it is not among them."""
+        """The further numbers, and that of the quantity in another state if not included."""
         found = {key: finite(v() if callable(v) else v) for key, v in self.numbers.items()}
         if self.quantity and self.state and self.state.case and self.key not in found:
             found[self.key] = self.quantity.of(self.state.case)

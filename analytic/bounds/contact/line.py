@@ -1,8 +1,9 @@
 """Errors of Hertz's line contact for a disc between rigid flats.
 
-Each estimate is his signed error and how far that may be off, from his half-width a over the radius
-R: coefficients of `disc_series` and `shear_series`. The next terms, whose coefficients are not
-known, count once. Range: small a/R, no friction, plane strain.
+Each estimate is the signed error of Hertz's value and the possible deviation from it, from Hertz's
+half-width a over the radius R: coefficients of `disc_series` and `shear_series`. The next terms,
+whose coefficients are not known, are included once with the factor 1. Range: small a/R, no
+friction, plane strain.
 """
 
 from dataclasses import dataclass

@@ -1,9 +1,9 @@
 """Errors of Hertz's line contact for two elastic bodies of finite size.
 
-Each estimate is his signed error and how far that may be off, from sizes, materials and his
-half-width a: coefficients of `pair_series` and `shear_series`. The next terms, of which no
-coefficient is known, count once; e is a over the smallest length. Range: small e, no friction,
-plane strain.
+Each estimate is the signed error of Hertz's value and the possible deviation from it, from sizes,
+materials and Hertz's half-width a: coefficients of `pair_series` and `shear_series`. The next
+terms, whose coefficients are not known, are included once with the factor 1; e is a over the
+smallest length. Range: small e, no friction, plane strain.
 """
 
 from dataclasses import dataclass
@@ -109,13 +109,13 @@ class OfDiscs(TwoBodies):
 
 @dataclass(frozen=True, kw_only=True)
 class InRace(TwoBodies):
-    """A roller in the bore of a race of the thickness `wall`, whose rim is held."""
+    """A roller in the bore of a race of the thickness `wall` with a fixed rim."""
 
     wall: float
 
     @property
     def small(self) -> float:
-        """(a/R)² + (a/wall)²: effect of curvature and of the held rim, each counted once."""
+        """(a/R)² + (a/wall)²: effects of curvature and of the fixed rim, each with the factor 1."""
         return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
 
     @property

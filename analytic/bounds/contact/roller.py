@@ -25,10 +25,11 @@ def of_strips(
 ) -> Interval | None:
     """Interval of strips/half-space - 1, from the error estimate of the strips alone.
 
-    Half to twice the error `missing` of the `value`; and, on both sides, the remaining error of
-    first order of the strips: twice the change of the value with `twice` as many strips, once
-    this change under a `loaded` end, where more strips need not be better. None if no estimate
-    is known. b is the half-width, `user_inputs`: strips are not tuned to them.
+    The interval is half to twice the error `missing` of the `value`. On both sides, the remaining
+    first-order error of the strips is added: twice the change of the value with `twice` as many
+    strips, and this change once more under a `loaded` end, for which more strips need not be
+    better. None if no estimate is known. b is the half-width; `user_inputs`: the strips are not
+    adapted to them.
 
     >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "user_inputs": False}
     >>> low, high = of_strips(0.02, value=1.0, twice=1.0, **contact)

@@ -1,8 +1,8 @@
 """Expected errors of the formulas of a drawn cup, from rings that enclose it and from sizes.
 
-The torque winds cup and shaft up. At equal torque errors grow near the summit, where a little
-compliance costs much torque: the whole course is followed with approaches at the corners of what
-they may be.
+The torque winds up cup and shaft. At equal torque, errors increase near the maximum, at which a
+small compliance reduces the torque considerably. Therefore, the whole course is computed with the
+approaches at the ends of their intervals.
 """
 
 import math
@@ -56,7 +56,7 @@ class Course:
 
     @cached_property
     def states(self) -> tuple[Array, Array, Array, Array]:
-        """N [N], both approaches [m], torque [N m] as far as there is an angle."""
+        """N [N], both approaches [m], torque [N m], for all N with an angle."""
         cup, (f_i, f_o, f_T) = self.cup, self.factors
         N = FARTHER * self.approaches.top * np.linspace(0, 1, POINTS) ** 3
         d_i, d_o = self.approaches.of(N)
@@ -83,7 +83,7 @@ class Course:
         return {k: float(np.interp(now, torque[rising], v[rising])) for k, v in courses.items()}
 
     def force(self, psi: float) -> float:
-        """N [N] at which the approaches leave the angle psi [rad]."""
+        """N [N] at which, with these approaches, the angle is psi [rad]."""
         N, d_i, d_o, _ = self.states
         return float(np.interp(-psi / 2, -self.cup.alpha(d_i=d_i, d_o=d_o), N))
 

@@ -18,8 +18,8 @@ from analytic.bounds.freewheel.ring_constants import free_ring
 def expected_approach(cup: FreewheelParts, P: float) -> tuple[float, float, float]:
     """Least, expected and largest approach [length] of roller and cup under P [force/length].
 
-    Expected is that of the ring whose bore encloses as much as the flats do, drawn between those of
-    the rings with the bores X_o and X_o/cos(pi/z).
+    The expected value is that of the ring whose bore has the area enclosed by the flats; the bounds
+    are those of the rings with the bores X_o and X_o/cos(pi/z).
     """
     half = math.pi / cup.z
     corner = cup.flat / math.cos(half)

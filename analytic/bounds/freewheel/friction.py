@@ -50,7 +50,7 @@ class FrictionBounds:
         return times(self.both_contacts(), math.hypot(1.0, self.lever), SAME_EQUATION)
 
     def limit_load(self) -> Interval | None:
-        """Error of F_ax at the limit: none where tan(alpha) alone nearly releases the roller."""
+        """Error of F_ax at the limit: none if tan(alpha) alone nearly releases the roller."""
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:

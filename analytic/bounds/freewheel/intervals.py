@@ -36,7 +36,7 @@ def _wide(parts: FreewheelParts, at: Loaded) -> float:
 
 
 def of_approach(value: float, ends: Interval) -> Interval:
-    """Interval of the error of an approach whose reference lies between `ends`.
+    """Interval of the error of an approach if its reference is between `ends`.
 
     >>> of_approach(1.0, (0.8, 1.25))
     (-0.19999999999999996, 0.25)

@@ -74,7 +74,7 @@ def free_ring(*, ratio: float, n: int, nu: float) -> float:
 
 
 def _constant(n: int, far: float, b: float, answer: Callable[[int], float]) -> float:
-    """K from `answer`, C_m, of the loaded wall, the other one at the distance `far` in ln r."""
+    """K from `answer`, C_m, of the loaded wall; the other wall is at the distance `far` in ln r."""
     coupled = sum(
         answer(m) - b / (m - 1) - (2 - b) / (m + 1)
         for m in range(n, math.floor(COUPLED / far) + 1, n)

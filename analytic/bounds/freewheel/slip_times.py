@@ -1,7 +1,7 @@
 """Time at which a load path reaches the capacity of a clutch: second form of paths and slip.
 
-From the definitions of the rig's paths alone (Nagler, Lohrengel, Sec. 6), to verify the times of
-slip that follow from `load_path` and the criterion:
+Only the definitions of the load paths of the rig are used (Nagler, Lohrengel, Sec. 6), to verify
+the times of slip that follow from `load_path` and the criterion:
 
 1. the torque comes up to T in `rise`, then the axial load grows in proportion to time and reaches
    F_ax at `duration`;
@@ -39,7 +39,7 @@ class Rig:
     duration: float
 
     def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
-        """First time [s] at which a path needs more than `F` [N]; inf where it never does.
+        """First time [s] at which a path needs more than `F` [N]; inf if it never does.
 
         `F` is the axial load at slip under T, of path 3 under T_critical, where friction is that of
         both; `tan` is called on path 3 alone.

@@ -1,11 +1,11 @@
 """Expected errors of a star's formulas, from bodies that enclose the star and from sizes.
 
-The star's approach lies between a layer and two discs (`star_bracket`) and the torque
-winds the star up on its bore, which lowers the flat under the roller; everything else follows from
-the approaches. Hertz's parabolas on half planes cause errors of the order of (a/r)².
-Surfaces tilt under N as far as a half plane does at the depth of its wall. Tangential forces deform
-the contacts, too, and turn the ring further by tan² alpha, times the tangential compliance over the
-normal one, which is somewhat below 1.
+The approach of the star is between those of a layer and of two discs (`star_bracket`), and the
+torque winds up the star on its bore, which lowers the flat under the roller; all other values
+follow from the approaches. Hertz's parabolas on half planes cause errors of the order of (a/r)².
+Surfaces tilt under N like a half plane at the depth of the wall. Tangential forces also deform the
+contacts, and rotate the ring further by tan² alpha times the ratio of tangential to normal
+compliance, which is slightly below 1.
 """
 
 import math
@@ -101,7 +101,7 @@ class StarBounds:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
-        """Error of N at an angle, which determines the sum of both approaches."""
+        """Error of N at a given angle, which determines the sum of both approaches."""
         size = sum(self.own.values())
         low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
         return low**STEEPER - 1, high**STEEPER - 1

@@ -7,10 +7,10 @@ Its surface deflects under a wave of the number q by 2 K(q h)/(E' q) times its p
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .
 
-The disc through the corners, of the radius X/cos(pi/z) or R where the ring is nearer, clamped on
-the same bore, is deeper than the star under any contact: for stars of thin wall it is too soft.
-The disc of radius X lies inside the star. Few corners or thick walls put the three in another
-order; the star is expected between the least and the largest.
+The disc through the corners, with the radius X/cos(pi/z), or R if the ring is nearer, clamped on
+the same bore, is deeper than the star below each contact: for stars with thin walls, it is too
+compliant. The disc of radius X is inside the star. With few corners or thick walls, the three have
+another order; the star is expected between the least and the largest.
 
 References
 ----------

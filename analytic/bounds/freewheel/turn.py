@@ -16,7 +16,7 @@ FAR = 5.0  # the normal force is searched within this factor of the one that is 
 
 @dataclass(frozen=True)
 class Moved:
-    """A star whose flats are off, with approaches [length] of both contacts over N [force]."""
+    """A star with displaced flats; approaches [length] of both contacts depend on N [force]."""
 
     star: FreewheelParts
     approaches: Callable[[float], tuple[float, float]]

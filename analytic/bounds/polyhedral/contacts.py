@@ -63,7 +63,7 @@ class RollerOnRing:
     def on_ring(self, first: float, a: float, *, elastic: bool = False) -> Interval:
         """Error of Hertz's contact on the ring, `first` times beta kappa a, for a rigid roller.
 
-        Argued: strain and bending of the ring when it takes up the clearance.
+        Estimated by an argument: strain and bending of the ring when the clearance is closed.
         """
         R = self.relative_radius
         straining = self.j_D / self.d_e * (1 + R / (self.d_e / 2 - self.apothem))
@@ -109,7 +109,7 @@ def about(m: float, slack: float) -> Interval:
 
 
 def over_series(value: float, series: float, slack: float) -> Interval:
-    """Error of a formula that should give `value`, where a `series` misses by `slack`.
+    """Error of a formula that should give `value`, if a `series` has the error `slack`.
 
     >>> [round(m, 6) for m in over_series(3.0, 2.0, 0.01)]
     [0.485, 0.515]

@@ -44,7 +44,7 @@ class FlatParts:
 
 @dataclass(frozen=True)
 class Flat:
-    """One flat: where the hub's unit force acts, its vector, and the direction counted."""
+    """One flat: point and direction of the hub's unit force, and direction of displacements."""
 
     parts: FlatParts
     at: Array  # [m]
@@ -76,7 +76,7 @@ class Flat:
 
 
 def filleted(parts: FlatParts, touching: float) -> Flat:
-    """The flat as it is, touched at a pressure [Pa]: the hub's force counts along its normal."""
+    """The flat in contact at a pressure [Pa]; the force of the hub acts along its normal."""
     at, normal = np.array([parts.apothem, parts.e]), np.array([1.0, 0.0])
     return Flat(parts, at, _leaning(parts.phi_1), normal, touching)
 
@@ -84,7 +84,7 @@ def filleted(parts: FlatParts, touching: float) -> Flat:
 def first_design(parts: FlatParts, *, d_m: float, wall: float, j_D: float, E: float) -> Flat:
     """Sharp corners, the hub at the radius d_i/2, its force counted along this radius, K = 1.
 
-    A thin round ring of mean diameter d_m takes up the clearance j_D: its wall times hoop stress.
+    A thin round ring of mean diameter d_m that closes the clearance j_D: wall times hoop stress.
     """
     psi = np.arctan2(parts.e, parts.d_i / 2 * np.cos(np.pi / parts.z))
     outward = np.array([np.cos(psi), np.sin(psi)])

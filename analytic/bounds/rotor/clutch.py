@@ -27,8 +27,8 @@ def leading(nu: float) -> Interval:
 def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
     """Error of an entry of K by the equations, over the same entry with forces along the struts.
 
-    `left_out` is the effect of tilting forces on the `corrected` entry. What both have in common
-    cancels, so that no fault of theirs moves the interval.
+    `left_out` is the effect of tilting forces on the `corrected` entry. Common parts of both
+    cancel; errors of these parts therefore do not change the interval.
 
     >>> low, high = around(1.0, 1.01, 0.0, 0.1)
     >>> round((low + high) / 2, 6)

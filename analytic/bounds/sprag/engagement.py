@@ -1,7 +1,7 @@
 """Intervals for formulas of an engagement over the steps of the equations of motion, less 1.
 
-Eqs. 14-16 have N_e = N_i, where a strut that two forces hold has N_e/N_i = cos(omega)/cos(nu): at
-the same turn the steps have the same N, and a torque less by 0 to N_e/N_i - 1.
+In Eqs. 14-16, N_e = N_i, but a strut under two forces has N_e/N_i = cos(omega)/cos(nu): at the same
+rotation, the steps have the same N, and a torque that is smaller by 0 to N_e/N_i - 1.
 """
 
 from dataclasses import dataclass
@@ -17,9 +17,9 @@ PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 40
 class Bounds:
     """From the sizes of the terms in which formulas and steps differ, all relative.
 
-    `unequal` is N_e/N_i - 1, `passed_on` the relative change of a peak's N per change of torque,
-    `inertia` that of the sprags over the race's, `left_out` the work of the centroid's motion
-    outwards over all. Where races turn at the start (`turns`) contacts slide first.
+    `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak of N per change of torque,
+    `inertia` the ratio of inertia of sprags and race, `left_out` the relative work of the outward
+    motion of the centroid. If races rotate at the start (`turns`), contacts slide first.
     """
 
     unequal: float
@@ -54,6 +54,6 @@ class Bounds:
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:
-        """Error of the work: the torque of the steps turns less, as the centroid moves outwards."""
+        """Error of the work: the torque of the steps rotates less, as the centroid moves outwards."""
         u = BOOKED + PART * abs(self.left_out)
         return self.left_out - u, self.left_out + u

@@ -109,7 +109,7 @@ class Bounds:
 
     @property
     def askew(self) -> float:
-        """Error of all deflections: forces along AB do work on ends that move sideways, N not."""
+        """Error of all deflections: forces along AB do work on lateral motion of ends, N does not."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
@@ -222,6 +222,6 @@ class Bounds:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """The interval of a formula that is `ratio` times another, within `spread` of that."""
+    """The interval of a formula that is `ratio` times another formula, within `spread`."""
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1

@@ -48,7 +48,7 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {error}") from error
     if unknown := [key for key in data if key != "moves"]:
-        raise InputError(f"{path}: {unknown[0]}: unknown key; known is moves")
+        raise InputError(f"{path}: {unknown[0]}: unknown key; the only key is moves")
     entries = data.get("moves", [])
     if not isinstance(entries, list):
         raise InputError(f"{path}: moves: needs tables [[moves]]")

@@ -35,7 +35,7 @@ class Solver:
 
 
 def solvers() -> dict[str, Solver]:
-    """All of them by name."""
+    """All second solvers by name."""
     return {name: solver(name) for name in SOLVERS}
 
 

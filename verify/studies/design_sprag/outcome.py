@@ -23,7 +23,7 @@ FLAT = 0.005  # of the objective: crowns within this range are equivalent
 SCATTERED, LINE = 3000, 201
 EDGE, BEYOND = 0.01, 0.10  # of a range: how near a bound is at it; how far beyond is looked
 GAIN = 0.001  # from which on a bound costs something
-SHALLOWER = 0.95  # of z_m, at which the ends of a crown close to loading would be loaded
+SHALLOWER = 0.95  # factor on z_m; if the ends are then loaded, the crown is close to edge loading
 MOST_JOBS = 2
 
 

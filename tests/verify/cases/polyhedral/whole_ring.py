@@ -110,7 +110,7 @@ class WholeRing:
         return PULL.assemble(self.bore, t=-self.bore.normals)
 
     def rolled(self, a, *, inwards=0.0, turning=0.0):
-        """Loads of these forces on every patch, semi-ellipses over an arc of -a to a."""
+        """Loads on every patch with these forces: semi-elliptic pressures over an arc, -a to a."""
         x = [1, 1j] @ np.asarray(self.rim.global_coordinates()).transpose(1, 0, 2)
         q = np.sqrt(np.maximum(1 - (self.r_e * self.folded(np.angle(x)) / a) ** 2, 0))
         q = q * self.z / (q * self.rim.dx).sum() * (1j * turning - inwards) * x / np.abs(x)

@@ -14,7 +14,7 @@ STAGES = (0.5, 0.0, -0.5, -1.0)  # Q/Q_max of the unloading's rows
 
 
 def key(k: float) -> str:
-    """Suffix of the names of numbers at Q/(mu P) = `k`: its hundredths."""
+    """Suffix of the names of numbers at Q/(mu P) = `k`: k in hundredths."""
     return f"k{round(100 * k)}"
 
 

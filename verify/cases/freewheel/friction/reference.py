@@ -37,7 +37,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
         "F_a": borne.F_z[0] * per_torque, "balance": borne.F_z.sum() * q.L,
         "mu_T": alone.tangent, "mu_req": borne.required.mean(),
     }  # fmt: skip
-    # tan² alpha is linear in the approaches, on which T grows faster
+    # tan² alpha is linear in the approaches; T increases more than in proportion to them
     u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_T", "mu_req", "N")}
     u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
     there = sector(one.q, start, level, q.mu, driven=True)
