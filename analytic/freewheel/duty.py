@@ -161,7 +161,7 @@ class Duty:
         return sorted(found, key=lambda x: x.at)
 
     def largest_axial_load(self, T: Array) -> Array:
-        """F_ax [N] at which the rollers' ends reach p_lim, or tilt, at T [N m]; nan without a state."""
+        """Axial force [N] that brings roller ends to p_lim or tilts rollers at T [N m]; nan: no state."""
         now, cam = state.loaded(self.clutch, T), self.clutch.cam
         share = np.full(T.shape, self.allowed_shift)
         if self.p_lim is not None:

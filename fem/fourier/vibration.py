@@ -193,7 +193,9 @@ class RotatingSolid:
         missed = abs((residual * self.factor.solve(residual)).sum(axis=0))
         error = np.sqrt(missed / ((q * (self.K @ q)).sum(axis=0) + w**2))
         if not np.all(error < RESIDUAL_LIMIT):
-            raise ArithmeticError(f"modes of harmonic {self.n} violate equilibrium by {error.max():.1e}")
+            raise ArithmeticError(
+                f"modes of harmonic {self.n} violate equilibrium by {error.max():.1e}"
+            )
 
 
 def _operator(apply, size: int) -> LinearOperator:

@@ -54,6 +54,6 @@ class Bounds:
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:
-        """Error of the work: the torque of the steps rotates less, as the centroid moves outwards."""
+        """Error of the work: the steps rotate less, because the centroid moves outwards."""
         u = BOOKED + PART * abs(self.left_out)
         return self.left_out - u, self.left_out + u

@@ -109,7 +109,7 @@ class Bounds:
 
     @property
     def askew(self) -> float:
-        """Error of all deflections: forces along AB do work on lateral motion of ends, N does not."""
+        """Error of the deflections: only forces along AB do work on lateral motion of ends."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
