@@ -161,7 +161,7 @@ class Duty:
         return sorted(found, key=lambda x: x.at)
 
     def largest_axial_load(self, T: Array) -> Array:
-        """Axial force [N] at which roller ends reach p_lim or rollers tilt, at T [N m]; else nan."""
+        """Axial force [N] at which roller ends reach p_lim or rollers tilt at T [N m]; else nan."""
         now, cam = state.loaded(self.clutch, T), self.clutch.cam
         share = np.full(T.shape, self.allowed_shift)
         if self.p_lim is not None:
