@@ -86,7 +86,7 @@ function answer(q) {
   const { head, words } = judged(q), held = one.studies[q.course.study].held;
   const from = q.stored ? "a stored point" : `between stored points; ±${percent(q.bent)} % of the bar is interpolation`;
   const error = `error ${with_bar(q.e, q.u)}${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
-  const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)}: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
+  const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)} by all its comparisons: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
   box.innerHTML = `<b>${head}</b><p>At ${where}${held && ` (stored for ${plain(held)})`}: ${error}.</p>` +
     (!formula.no_factor && q.e - q.u > -1 ? factor(q) : "") + (formula.verdicts ?? []).map((n) => verdict(DATA.verdicts[n])).join("");
 }
@@ -135,7 +135,8 @@ function pick(id, name) { // a case and one of its formulas, at the inputs of th
   one = DATA.cases.find((c) => c.id === id) ?? DATA.cases.find((c) => c.formulas.some((f) => f.verdicts)) ?? DATA.cases[0];
   one.studies.forEach(prepare);
   const groups = [["with a verdict", one.formulas.filter((f) => f.verdicts)], ["other comparisons", one.formulas.filter((f) => !f.verdicts)]];
-  formula = one.formulas.find((f) => f.name === name) ?? groups[0][1][0] ?? one.formulas[0];
+  const largest = (f) => Math.max(...f.at.flatMap((a) => a.error.map(Math.abs))), first = groups.find(([, list]) => list.length)[1];
+  formula = one.formulas.find((f) => f.name === name) ?? first.reduce((p, q) => (largest(q) > largest(p) ? q : p));
   const unique = (list) => [...new Map(list.map((a) => [a.name, a])).values()];
   axes = unique(formula.at.flatMap((a) => one.studies[a.study].axes));
   sizes = axes.every((a) => a.scales) ? unique(axes.flatMap((a) => a.per)).filter((p) => !axes.some((a) => a.name === p.name)) : [];
