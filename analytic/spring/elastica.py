@@ -149,26 +149,40 @@ class Elastica:
         self, psi: Array, P: Array, columns: tuple[int, ...], rows: tuple[int, ...], moved: Array
     ) -> State:
         """Newton on psi and the `columns` of P, so that the tail has `moved` in the `rows`."""
-        P, on = P.copy(), np.ix_(rows, columns)
+        P = P.copy()
         for _ in range(ITERATIONS):
-            residual, A, B, tail, by_psi, by_P, at = self._equations(psi, P)
-            Z = np.linalg.solve(A, np.column_stack([residual, B]))
-            J = by_psi @ Z[:, 1:] + by_P
-            missing = tail - self._tail - moved - by_psi @ Z[:, 0]
-            change = np.zeros(4)
-            if columns:
-                change[list(columns)] = -np.linalg.solve(J[on], missing[list(rows)])
-            step = Z[:, 1:] @ change - Z[:, 0]
+            equations = self._equations(psi, P)
+            try:
+                step, change, J = self._correction(equations, columns, rows, moved)
+            except np.linalg.LinAlgError:  # by rounding, if a step before was too large
+                break
             if not np.abs(step).max() < 1e3:
                 break
             psi, P = psi + step, P + change
             if np.abs(step).max() < CONVERGED:
-                went = tail - self._tail
-                return State(float(-went[1]), float(-went[2]), P, psi, at, J)
+                went = equations[3] - self._tail
+                return State(float(-went[1]), float(-went[2]), P, psi, equations[-1], J)
         raise ArithmeticError(
             f"no equilibrium of the spring found near F = {P[F_X]:g}, U = {-moved[1]:g}: take "
             "smaller steps"
         )
+
+    def _correction(
+        self,
+        equations: tuple[Array, ...],
+        columns: tuple[int, ...],
+        rows: tuple[int, ...],
+        moved: Array,
+    ) -> tuple[Array, Array, Array]:
+        """Newton's changes of psi (m,) and of P (4,); derivatives (3, 4) of the tail by P."""
+        residual, A, B, tail, by_psi, by_P, _ = equations
+        Z = np.linalg.solve(A, np.column_stack([residual, B]))
+        J = by_psi @ Z[:, 1:] + by_P
+        missing = tail - self._tail - moved - by_psi @ Z[:, 0]
+        change = np.zeros(4)
+        if columns:
+            change[list(columns)] = -np.linalg.solve(J[np.ix_(rows, columns)], missing[list(rows)])
+        return Z[:, 1:] @ change - Z[:, 0], change, J
 
     def _equations(self, psi: Array, P: Array) -> tuple[Array, ...]:
         """Residual (m,), derivatives (m, m), -(m, 4); the tail (3,) and derivatives; places."""
