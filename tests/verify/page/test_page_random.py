@@ -14,8 +14,8 @@ from tests.verify.page.conftest import Server, missing
 if reason := missing():
     pytest.skip(reason, allow_module_level=True)
 
+from tests.verify.page.answered import TEXTS, places
 from tests.verify.page.browsing import Browser
-from tests.verify.page.test_page_answers import TEXTS
 from verify.app.check_command import Options, run_check
 from verify.app.page.described import Described, Field, describe
 from verify.app.page.session import State, edited_raw, text_at
@@ -31,15 +31,6 @@ TABLE = """return [...document.querySelectorAll("#answer details")]
     .flatMap(one => [...one.querySelectorAll("tr")])
     .map(row => [...row.children].map(cell => cell.textContent.replaceAll("\\u200b", "")))"""
 pytestmark = pytest.mark.slow("a browser opens the page")
-
-
-def places(case: Described, raw: Any) -> list[tuple[str, Field]]:
-    """Every input of a form, those of tables too."""
-    found = [(f.name, f) for f in case.fields if not f.is_table]
-    for table in (f for f in case.fields if f.is_table):
-        for k in range(1, len(raw.get(table.name, ())) + 1):
-            found += [(f"{table.name}[{k}].{f.name}", f) for f in table.fields]
-    return found
 
 
 def text_of(made: random.Random, before: str) -> str:
