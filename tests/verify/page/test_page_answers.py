@@ -1,4 +1,4 @@
-"""The page gives the answers of the command line, and marks wrong inputs."""
+"""The page gives the answers of the command line, and draws inputs with their names."""
 
 import contextlib
 import io
