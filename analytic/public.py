@@ -1,4 +1,4 @@
-"""Public names of packages, imported when they are first asked for.
+"""Public names of packages, imported when they are first used.
 
 A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
 editors read as well. Importing the package, or one module of it, imports none of the others.

@@ -1,1 +1,1 @@
-"""Writes what the verification found: pages and tables."""
+"""Writes the results of the verification: pages and tables."""

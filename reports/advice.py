@@ -51,7 +51,7 @@ def of_case(
 
 
 def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
-    """With the error of these rows: against the part where one of them is, else the model."""
+    """Formula with the error of these rows: against the part if a row has it, else the model."""
     part = _errors(one.rows if one.is_of_part else (), rows)
     found = part or _errors(one.rows + one.model_rows, rows)
     if one.error is None or not found:

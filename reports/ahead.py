@@ -16,9 +16,9 @@ from verify.core.results import CaseResult
 class Ahead:
     """A context with a thread that draws the figures and pictures of cases as these are judged.
 
-    Pictures go into the store. What fails here is drawn again, and then reported, where the
-    report is written. `hint` goes to a reader who lacks pyvista; `first` is other work that the
-    report needs: it waits for the first case, by when every core solves.
+    Pictures are written to the store. A picture that fails here is drawn again, and its failure
+    reported, when the report is written. `hint` is the advice if pyvista is missing. `first` is
+    other work for the report; it starts after the first case, when every core solves.
     """
 
     def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:

@@ -16,7 +16,7 @@ NAME, WORDS = 24, 20  # the longest lines of a name, and of the words beyond a b
 
 
 def bars(b: Bars) -> Markup:
-    """One bar below the other; words are beyond the end of their bar, long ones in lines."""
+    """Bars below each other; text is beyond the end of its bar, wrapped if it is long."""
     values = [value for _, value, _ in b.items]
     names = [textwrap.wrap(name, NAME) for name, _, _ in b.items]
     words = [textwrap.wrap(said, WORDS) for _, _, said in b.items]

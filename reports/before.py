@@ -10,7 +10,7 @@ FILE = ".written.json"
 
 
 class Before:
-    """The parts of a report in a folder: files that follow from the same, by a digest of it.
+    """The parts of a report in a folder: files with the same origin, identified by its digest.
 
     A part is valid as long as none of its files has changed.
     """
@@ -36,7 +36,7 @@ class Before:
         return self._kept[part]["about"]
 
     def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:
-        """Record the files of parts written now, in addition to the earlier run's files."""
+        """Record the files of newly written parts, in addition to those of earlier runs."""
         new = {
             part: {
                 "of": self._digests[part], "about": about.get(part),

@@ -35,11 +35,11 @@ class Body:
 def body(field: Field, picture: Picture) -> Body:
     """The field for the picture, values in the unit of the picture.
 
-    Reflection negates a coordinate: "x" adds the image on the other side of the plane x = 0.
-    Normal stresses and other scalars keep their sign in it. A shear stress (column 2 of the four
-    columns xx, yy, xy, zz) changes sign at "x" and at "y", and so does component k of a vector at
-    axis k. Shear given as separate data with one column would need that too: give it as a
-    component of the four.
+    Reflection negates a coordinate: "x" adds the mirror image at the plane x = 0. Normal stresses
+    and other scalars keep their sign. A shear stress (column 2 of the four columns xx, yy, xy, zz)
+    changes sign at "x" and at "y", and component k of a vector changes sign at axis k. Shear in
+    separate data of one column would keep its sign, which is wrong: give it as a component of the
+    four.
 
     Raises
     ------

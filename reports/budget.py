@@ -188,7 +188,7 @@ def _sum(row: RowBudget, head: str) -> str:
 
 
 def identities(one: CaseBudget) -> str:
-    """One sentence on the rows that solve one problem on both sides."""
+    """One sentence on the rows whose formula and finite elements solve the same problem."""
     rows = [row for row in one.rows if row.kind is Kind.IDENTITY]
     if not rows:
         return ""
@@ -207,7 +207,7 @@ def outside(one: CaseBudget) -> list[RowBudget]:
 
 
 def left(one: CaseBudget) -> str:
-    """One sentence on the rows that reruns do not explain, by the reasons."""
+    """One sentence on the rows whose difference the reruns do not explain, by reason."""
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
     said = [
         f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "

@@ -1,4 +1,4 @@
-"""Campbell diagram: natural frequencies over the speed, and the lines of excitation they meet."""
+"""Campbell diagram: natural frequencies over the speed, and the intersecting excitation lines."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ WHIRLS = {1: ("forward", "line", 0), -1: ("backward", "dashes", 2), 0: ("neither
 
 
 def campbell(c: Campbell) -> Markup:
-    """Branches in the style of their whirl, named at their ends; where they are excited, dots."""
+    """Branches in the style of their whirl, named at their ends; dots mark excitation."""
     rays = [name for name, _ in c.excitations]
     room = LETTER * max(map(len, [*c.names, *rays]), default=0) + LEADER + 8
     speeds = np.asarray(c.speeds, dtype=float)
@@ -50,7 +50,7 @@ def campbell(c: Campbell) -> Markup:
 
 
 def _rays(axes: Axes, c: Campbell) -> list[tuple[float, float, str]]:
-    """Lines through the origin; names above the plot, or to the right: those are returned."""
+    """Lines through the origin; names are above the plot or, for those returned, to the right."""
     right, above = [], []
     for name, slope in c.excitations:
         low, end = max(axes.x[0], 0.0), axes.x[1]
@@ -74,7 +74,7 @@ def _rays(axes: Axes, c: Campbell) -> list[tuple[float, float, str]]:
 
 
 def _branch(axes: Axes, x: Array, y: Array, whirl: int) -> tuple[float, float] | None:
-    """Draws where the branch is known and in the plot; returns its last point in the image."""
+    """Draw the branch as far as it is known and in the plot; returns its last point."""
     css = style(_shown(whirl))
     inside = np.isfinite(y) & (y >= axes.y[0]) & (y <= axes.y[1])
     steps = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
@@ -105,7 +105,7 @@ def _names(axes: Axes, ends: Sequence[tuple[float, float, str]]) -> None:
 
 
 def _critical(axes: Axes, c: Campbell) -> None:
-    """Dots where lines of excitation intersect branches, labelled in the largest free space."""
+    """Dots at intersections of excitation lines and branches, labelled in free space."""
     seen = [
         (axes.X(x), axes.Y(y), name) for x, y, name in c.critical
         if axes.x[0] <= x <= axes.x[1] and axes.y[0] <= y <= axes.y[1]

@@ -22,7 +22,7 @@ PRINTED = "a wider demand: printed as "
 
 @dataclass(frozen=True)
 class Moved:
-    """Rows of one kind whose references were moved: how many, and how many of them failed."""
+    """Rows of one kind whose references were changed: their number, and how many failed."""
 
     kind: str
     rows: int
@@ -112,7 +112,7 @@ def in_words(caught: Caught) -> list[str]:
 
 
 def survivors(caught: Caught) -> list[tuple[str, list[Survivor]]]:
-    """The survivors of each group, those without a reason first."""
+    """Survivors of each group; survivors without a reason come first."""
     return [
         (SHORT[group.name], found)
         for group in caught.groups

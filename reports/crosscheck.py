@@ -30,7 +30,7 @@ class Problem:
 
     @property
     def is_brief(self) -> bool:
-        """Whether the largest difference stands for all: of several that agree."""
+        """Whether only the largest difference is stated: there are several, and all agree."""
         return len(self.lines) > SEVERAL and all(c.state is CrossState.AGREES for c in self.lines)
 
     @property

@@ -24,7 +24,7 @@ FEW = 1.5  # decades; shorter axes get marks between the powers of ten
 def curves(c: Curves) -> Markup:
     """Lines, dashes and marks in the colours of their group, clipped to the axes.
 
-    Points that are not finite are left out, and curves that have no others.
+    Points that are not finite are omitted, and so are curves without finite points.
     """
     bands = [(b, _kept(c, b.x, b.lower, b.upper)) for b in c.bands]
     held = [(k, _kept(c, k.x, k.y)) for k in c.curves]
@@ -61,7 +61,7 @@ def _kept(c: Curves, *lines: Array) -> list[Array]:
 
 
 def _axes(c: Curves, x: list[Array], y: list[Array]) -> Axes:
-    """Axes that hold all, with the grid of y."""
+    """Axes that contain all points, with a grid of y."""
     low, high = min(v.min() for v in y), max(v.max() for v in y)
     low = min(low, math.inf if c.y_log else 0.0) if c.y_bottom is None else c.y_bottom
     high = high if c.y_top is None else min(high, c.y_top)
@@ -125,7 +125,7 @@ def _swatch(curve: Curve | Band, left: float, y: float) -> Markup:
 
 
 def style(curve: Curve) -> str:
-    """CSS classes of a curve: its colour, and the pattern that goes with it."""
+    """CSS classes of a curve: its colour and its line pattern."""
     if curve.style == "member":
         return "member"
     return f"fit s{curve.colour} {'dashes' if curve.style == 'dashes' else 'strokes'}"

@@ -69,7 +69,7 @@ def _pixels(d: Density, colours: Scale) -> NDArray[np.uint8]:
 
 
 def _bar(colours: Scale, name: str, label: str) -> list[Markup]:
-    """The colour bar with round numbers below and its meaning beside it."""
+    """Colour bar with round numbers below and its title beside it."""
     last = len(colours.stops) - 1
     stops = Markup("").join(
         Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)

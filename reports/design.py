@@ -1,4 +1,4 @@
-"""The page of a design task: self-contained, and nothing in it runs."""
+"""The page of a design task: self-contained, without scripts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -27,10 +27,10 @@ class Tile:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignPage:
-    """Everything on the page, in words and numbers; `failure` is what went wrong, one line each.
+    """Content of the page, in words and numbers; `failure` has one line per failed criterion.
 
-    `subject` is what is designed, in a word, and `of` in a few; `front` is a table of what came
-    out, named `front_name`, and `checks` are tables of what judges it.
+    `subject` is the designed object, in one word, and `of` in a few words; `front` is the table of
+    results, named `front_name`, and `checks` are the tables of the criteria.
     """
 
     name: str

@@ -28,7 +28,7 @@ class Bars:
 
 @dataclass(frozen=True, kw_only=True)
 class Region:
-    """Number of limits violated over two parameters, -1 where no strip can be bent (k, m).
+    """Number of violated limits over two parameters; -1 if no strip can be bent (k, m).
 
     `columns` and `rows` [in the units of the labels] rise; `mark` is a (row, column).
     """

@@ -28,7 +28,7 @@ HEIGHT = 90.0
 
 
 def drawable(figure: Figure) -> bool:
-    """Whether a figure has points, and finite ones; curves may lack some of theirs."""
+    """Whether a figure has finite points; some points of a curve may be missing."""
     match figure:
         case Curves():
             return _some_points(figure)

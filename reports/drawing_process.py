@@ -53,14 +53,14 @@ class DrawingProcess:
         return images, trouble or NO_PICTURE
 
     def _failure(self, folder: str, seconds: float) -> str:
-        """Cause of the failure of the process, in a few words; "" where it reports success."""
+        """Cause of the failure of the process, in a few words; "" if it reports success."""
         try:
             process = self._process or self._start()
         except OSError as error:
             return str(error)
         assert process.stdin
         assert process.stdout
-        with suppress(BrokenPipeError):  # where it has ended, so has its output
+        with suppress(BrokenPipeError):  # the output is complete if the process has ended
             process.stdin.write(f"{folder}\n".encode())
         if not select.select([process.stdout], [], [], seconds)[0]:
             return f"not done after {seconds:g} s"

@@ -1,4 +1,4 @@
-"""Equations of a page as SVG: typst draws them all at once, and the page holds each glyph once."""
+"""Equations of a page as SVG: typst draws all at once, and the page contains each glyph once."""
 
 import json
 import re
@@ -46,7 +46,7 @@ class Equations:
     def placed(self, pages: Sequence[str]) -> list[str]:
         """Pages with their equations in the colour of the text, read aloud as their source.
 
-        Each page holds the glyphs that it uses.
+        Each page contains the glyphs that it uses.
         """
         drawn = self._drawn()
         return [self._with(_PLACE.sub(lambda place: drawn[int(place[1])], page)) for page in pages]
@@ -75,7 +75,7 @@ class Equations:
         return _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', named)
 
     def _drawn(self) -> list[str]:
-        """Every equation, in the order of asking; as source where nothing can draw it."""
+        """Every equation, in the order of the requests; its source if it cannot be drawn."""
         trees = [_tree_or_none(tex) for tex in self._numbers]
         pages = iter(_pages([found for found in trees if found]))
         return [
@@ -165,7 +165,7 @@ def _tree_or_none(tex: str) -> Node | None:
 
 
 def _pages(trees: Sequence[Node]) -> list[bytes]:
-    """A drawing of each tree; none where typst is missing or fails, as for the PDF."""
+    """A drawing of each tree; none if typst is missing or fails, as for the PDF."""
     if not trees:
         return []
     try:
@@ -182,7 +182,7 @@ def _numbers(text: str) -> list[float]:
 
 
 def _tight(path: str) -> str:
-    """A path rounded to hundredths of a point, without the blanks that no reader needs."""
+    """A path rounded to hundredths of a point, without unnecessary blanks."""
     short = _NUMBER.sub(lambda number: _short(float(number[0]), 2), path)
     return re.sub(r"(\.\d+) (?=\.)", r"\1", _joined(short))
 

@@ -89,8 +89,8 @@ class Cells:
 def isoline(field: Array, level: float) -> Array:
     """Straight pieces (k, 2, 2) along which a field passes a level, in indices of its points.
 
-    Linear in the four triangles between the corners of a square and its middle, whose value is
-    their mean; none where a corner is not finite.
+    Linear in the four triangles between the corners of a square and its middle, which has their
+    mean value; no line if a corner is not finite.
     """
     z = np.asarray(field, dtype=float) - level
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -1,4 +1,4 @@
-"""Map of a formula's error over two parameters: shaded by the limits that hold it, in per cent."""
+"""Map of a formula's error over two parameters, shaded by the limits [%] that it meets."""
 
 import numpy as np
 from markupsafe import Markup

@@ -133,7 +133,7 @@ def _numbers(values: Sequence[float]) -> list[int | None]:
 
 
 def _without_empty(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Record without zeros, false and empty values, which the script takes as default."""
+    """Record without zeros, false and empty values, which are the defaults of the script."""
     return {key: value for key, value in content.items() if value}
 
 

@@ -1,4 +1,4 @@
-"""Stored points as tables, which are read without a script."""
+"""Stored points as tables, which need no script."""
 
 import math
 from collections.abc import Iterator
@@ -17,10 +17,10 @@ NO_DIGIT = 0.005  # of an error: a smaller bar changes none of its three digits
 
 @dataclass(frozen=True)
 class Line:
-    """A formula with errors in per cent, of a grid those at one `value` of its first axis.
+    """A formula with errors in per cent; for a grid, at one `value` of its first axis.
 
-    `lines` is how many the formula has, on the first of them, and zero on the others. One error
-    may stand for all points.
+    `lines` is the number of lines of the formula for the first line, and zero for the others. One
+    error may apply to all points.
     """
 
     quantity: str
@@ -64,7 +64,7 @@ def _of_grid(study: StoredStudy, quantity: str, errors: tuple[str, ...]) -> Iter
 
 
 def in_percent(error: float, U: float) -> str:
-    """An error with its bar, "−17.2 ± 0.3"; a bar that changes no digit is left out."""
+    """An error with its bar, "−17.2 ± 0.3"; a bar that changes no digit is omitted."""
     if not math.isfinite(error + U):
         return "–"
     size = 100 * abs(error)

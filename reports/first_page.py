@@ -60,7 +60,7 @@ class Group:
 
 
 def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
-    """The formulas with something to verify; those with one verdict and evidence are one group."""
+    """Formulas that need verification; those with one verdict and evidence are one group."""
     found: dict[tuple[object, ...], list[FormulaVerdict]] = {}
     for v in verdicts:
         if v.verdict is Verdict.DEFINITION:
@@ -78,7 +78,7 @@ class Task:
     what: str
     formulas: Sequence[FormulaVerdict]
     tool: str
-    cases: Sequence[str]  # of this run, whose pages have the answer for the paper's inputs
+    cases: Sequence[str]  # cases of this run whose pages answer the question for the paper's inputs
 
 
 @cache

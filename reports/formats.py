@@ -33,7 +33,7 @@ def symbol(text: str) -> Markup:
 def prose(text: str) -> Markup:
     """Running text in which symbols such as k_1 have a lowered index, m^2 a power.
 
-    The path of a module may be broken behind its dots, and nowhere else.
+    The path of a module may be broken only behind its dots.
     """
 
     def lowered(match: re.Match[str]) -> str:
@@ -76,7 +76,7 @@ def decimal(size: float, digits: int) -> str:
 
 
 def written(value: float | int | str | None) -> str | Markup:
-    """A number as `number` has it, 1.18e-08 as a power of ten."""
+    """A number formatted by `number`; 1.18e-08 as a power of ten."""
     mantissa, e, exponent = number(value).partition("e")
     if isinstance(value, str) or not e:
         return number(value)
@@ -94,7 +94,7 @@ def small(value: float | None, digits: int = 6) -> str | Markup:
 class Shown(NamedTuple):
     """Formula, and reference with its standard uncertainty in brackets: 0.5817896(40).
 
-    `by` names the reference where it is not finite elements.
+    `by` names the reference unless it is finite elements.
     """
 
     formula: str
@@ -108,7 +108,7 @@ def values(row: Row) -> Shown:
     The digits in brackets are u in units of the last decimal.
     """
     u = row.u_num
-    if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
+    if row.kind == "fact" and row.formal_order is not None:  # observed order and order of theory
         return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}")
     name = reference_name(row)
     told = name != FE and row.reference is not None and not _is_printed(row)
@@ -128,7 +128,7 @@ def _is_printed(row: Row) -> bool:
 
 
 def concise(value: float, u: float) -> tuple[str, int]:
-    """A value with two digits of its uncertainty in brackets, and how many decimals it shows.
+    """A value with two digits of its uncertainty in brackets, and its number of decimals.
 
     No more than nine digits of the value, which a table has room for: the last one's bracket is
     then no less than u.

@@ -96,7 +96,7 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
 
 
 def _clipped(lines: Sequence[Markup], name: str, height: float) -> Markup:
-    """Lines that end where the picture ends: a window shows a part of them."""
+    """Lines clipped to the picture, because a window displays a part of them."""
     return Markup(
         '<defs><clipPath id="clip-{0}"><rect width="{1:g}" height="{2:.1f}"/></clipPath></defs>'
         '<g clip-path="url(#clip-{0})">{3}</g>'
@@ -135,7 +135,7 @@ def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
 
 
 def _named(picture: Picture, drawn: Drawn) -> list[tuple[float, str]]:
-    """Places along the bar with their numbers: round ones, of decades 1, 2 and 5 where few fit."""
+    """Places along the bar with their numbers: round numbers; if few fit, 1, 2 and 5 per decade."""
     low, high = drawn.low, drawn.high
     if not picture.decades:
         return [(v, svg.plain(v)) for v in svg.ticks(low, high, 4)]

@@ -82,7 +82,7 @@ def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
 
 
 def partly(report: Report) -> str:
-    """Statement which results of the papers a partial run omits; empty for a complete run."""
+    """Statement of the results of the papers that a partial run omits; empty for a complete run."""
     without = report.provenance.get("left_out", 0)
     if without <= 0:
         return ""
@@ -98,10 +98,10 @@ def title(report: Report) -> str:
 
 
 def styles() -> str:
-    """All style sheets of the page, without blanks that no browser needs."""
+    """All style sheets of the page, without unnecessary blanks."""
     text = "\n".join((HERE / name).read_text("utf-8") for name in STYLES)
     bare = re.sub(r"\s+", " ", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))
-    blank = re.compile(r'("[^"]*")| ?([{};]) ?|([:,]) ')  # those in texts remain
+    blank = re.compile(r'("[^"]*")| ?([{};]) ?|([:,]) ')  # blanks in texts remain
     return blank.sub(lambda found: found[1] or found[2] or found[3], bare)
 
 

@@ -1,4 +1,4 @@
-"""Places of names at which they do not cover each other."""
+"""Places of names without overlap."""
 
 from collections.abc import Sequence
 
@@ -14,8 +14,8 @@ def spread(
 ) -> list[float]:
     """Centres in the order of `targets`, as near to them as their widths `room` allow.
 
-    Least squares: neighbours that would meet form blocks, which are at the mean of their targets.
-    `within` holds the centres as far as there is room.
+    Least squares: overlapping neighbours form blocks, which are at the mean of their targets.
+    `within` limits the centres if there is room.
     """
     if not len(targets):
         return []
@@ -35,7 +35,7 @@ def spread(
 
 
 def beside(x: float, y: float, wide: float, frame: Box, taken: Sequence[Box]) -> tuple[Place, Box]:
-    """A place for a name beside a point, in the `frame` and clear of what is `taken` if it can."""
+    """Place for a name beside a point, in the `frame` and, if possible, outside of `taken`."""
     best: tuple[float, Place, Box] | None = None
     for down in (-6.0, 14.0, 4.0, -18.0, 26.0):
         for anchor, left in (("end", x - 7 - wide), ("start", x + 7)):

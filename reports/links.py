@@ -38,7 +38,7 @@ class Places:
         self._by_row = list(dict.fromkeys(row.case for row in report.rows))
 
     def page(self, place: str) -> str | None:
-        """The path of the page; None of a place that each page has by itself."""
+        """The path of the page; None for a place that exists on every page."""
         kind, _, rest = place.partition("-")
         if place in OTHERS:
             return path_of(OTHERS[place])

@@ -1,4 +1,4 @@
-"""TeX as a tree of plain lists, for programs that set mathematics but read no TeX.
+"""TeX as a tree of plain lists, for programs that typeset mathematics but cannot read TeX.
 
 A node is a name followed by its parts: "row" (nodes), "letter" and "sign" (a character each),
 "upright", "function" and "words" (a string each), "fraction" (two nodes), "scripts" (base, below

@@ -49,7 +49,7 @@ class Measured:
 
 
 def all_within(error: Array, U: Array) -> str:
-    """Limit above all errors with bars, in words, if these are too small for a figure; else ""."""
+    """Limit above all errors with bars, if they are too small for a figure; else ""."""
     reach = (np.abs(error) + U)[np.isfinite(error)]
     if not reach.size or not (largest := float(reach.max())) < TINY:
         return ""
@@ -67,7 +67,7 @@ def inside(error: Array, U: Array, limit: float) -> NDArray[np.bool_]:
 
 
 def undecided(error: Array, U: Array, limits: Sequence[float]) -> NDArray[np.bool_]:
-    """Whether an error bar reaches across one of the limits, so that it isn't known to hold."""
+    """Whether an error bar extends across a limit, so that the result is undecided."""
     size = np.abs(error)
     across = [(size - U <= limit) & (size + U > limit) for limit in limits]
     return np.asarray(np.any(across, axis=0))

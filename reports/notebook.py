@@ -23,7 +23,7 @@ class Drawing:
     svg: str
 
     def _repr_html_(self) -> str:
-        """An image, so that the drawing's style does not reach the notebook."""
+        """An image, so that the style of the drawing does not affect the notebook."""
         data = base64.b64encode(self.svg.encode()).decode()
         return Markup(
             '<figure style="margin: 1em 0"><figcaption>{title}</figcaption>'
@@ -41,7 +41,7 @@ class Drawings(tuple[Drawing, ...]):
 
 
 def drawings(case: CaseResult) -> Drawings:
-    """Sketch, figures and convergence of a judged case, as far as it has them."""
+    """Available sketch, figures and convergence of a judged case."""
     return Drawings(
         Drawing(title, made["svg"]) for title, svg in _parts(case) if (made := standalone(svg))
     )

@@ -1,7 +1,7 @@
 """Digests of the inputs of each part of a report; a part with an unchanged digest is not remade.
 
-The date of a run, its commit and its seconds do not count: a file keeps those of the run that made
-it. The first page, the provenance and `results.json` have those of the last run.
+Date, commit and duration of a run are not part of the digest: a file keeps those of the run that
+made it. The first page, the provenance and `results.json` have those of the last run.
 """
 
 from collections.abc import Iterator, Mapping
@@ -51,7 +51,7 @@ def part_of(path: str) -> str:
 
 
 def digests(report: Report, origins: Origins | None, form: str) -> dict[str, str]:
-    """The digest of each part; empty without origins; cases without an origin are left out."""
+    """Digest of each part; empty without origins; cases without an origin are omitted."""
     if origins is None or any(case.id not in origins.cases for case in report.cases):
         return {}
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]
@@ -64,7 +64,7 @@ def _digest(value: Any) -> str:
 
 
 def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
-    """Inputs of each part beside the code of reports."""
+    """Inputs of each part in addition to the code of reports."""
     cases = [(case.id, origins.cases[case.id]) for case in report.cases]
     places, rows = anchors(report.rows), _digest(report.rows)
     explored = explorer.places(report, places)

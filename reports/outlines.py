@@ -11,7 +11,7 @@ Indices = NDArray[np.int64]
 
 
 def edges(cells: Indices) -> tuple[Indices, Indices, Indices]:
-    """Edges (k, 2) of cells (m, corners), how many cells share each, and one that does."""
+    """Edges (k, 2) of cells (m, corners), the number of cells with each edge, and one such cell."""
     corners = cells.shape[1]
     if corners == 2:
         return cells, np.ones(len(cells), dtype=np.int64), np.arange(len(cells))
@@ -23,7 +23,7 @@ def edges(cells: Indices) -> tuple[Indices, Indices, Indices]:
 
 
 def polylines(cells: Indices, points: Array, tolerance: float) -> tuple[Array, ...]:
-    """Free edges of surfaces, or all of lines, as polylines no farther off than `tolerance`.
+    """Free edges of surfaces, or all lines, as polylines within the distance `tolerance`.
 
     `points` is (n, 2). Closed ones repeat their first point.
     """
@@ -59,7 +59,7 @@ def _distances(points: Array, a: Array, b: Array) -> Array:
 
 
 def _chains(found: Indices) -> list[list[int]]:
-    """Walks that use every edge once; they end where not exactly two edges meet."""
+    """Paths that use every edge once; they end at points that do not have exactly two edges."""
     neighbours: dict[int, list[int]] = defaultdict(list)
     for a, b in found.tolist():
         neighbours[a].append(b)

@@ -83,7 +83,7 @@ def _strip(groups: Sequence[Group], top: float) -> Iterator[Markup]:
 
 
 def _case(group: Group, left: float, top: float, bottom: float) -> Markup:
-    """Its rows, a path for each status: a page holds a thousand of them."""
+    """The rows of a strip as one path per status, because a page contains a thousand rows."""
     step = group.width / len(group.rows)
     found: dict[Status, list[tuple[float, Row]]] = {}
     for i, row in enumerate(group.rows):
@@ -135,7 +135,7 @@ def _tick(words: str | Markup, y: float) -> Markup:
 
 
 def _relative(row: Row) -> tuple[float, float] | None:
-    """Magnitude of the difference and of the detection limit, both over their scale."""
+    """Magnitudes of the difference and of the detection limit, divided by the scale."""
     if row.kind is Kind.FACT or row.difference is None or not row.scale:
         return None
     if not (math.isfinite(row.difference) and math.isfinite(row.scale)):

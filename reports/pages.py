@@ -51,7 +51,7 @@ class OfCase:
 
 
 def is_paged(report: Report) -> bool:
-    """Whether a run has several pages: of more than one case, on the inputs of the cases."""
+    """Whether a run has several pages: more than one case, with the default inputs."""
     return not report.name and len(report.cases) > 1
 
 
@@ -105,7 +105,7 @@ def _templates(
 
 
 def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
-    """Tables and data of the validity explorer, and the cases that it leaves out."""
+    """Tables and data of the validity explorer, and the omitted cases."""
     return {
         "studied": explorer.of_cases(report),
         "points": explorer.data(report, shared["anchors"]),
@@ -122,7 +122,7 @@ def _scripted(script: str) -> dict[str, Any]:
 
 
 def _has(report: Report, shared: Mapping[str, Any], name: str) -> bool:
-    """Whether a run has something for a section."""
+    """Whether a run has content for a section."""
     return bool({
         "explorer": report.studies,
         "rows": report.rows, "papers": report.has_ledgers, "errata": report.has_ledgers,
@@ -147,5 +147,5 @@ def _of_case(report: Report, case: CaseResult, lines: Sequence[Line]) -> OfCase:
 
 
 def _is_settled(row: Row) -> bool:
-    """A balance, an identity or a statement that holds."""
+    """Row that is a balance, an identity or a statement."""
     return row.status is Status.PASS and row.kind in (Kind.EXACT, Kind.IDENTITY, Kind.FACT)

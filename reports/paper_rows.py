@@ -1,6 +1,6 @@
 """A printed row of a paper's table with the rows of the suite that are compared with its numbers.
 
-Each compared row is a separate line: its value stands in the column of the printed number.
+Each compared row is a separate line, with its value in the column of the printed number.
 """
 
 from collections import Counter
@@ -28,7 +28,7 @@ class Claim:
 
     @property
     def formula(self) -> str | Markup:
-        """The formula's value in the printed unit; a dash where the row has none."""
+        """Value of the formula in the printed unit; a dash if the row has none."""
         return formats.small(self.numbers.analytic)
 
     @property
@@ -109,7 +109,7 @@ def used_as_inputs(table: PaperTable) -> list[UsedNumber]:
 
 
 def _name(cells: Sequence[PaperCell], column: int) -> str:
-    """The last text before a number; the first cell where all are numbers."""
+    """The last text before a number; the first cell if all cells are numbers."""
     texts = [cell.text for cell in cells[:column] if cell.value is None]
     return texts[-1] if texts else cells[0].text
 

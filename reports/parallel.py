@@ -18,7 +18,7 @@ POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def parallel(p: Parallel) -> Markup:
-    """Members thin, the highlighted over them in their colours; names in rows where they meet."""
+    """Members in thin lines, highlighted members in colour above; names in rows if they overlap."""
     count = len(p.axes)
     x = np.linspace(LEFT, RIGHT, count) if count > 1 else np.array([WIDTH / 2])
     names, tops = _rows([a.name for a in p.axes], x), _rows([_ends(a)[1] for a in p.axes], x)
@@ -62,7 +62,7 @@ def _shares(axis: ParallelAxis, values: Array) -> Array:
 
 
 def _ticks(axis: ParallelAxis, x: float, top: float) -> list[Markup]:
-    """Marks at round values, and at powers of ten where the axis is logarithmic."""
+    """Marks at round values, or at powers of ten if the axis is logarithmic."""
     if axis.log:
         low, high = math.log10(axis.low), math.log10(axis.high)
         values = [10.0**e for e in range(math.ceil(low - 1e-9), math.floor(high + 1e-9) + 1)]
@@ -94,7 +94,7 @@ def _unit(axis: ParallelAxis) -> str:
 
 
 def _rows(words: list[str], x: Array) -> list[int]:
-    """A row for each word, so that words centred on x don't meet in it."""
+    """Row of each word, so that words centred on x do not overlap."""
     ends: list[float] = []
     found = []
     for word, at in zip(words, x, strict=True):

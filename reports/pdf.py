@@ -55,7 +55,7 @@ def made(report: Report) -> datetime:
 
 
 def _cleaned(value: Any) -> Any:
-    """The data without characters that no XML or PDF may hold, and numbers that are none."""
+    """The data without characters that XML and PDF do not permit, and without nan and inf."""
     if isinstance(value, str):
         return clean(value)
     if isinstance(value, Mapping):

@@ -31,8 +31,8 @@ def case_data(
 ) -> Data:
     """Everything of a case; `source` is the place of its formulas.
 
-    `sheets` name the workbook's sheet of each of the case's tables; `beside` holds what second
-    solvers found.
+    `sheets` are the names of the workbook's sheets for the tables of the case; `beside` are the
+    results of second solvers.
     """
     rows, group = failed_first(case.rows), lines(case.rows)
     refined = [row for row in rows if row.grid and row.levels]

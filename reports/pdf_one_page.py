@@ -32,9 +32,10 @@ WORST_FIRST = (Verdict.UNSAFE, Verdict.WRONG, Verdict.NONE, Verdict.CONSERVATIVE
 def one_page(
     case: CaseResult, report: Report, frames: Sequence[Frame], source: str, page: str
 ) -> Data:
-    """Possible content of a page, by weight; the template leaves out rows that do not fit.
+    """Possible content of a page, by weight; the template omits rows that do not fit.
 
-    `source` is where the case's formulas stand, `page` the file that has everything of it.
+    `source` states the origin of the formulas of the case, `page` is the file with the full
+    content.
     """
     verdicts = of_case(advised(report.verdicts), case.id, case.rows)
     found = [group_data(group, set()) for group in groups(sorted(verdicts, key=_badness))]
@@ -109,7 +110,7 @@ def _varied(case: CaseResult, report: Report, verdicts: Sequence[FormulaVerdict]
 
 
 def _inputs(case: CaseResult, varied: frozenset[str]) -> Data:
-    """Inputs with their meaning, those that were varied first, and the others in short."""
+    """Inputs with their meaning, varied inputs first, and the other inputs in short form."""
     found = sorted(case.inputs, key=lambda one: one.name not in varied)
     cells = [
         {"symbol": runs(formats.symbol(one.symbol)), "what": prose(one.what),

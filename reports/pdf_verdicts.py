@@ -1,4 +1,4 @@
-"""Verdicts of the formulas in the PDF: how many of each, then a table for each paper."""
+"""Verdicts of the formulas in the PDF: the number of each kind, then a table for each paper."""
 
 from reports.first_page import Group
 from reports.pdf_tables import Data, prose

@@ -37,11 +37,11 @@ UNREADABLE = (
 class Drawn:
     """A field as a bitmap without text, and the data for the texts and lines that a page adds.
 
-    `image` is a WebP, `width` by `height` pixels, transparent around the body, and shows
-    `rectangle` (left, bottom, right, top) in the model's length. Values run from `low` to `high`
-    in the picture's unit along evenly spaced colours `ramp`, empty for a plain body. Displacements
-    are drawn `exaggeration` times (0: there are none); `outline` is the undeformed body. `by` names
-    who drew it, and `why` says why not pyvista, or nothing.
+    `image` is a WebP of `width` by `height` pixels, transparent around the body; it shows
+    `rectangle` (left, bottom, right, top) in the length unit of the model. Values are from `low` to
+    `high` in the unit of the picture along evenly spaced colours `ramp`, which is empty for a plain
+    body. Displacements are scaled by `exaggeration` (0: none); `outline` is the undeformed body.
+    `by` is the program that drew the picture; `why` is the reason if it is not pyvista, else empty.
     """
 
     image: bytes
@@ -70,7 +70,7 @@ class Drawn:
 
 
 def key(field: Field, picture: Picture) -> str:
-    """Hexadecimal name of one picture, by everything that decides how it looks."""
+    """Hexadecimal name of one picture: a digest of all data that determine the image."""
     digest = hashlib.sha256(_code().encode())
     spec = {
         **vars(picture),
@@ -94,7 +94,7 @@ def key(field: Field, picture: Picture) -> str:
 
 
 def load(folder: Path, name: str) -> Drawn | None:
-    """The stored picture; None if there is none, it cannot be read, or OpenGL may work now."""
+    """The stored picture; None if it is missing or unreadable, or if OpenGL may work now."""
     content = Store(folder).one(KIND, name)
     if content is None:
         return None

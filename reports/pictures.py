@@ -1,4 +1,4 @@
-"""Pictures of all fields of a run: by pyvista where it works, else by matplotlib, drawn once."""
+"""Pictures of all fields of a run: by pyvista if it works, otherwise by matplotlib, drawn once."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext, suppress
@@ -26,9 +26,10 @@ def draw(
 ) -> list[Drawn]:
     """Every requested picture, in order; pictures in the `cache` (a folder) are not drawn again.
 
-    pyvista draws in a `process`, by default one of this call, that is ended after `seconds`; what
-    it fails to draw is drawn by matplotlib, and `Drawn.why` says so, with `hint` (what to install)
-    at its end. ValueError for a field that can't be drawn at all (see `reports.bodies.body`).
+    pyvista draws in a `process`, by default a separate one for this call, which is ended after
+    `seconds`. matplotlib draws the pictures that fail; `Drawn.why` states the reason and ends with
+    `hint` (the packages to install). ValueError for a field that cannot be drawn (see
+    `reports.bodies.body`).
     """
     keys = [picture_cache.key(*request) for request in requests]
     found = {}

@@ -52,7 +52,7 @@ def _rest(p: Profile) -> str:
 
 
 def dots(d: Dots) -> Markup:
-    """Values of one quantity below each other, with half-widths where they have one."""
+    """Values of one quantity below each other, with half-widths if they have any."""
     ends = [(v - (w or 0), v + (w or 0)) for _, v, w, _ in d.items]
     low, high = min(a for a, _ in ends), max(b for _, b in ends)
     margin = 0.08 * (high - low) or abs(high) * 0.05 or 1.0

@@ -1,4 +1,4 @@
-"""Cells in pixels as quadrilaterals with colours, those in front last."""
+"""Cells in pixels as coloured quadrilaterals, front cells last."""
 
 import math
 
@@ -17,7 +17,7 @@ Coloured = tuple[Array, NDArray[np.uint8]]  # corners (m, 4, 3) and RGBA (m, 4)
 
 
 def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Darker where a face is seen from the side."""
+    """Colour, darker for faces seen from the side."""
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, -1] - corners[:, 1])
     if corners.shape[1] == 3:
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

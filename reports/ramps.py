@@ -19,8 +19,9 @@ ROUND_OFF = 1e-9
 class Scale:
     """Values from `low` to `high` over evenly spaced colour `stops`, linear in sRGB between them.
 
-    That is how an SVG gradient runs too, so a colour bar beside the picture has its colours.
-    Equal values have `low == high` and the middle colour; without stops everything is plain.
+    An SVG gradient interpolates likewise, so that a colour bar beside the picture has its
+    colours. Equal values have `low == high` and the middle colour; without stops, the body is
+    plain.
     """
 
     low: float
@@ -42,7 +43,7 @@ class Scale:
 
 
 def scale(values: Array) -> Scale:
-    """Blue over grey to red, symmetric about zero, if values have both signs; else one ramp."""
+    """Blue over grey to red, symmetric about zero, for values of both signs; else one ramp."""
     low, high = float(values.min()), float(values.max())
     reach = max(-low, high, 0.0)
     if high - low <= ROUND_OFF * max(abs(low), abs(high)):

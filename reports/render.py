@@ -24,7 +24,7 @@ def main() -> None:
 
 
 def draw(folder: Path) -> None:
-    """Draw every scene of `scenes.npz` to a numbered WebP beside it."""
+    """Draw every scene of `scenes.npz` to a numbered WebP in the same folder."""
     with np.load(folder / "scenes.npz", allow_pickle=False) as data:
         for i in range(int(data["count"])):
             arrays = {name: data[f"{name} {i}"] for name in ("vertices", "faces", "colours")}

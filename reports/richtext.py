@@ -16,7 +16,7 @@ RAISED = str.maketrans("0123456789−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 def runs(text: str) -> list[Run]:
     """Text as runs: plain strings and lists of a tag (var, sub, sup, small, br) and its runs.
 
-    Only `Markup` holds tags; any other string is one unchanged run.
+    Only `Markup` contains tags; any other string is one unchanged run.
     """
     if not isinstance(text, Markup):
         return [text] if text else []
@@ -36,7 +36,7 @@ def digits(text: str) -> list[Run]:
 
 
 def plain(text: str) -> str:
-    """Marked-up text as one string: ×10⁻⁸ keeps its raised digits, an index its underscore."""
+    """Marked-up text as one string: ×10⁻⁸ has raised digits, an index has an underscore."""
     return "".join(_plain(run) for run in runs(text))
 
 

@@ -1,4 +1,4 @@
-"""The lines of the tables of rows: a row beside its convergence, failed rows before all others."""
+"""Lines of the tables of rows: each row with its convergence; failed rows come first."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ class Line:
 
     @property
     def reason(self) -> str:
-        """The text below the line: none where a plain PASS needs no words."""
+        """Text below the line; none for a plain PASS."""
         said = self.row.kind == "fact" or self.row.status is not Status.PASS
         return self.row.reason if said else ""
 
@@ -42,7 +42,7 @@ def failed_first(rows: Iterable[Row]) -> list[Row]:
 
 
 def lines(rows: Sequence[Row]) -> list[Line]:
-    """Rows, each with its convergence beside it; failed ones first, then those not run."""
+    """Rows, each with its convergence; failed rows first, then rows not run."""
     known = {row.quantity for row in rows}
     companions = {
         row.quantity.removesuffix(COMPANION): row

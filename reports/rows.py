@@ -20,7 +20,7 @@ PERCENT = (
 )  # fmt: skip
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
 HEADER = (*COLUMNS, *PERCENT, *second.COLUMNS, *PRINTED)
-FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # what makes a spreadsheet compute a text
+FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # first characters of a formula in a spreadsheet
 
 Cell = str | float | None
 

@@ -1,4 +1,4 @@
-"""A picture as coloured polygons in pixels, so that every output of it looks the same."""
+"""A picture as coloured polygons in pixels, so that it looks the same in every output."""
 
 import math
 from dataclasses import dataclass
@@ -25,9 +25,10 @@ Box = tuple[float, float, float, float]  # left, bottom, right, top
 class Scene:
     """Polygons `faces` (m, 4) over `vertices` (k, 3): pixels right and up, and towards the viewer.
 
-    Triangles repeat their last corner; `colours` is RGBA (m, 4); what comes later lies in front.
-    `rectangle` (left, bottom, right, top) is what the picture shows in the model's length, or for
-    points with three coordinates in the plane of `view`. `outline` is the undeformed body there.
+    Triangles repeat their last corner; `colours` is RGBA (m, 4); later cells are in front.
+    `rectangle` (left, bottom, right, top) is the visible region in the length unit of the model or,
+    for points with three coordinates, in the plane of `view`. `outline` is the undeformed body in
+    this region.
     """
 
     width: int
@@ -92,8 +93,8 @@ def view(field: Field, vectors: Array) -> Array:
 def exaggeration(shown: Body, window: Box | None = None, readable: float = READABLE) -> float:
     """1, 2 or 5 times a power of ten that makes displacements readable, 0 without displacements.
 
-    Measured on the visible part: the largest displacement comes near `readable`, 6.5 %, of the
-    window's or the body's size. Displacements of 5 to 25 % are drawn as they are.
+    Exaggeration for the visible part: the largest displacement is about `readable`, 6.5 %, of the
+    window or the body. Displacements of 5 to 25 % are drawn to scale.
     """
     largest = float(np.linalg.norm(shown.displacement, axis=1).max())
     size = shown.size if window is None else max(window[2] - window[0], window[3] - window[1])
@@ -110,7 +111,7 @@ def exaggeration(shown: Body, window: Box | None = None, readable: float = READA
 
 
 def _within(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
-    """The cells that the window touches, less their mean displacement, and that mean."""
+    """Cells in the window without their mean displacement, and the mean displacement."""
     seen = _touches(turned.points[turned.cells][..., :2], window)
     if not seen.any():
         raise ValueError(f"field {name!r} has no cells in the window {window}")
@@ -125,13 +126,13 @@ def _within(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
 
 
 def _touches(corners: Array, box: Box) -> NDArray[np.bool_]:
-    """True for cells (m, corners, 2) whose bounding box reaches into the box."""
+    """True for cells (m, corners, 2) whose bounding box overlaps the box."""
     low, high = corners.min(axis=1), corners.max(axis=1)
     return np.asarray(((high >= box[:2]) & (low <= box[2:])).all(axis=1))
 
 
 def _grown(window: Box) -> Box:
-    """Window with a margin; parts beyond the margin enter the window only by exaggeration."""
+    """Window with a margin for parts that enter the window only by exaggeration."""
     left, bottom, right, top = window
     air = READABLE * 2 * max(right - left, top - bottom)
     return left - air, bottom - air, right + air, top + air

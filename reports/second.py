@@ -1,4 +1,4 @@
-"""Second solvers beside a row's FE value, and at the head of a case."""
+"""Results of second solvers for a row's FE value, and for the head of a case."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,8 +17,8 @@ COLUMNS = ("second_solver", "second_value", "second_difference_relative", "secon
 class Seconds:
     """Comparisons by their place: `ids` on the page, `rows` by id of the row, `cases` by case.
 
-    A row has what was compared of its quantity; a case, the problems of which some quantity
-    belongs to no single row.
+    A row has the comparisons of its quantity; a case has the problems with a quantity that belongs
+    to no single row.
     """
 
     ids: Mapping[Crosscheck, str]

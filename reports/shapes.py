@@ -21,7 +21,7 @@ Placed = Callable[[Array], Array]
 
 
 def shapes(s: Shapes) -> Markup:
-    """Panels in as many rows as keep them large enough to see, with a bar that gives the scale."""
+    """Panels in as many rows as keep them legible, with a scale bar."""
     boxes = [_box(panel) for panel in s.panels]
     sizes = [high - low for low, high in boxes]
     scale, rows = _packed(sizes, [panel.name for panel in s.panels])
@@ -76,7 +76,7 @@ def _row_scale(sizes: list[Array], names: list[str]) -> float:
 
 
 def _place(at: Array, scale: float, corner: Array, points: Array) -> Array:
-    """Points of a panel in the picture, y downwards, with its upper left `corner` in `at`."""
+    """Points of a panel in the picture, y downwards; the point `corner` is drawn at `at`."""
     return np.asarray(at + scale * (points - corner) * (1, -1), dtype=np.float64)
 
 

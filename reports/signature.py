@@ -21,8 +21,8 @@ MARKS = {
 def position(row: Row) -> float | None:
     """Position of the formula, in tolerances from its reference; None without a reference.
 
-    An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
-    its residual is placed.
+    Position of an approximation in its expected interval, which is -1 to 1. For a balance, which
+    has no formula, the residual is used.
     """
     found = difference(row)
     if found is None:
@@ -62,7 +62,7 @@ def signature(row: Row) -> Markup:
 
 
 def _is_blunt(row: Row) -> bool:
-    """Whether the band alone would hide an error of 1 %."""
+    """Whether the band by itself would hide an error of 1 %."""
     if row.interval is not None:
         return row.interval[1] - row.interval[0] > 0.02
     return bool(row.tolerance and row.scale and row.tolerance / row.scale > 0.01)

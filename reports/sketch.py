@@ -46,7 +46,7 @@ def sketch(data: Sketch | None) -> Markup:
 
 
 def _apart(drawn: Markup, height: float) -> Markup:
-    """The drawing with labels moved away from its middle that would lie on another."""
+    """Drawing in which labels that would overlap are moved away from its middle."""
     taken: list[tuple[float, float, float]] = []
 
     def placed(label: re.Match[str]) -> str:

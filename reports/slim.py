@@ -18,7 +18,7 @@ SEVERAL = 2
 MOST = 400_000  # bytes of a page of a report with several
 _STRAIGHT = re.compile(r'(?<= d=")M-?\d[-\d.,LMz]*(?=")')
 _POINT = re.compile(r"-?\d+(\.\d)?,-?\d+(\.\d)?")
-_CELL_END = re.compile(r"</t[dh]>\s*(?=<t[dh][ >]|</tr>)")  # which HTML leaves out
+_CELL_END = re.compile(r"</t[dh]>\s*(?=<t[dh][ >]|</tr>)")  # end tags, which HTML omits
 _SIMPLE_VALUE = re.compile(r"""( [a-zA-Z][\w:-]*=)"([^\s"'=<>`]+)"(?=[ >])""")
 _VERBATIM = re.compile(r"(<(?:script|style)\b.*?</(?:script|style)>)", re.DOTALL)
 _EQUATION = re.compile(r'(<svg class="maths"[^>]*>)(.*?)(</svg>)', re.DOTALL)
@@ -27,7 +27,7 @@ Point = tuple[int, int]  # in tenths of a pixel
 
 
 def slim(page: str) -> str:
-    """The page without the parts that a browser does not need for the same drawing."""
+    """The page without parts that a browser does not need for the drawing."""
     for said in NEEDLESS:
         page = page.replace(said, "")
     page = _once(page, BAND, "band")
@@ -136,7 +136,7 @@ def _short(tenths: int) -> str:
 
 
 def _packed(name: list[str], numbers: list[str], *, after: bool = False) -> str:
-    """Numbers with a comma only where their sign does not part them."""
+    """Numbers, with a comma only if no sign separates them."""
     said = "".join(name)
     for i, number in enumerate(numbers):
         said += "," * ((i > 0 or after) and number[0] != "-") + number

@@ -47,7 +47,7 @@ def polyline(points: Iterable[Sequence[float]], css: str, *, closed: bool = Fals
 
 
 def short(x: float) -> str:
-    """A coordinate to a tenth, a whole one without its zero: a page holds a hundred thousand."""
+    """Coordinate to a tenth, without ".0", because a page contains a hundred thousand of them."""
     return f"{x:.1f}".removesuffix(".0")
 
 
@@ -123,7 +123,7 @@ def decade(exponent: int) -> Markup:
 def log_ticks(low: float, high: float, apart: float = 0.09) -> list[float]:
     """Numbers in [low, high] for a logarithmic axis, no two closer than `apart` of its length.
 
-    Powers of ten come first, then their 2 and 5 times; a range that holds fewer than three has
+    Powers of ten come first, then 2 and 5 times these; a range with fewer than three marks has
     round numbers.
     """
     if not high > low > 0:

@@ -1,4 +1,4 @@
-"""The page of a sweep: self-contained, and nothing in it runs."""
+"""The page of a sweep: self-contained, without scripts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ Picture = Figure | Measured | Histogram | Causes
 class Formula:
     """Result of a sweep for one formula: a sentence, tables and pictures, `panels` of small ones.
 
-    `kind` names the comparison, `opened` states whether all of it is displayed at once.
+    `kind` is the name of the comparison; `opened` states whether all details are displayed at once.
     """
 
     anchor: str
@@ -52,9 +52,9 @@ class Formula:
 class SweepPage:
     """Everything on the page, in words and numbers.
 
-    `overview` is a table with a line for each of `formulas`, in their order; `problems` tell how
-    many points have no answer and why. `varied` and `inputs` are symbol, what it is, and value;
-    `facts` and `files` name and what is there.
+    `overview` is a table with a line for each of `formulas`, in their order; `problems` state the
+    number of failed points and the reasons. `varied` and `inputs` are symbol, meaning and value;
+    `facts` and `files` are name and content.
     """
 
     name: str

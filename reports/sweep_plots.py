@@ -1,4 +1,4 @@
-"""Pictures of a sample: how a quantity scatters, and which inputs it scatters through."""
+"""Pictures of a sample: the scatter of a quantity, and the inputs that cause it."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ MOST_BINS = 40
 class Histogram:
     """Frequency of `values` (n,), in the unit of the label; `quantiles` are values and names.
 
-    `limits` mark where a formula's error leaves its limits, as ± values.
+    `limits` are marked as ± values of the error of the formula.
     """
 
     title: str

@@ -14,7 +14,7 @@ _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)  # words in scripts c
 def used_rules(page: str) -> str:
     """The page with the rules of its style sheet whose classes all occur in it or in its scripts.
 
-    Classes within brackets, as of :is(), do not count: such a rule stays.
+    Classes within brackets, as in :is(), do not count: such a rule is retained.
     """
     given = {name for names in _GIVEN.findall(page) for name in names.split()}
     given |= {word for script in _SCRIPT.findall(page) for word in re.findall(r"[\w-]+", script)}

@@ -46,7 +46,7 @@ def figure(region: ValidityRegion, title: str) -> Markup:
 
 
 def _left(region: ValidityRegion) -> bool:
-    """Whether some limit holds at some points and not at others."""
+    """Whether a limit is met at some points and not at others."""
     mixed = any(max(one.inside, one.outside) < region.points for one in region.limits)
     return mixed and region.unsolved < region.points
 
@@ -67,7 +67,7 @@ def common(one: Validity) -> str:
 
 
 def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
-    """The limits as one reads them, "2, 5", those that hold the same points together."""
+    """Limits that are met at the same points, in words: "2, 5"."""
     found: list[tuple[str, ValidityLimit]] = []
     for one in region.limits:
         name = f"{100 * one.limit:g}"
@@ -80,7 +80,8 @@ def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
 def signed(error: float | None, U: float | None) -> str:
     """A relative error in per cent with its bar: "−1.2 ± 0.02 %"; a dash without an error.
 
-    A bar below a hundredth of the error's first digit is "<" that; both below LEAST are one "<".
+    A bar below a hundredth of the first digit of the error is "<"; if both are below LEAST, one
+    "<".
     """
     if error is None:
         return "–"

@@ -1,6 +1,6 @@
 """A formula's signed error over one input, in the band of its uncertainty, between the limits.
 
-Below, a strip for each limit: where the whole band is within it.
+Below the line, there is a strip for each limit: filled if the whole band is within the limit.
 """
 
 import math
@@ -104,7 +104,7 @@ def _pieces(known: NDArray[np.bool_]) -> Iterator[NDArray[np.int64]]:
 
 
 def _marked(axes: Axes, m: Measured) -> None:
-    """A ring on the axis at the value in the file: nothing need be solved just there."""
+    """A ring on the axis at the value in the file, which need not be a solved point."""
     if m.nominal is None or not m.x.min() <= m.nominal[0] <= m.x.max():
         return
     x = math.log10(m.nominal[0]) if m.log[0] else m.nominal[0]
@@ -129,7 +129,7 @@ def _base(axes: Axes, m: Measured) -> None:
 
 
 def _strips(axes: Axes, m: Measured, at: Array, known: NDArray[np.bool_]) -> None:
-    """A bar for each limit: filled where the band is within, hatched where the band crosses it."""
+    """A bar for each limit, filled if the band is within it, hatched if the band crosses it."""
     left, _, right, bottom = axes.box
     order = np.argsort(at)
     ends = np.concatenate(

@@ -45,7 +45,7 @@ def measured(m: Measured) -> Markup:
 
 
 def scale_key(limits: tuple[float, ...] = LIMITS, *, marked: bool = True) -> Markup:
-    """Meaning of the colours and marks of small figures, once for many.
+    """Common key of the colours and marks of several small figures.
 
     `marked` says whether one of them has the inputs of the file.
     """
@@ -83,7 +83,7 @@ def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
 
 
 def _numbers(m: Measured, cells: Cells, number: NDArray[np.int64]) -> list[Markup]:
-    """The error in each cell, in per cent, where every one has room."""
+    """The error in each cell, in per cent, if every number has room."""
     words = [[percent(v) if np.isfinite(v) else "" for v in row] for row in m.error]
     if within := all_within(m.error, m.U):
         x, y = (m.error.shape[0] / 2, m.error.shape[1] / 2)
@@ -120,7 +120,7 @@ def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
 
 
 def _place(values: Array, wanted: float) -> float | None:
-    """Index of a value among `values`, in any order; None beyond their ends."""
+    """Index of the interval of a value among `values`, in any order; None beyond their ends."""
     order = np.argsort(values)
     if not values[order[0]] <= wanted <= values[order[-1]]:
         return None
@@ -158,7 +158,7 @@ def _ticks(
 
 
 def has_nominal(m: Measured) -> bool:
-    """Whether a map holds the inputs of the file."""
+    """Whether the inputs of the file are within a map."""
     return m.y is not None and _nominal(m, m.y) is not None
 
 

@@ -1,4 +1,4 @@
-"""Verdicts of the formulas: how many of each by paper, and each with its error and evidence."""
+"""Verdicts of the formulas: numbers by paper, and each with its error and evidence."""
 
 import re
 from collections import Counter
@@ -52,7 +52,7 @@ def by_paper(report: Report) -> list[PaperVerdicts]:
 
 
 def given(report: Report) -> list[Verdict]:
-    """The verdicts that occur; "no verdict" among them where a formula has none."""
+    """The verdicts that occur; "no verdict" is one of them if a formula has none."""
     found = {one.verdict for one in report.verdicts}
     return [verdict for verdict in Verdict if verdict in found or verdict is not Verdict.NONE]
 

@@ -17,10 +17,10 @@ STEPS = 20  # of the slider up to the displacement as drawn
 
 
 def viewer(field: Field, picture: Picture) -> Markup:
-    """HTML of the view; colours and range are those of the flat picture of the same field.
+    """HTML of the view; colours and range are those of the two-dimensional picture of the field.
 
-    The page brings templates/viewer.js once, and a colour bar if the flat picture beside the view
-    has none. Only plane lines with `Picture.width` can be swept: ValueError for others.
+    The page contains templates/viewer.js once, and a colour bar if the picture beside the view has
+    none. Only plane lines with `Picture.width` can be swept: ValueError for others.
     """
     if field.points.shape[1] != 2 or field.cells.shape[-1] != 2:
         raise ValueError(f"field {field.name!r}: only lines in a plane become a ribbon")

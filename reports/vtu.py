@@ -1,8 +1,8 @@
 """One VTU file per solved mesh, for ParaView.
 
-Names of arrays carry their unit, as "von_mises [Pa]", because ParaView writes the name beside the
-colour bar; points are in m. Plane vectors get a zero third component, plane stresses (xx, yy, xy,
-zz) become the six of a symmetric tensor, which ParaView names XX to XZ.
+Names of arrays contain their unit, as "von_mises [Pa]", because ParaView writes the name beside the
+colour bar; points are in m. Plane vectors get a zero third component; plane stresses (xx, yy, xy,
+zz) become the six components of a symmetric tensor, which ParaView names XX to XZ.
 """
 
 import re
@@ -25,7 +25,7 @@ def vtu_files(case: CaseResult) -> Iterator[tuple[str, bytes]]:
     for field in case.fields:
         slug = re.sub(r"[^a-z0-9]+", "-", f"{case.id}-{field.name}".lower()).strip("-")
         name, count = f"{slug}.vtu", 1
-        while name in taken:  # names that differ in signs alone
+        while name in taken:  # names that differ only in punctuation
             count += 1
             name = f"{slug}-{count}.vtu"
         taken.add(name)
@@ -52,7 +52,7 @@ def _named(field: Field, key: str) -> str:
 
 
 def _solid(values: Array) -> Array:
-    """Plane vectors and plane stresses in space; anything else as it is."""
+    """Plane vectors and plane stresses in space; other data unchanged."""
     if values.ndim == 2 and values.shape[1] == 2:
         return np.column_stack([values, np.zeros(len(values))])
     if values.ndim == 2 and values.shape[1] == 4:

@@ -1,6 +1,6 @@
 """Modes of turning shafts in space: orbits, the bent centre lines at one phase, and their outline.
 
-`templates/whirl.js` moves the lines and dots along the orbits; without it the drawing stands.
+`templates/whirl.js` moves the lines and dots along the orbits; without it, the drawing is static.
 """
 
 import math
@@ -87,7 +87,7 @@ def whirl(w: Whirl) -> Markup:
 
 
 def _panels(w: Whirl, length: float, columns: int) -> _Panels:
-    """As wide as the columns allow, as high as displacements and shafts need."""
+    """Size: as wide as the columns allow, as high as displacements and shafts need."""
     wide = (WIDTH - 2 * EDGE - GAP * (columns - 1)) / columns
     scale, reach = LENGTH * wide / (length * ALONG[0]), min(REACH * wide, MOST)
     thick = scale * max((float(np.max(r)) for _, r in w.outlines), default=0.0)
@@ -150,7 +150,7 @@ def _some(count: int, most: int) -> list[int]:
 
 
 def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Markup]:
-    """An ellipse around p, how wide it is, and an arrow's head for the direction of motion."""
+    """An ellipse around p, its width, and an arrow head in the direction of motion."""
     axes, (a, b), _ = np.linalg.svd(np.column_stack([d.real, -d.imag]))
     end = a * axes[:, 0]
     if a < SMALL:

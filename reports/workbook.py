@@ -34,7 +34,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Printed:
-    """A number as a paper prints it: its digits are part of it."""
+    """A number as printed in a paper, including its number of digits."""
 
     text: str
 
@@ -43,7 +43,7 @@ Cell = str | float | Link | Printed | None
 
 
 class Book:
-    """A workbook in memory; the same tables give the same bytes."""
+    """A workbook in memory; equal tables give equal bytes."""
 
     def __init__(self, title: str, made: datetime) -> None:
         self._bytes = io.BytesIO()
@@ -113,7 +113,7 @@ class Book:
             sheet.write_number(i, k, cell, self._format(look))
 
     def _format(self, look: Mapping[str, Any]) -> Any:
-        """One format for each look, for a workbook holds few of them."""
+        """One format per style, because a workbook permits few formats."""
         key = repr(sorted(look.items()))
         if key not in self._formats:
             self._formats[key] = self._book.add_format(dict(look))

@@ -1,4 +1,4 @@
-"""Write everything of a run into one folder, each file whole or not at all."""
+"""Write all files of a run into one folder, each file completely or not at all."""
 
 import fcntl
 import shutil
@@ -87,7 +87,7 @@ def write(
 def _frames(
     report: Report, before: Before, cache: Path | None, hint: str
 ) -> dict[str, Sequence[Frame]]:  # fmt: skip
-    """The pictures of the cases that need them; of others who drew them."""
+    """Pictures of the cases that need new ones; for the others, the program that drew them."""
     needed = [
         case for case in report.cases
         if PAPER_PART not in before or page_of(case.id) not in before
@@ -98,7 +98,7 @@ def _frames(
 
 
 def _replace(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Put files into the folder, after all of them are on its disk."""
+    """Move files into the folder after all of them are on its disk."""
     with _staging(folder) as staging:
         for name, content in files.items():
             try:
@@ -173,7 +173,7 @@ def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
 
 @contextmanager
 def _alone_in(folder: Path) -> Iterator[None]:
-    """Two runs into one folder write one after the other, so that its files belong together."""
+    """Lock: runs with the same folder write one after the other."""
     with (folder / ".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield

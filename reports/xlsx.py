@@ -1,4 +1,4 @@
-"""tables.xlsx: everything of the report that is a table, with real numbers."""
+"""tables.xlsx: all tables of the report, with numbers as numbers, not as text."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence

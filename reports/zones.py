@@ -1,4 +1,4 @@
-"""Plot of the states in a plane: zones named where they lie, limits drawn over them, a point."""
+"""Plot of the states in a plane: named zones, limits drawn over them, and a point."""
 
 from collections.abc import Sequence
 
@@ -71,7 +71,7 @@ def _taken(axes: Axes, z: Zones) -> list[Box]:
 def _name(
     axes: Axes, zone: Zone, x: Array, floor: Array, top: Array, taken: Sequence[Box]
 ) -> list[Markup]:
-    """The zone's name in its roomiest free place; none where no place is large enough."""
+    """The name of a zone in its largest free place; none if no place is large enough."""
     left = np.array([axes.X(v) for v in x])
     low = np.array([axes.Y(v) for v in floor])
     high = np.array([axes.Y(v) for v in top])
@@ -102,7 +102,7 @@ def _mark(axes: Axes, z: Zones) -> list[Markup]:
 
 
 def _beside(axes: Axes, z: Zones) -> tuple[Box, str]:
-    """Box of the point's name and its anchor: where least of the curves runs through it."""
+    """Box of the name of the point and its anchor, at the place with the fewest curves."""
     assert z.point is not None
     u, v = _place(axes, *z.point[:2])
     wide, centre = LETTER * len(z.point[2]), (axes.box[0] + axes.box[2]) / 2

@@ -25,8 +25,8 @@ HIGH = (100.0, 1.0, 300.0)  # for a light load at a large tilt the optimum tends
 GENERATIONS, CROWNS = 40, 10  # CROWNS a generation for each of the three parameters
 PATIENCE = 8  # generations
 DIGITS = 3
-# of a peak over Hertz's pressure of a uniform load: the search takes nearer peaks for equal. Strips
-# leave some 1e-12; crowns that differ only where nothing touches differ by no more than that
+# of a peak over Hertz's pressure of a uniform load: smaller differences count as equal. Strips
+# cause 1e-12; crowns that differ only outside of the contact differ by less than that
 PEAK_DECIMALS = 9
 STRIPS = (60, 200)  # fewest and most
 LOADED = 1e3  # beyond every peak over Hertz's pressure of a uniform load

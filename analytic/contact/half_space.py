@@ -5,10 +5,11 @@ Pressure is uniform in each of nx by ny equal cells; the displacement of their c
 the tolerance (`half_space_cg`). E* is the contact modulus of both bodies together. Any consistent
 units.
 
-Range: small strain, contact much smaller than the bodies, no free edge near it. Cells are whole
-inside the contact or outside: its rim is stepped, so that pressures err by about the cell's size in
-the mean square, peak and approach of a round contact by about its square. Pressure that is singular
-(the rim of a punch, the end of a roller without crown) has no peak: it grows as 1/sqrt(cell).
+Range: small strain, contact much smaller than the bodies, no free edge near it. Each cell is either
+inside or outside of the contact, so that its rim is stepped. The mean-square error of pressures is
+of the order of the cell's relative size; the error of peak and approach of a round contact is of
+the order of its square. A singular pressure (the rim of a punch, the end of a roller without crown)
+has no finite peak: the computed value increases as 1/sqrt(cell).
 
 References
 ----------

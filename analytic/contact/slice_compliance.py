@@ -46,7 +46,7 @@ def love(distance: ArrayLike, width: ArrayLike, half_width: ArrayLike) -> Array:
     b = positive(half_width, "half-width", "m")
 
     def primitive(v: Array) -> Array:
-        far = np.maximum(np.abs(v), 1e-300)  # v asinh(b/v) is 0 at 0, and even but for its sign
+        far = np.maximum(np.abs(v), 1e-300)  # v asinh(b/v) is 0 at 0, and even except for its sign
         return np.asarray(v * np.arcsinh(b / far) + b * np.arcsinh(v / b))
 
     return primitive(d + D / 2) - primitive(d - D / 2)

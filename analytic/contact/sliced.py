@@ -57,7 +57,7 @@ class Cases:
     compliance: Array  # s of each slice
     load: Array | None
     approach: Array | None  # one of the two is given
-    shape: tuple[int, ...]  # of the cases as they came
+    shape: tuple[int, ...]  # of the input arrays
 
     @classmethod
     def of(

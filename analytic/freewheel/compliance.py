@@ -44,7 +44,7 @@ class Body:
 
     def approach(self, P: Array, a: Array) -> tuple[Array, Array]:
         """Approach [length] and its derivative by P, with a growing like the root of P."""
-        loaded = np.where(a > 0, a, self.l)  # P = 0 makes the product vanish whatever the logarithm
+        loaded = np.where(a > 0, a, self.l)  # the product vanishes for P = 0 with any logarithm
         bracket = 2 * np.log(self.l / loaded) + self.k
         linear = self.c * loaded / self.l
         scale = 1 / (np.pi * self.E)

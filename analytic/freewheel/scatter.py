@@ -54,7 +54,7 @@ class Scatter:
         lights = criterion.traffic_light(self.safety)[wedged[known]]
         shares = {name: float((lights == name).sum() / d.outcomes.size)
                   for name in ("green", "yellow")}  # fmt: skip
-        # those without a wedge or a state, past the corners or releasing themselves among them
+        # including those without wedge or equilibrium, beyond the corners, or self-releasing
         shares["red"] = 1 - sum(shares.values())
         return found | {f"share_{name}": share for name, share in shares.items()}
 

@@ -24,7 +24,7 @@ from analytic.contact.checks import Array
 from analytic.ring.fourier_ring import Wall
 from analytic.ring.loaded_race import LoadedRace
 
-PATCH = 2e-3  # a/r of the patch that k is read off; a² of it is left out
+PATCH = 2e-3  # a/r of the patch from which k is read; its square is neglected
 NODES = 32  # of the interpolation over many ratios, at most
 TERMS = 400  # waves of a star; the remainder falls with 1/m² and is added
 SOLID = 1e6  # ratio of a shaft without bore

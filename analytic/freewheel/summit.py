@@ -7,7 +7,7 @@ from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.limits import pop_through
 from analytic.freewheel.state import RollerClutchState, at_normal_force, loaded
 
-NEAR, BEYOND = 0.99, 1.4  # of the largest torque, of N there: where the summit is searched
+NEAR, BEYOND = 0.99, 1.4  # limits of the search, relative to N at the largest torque
 FOUND = 1e-9  # relative to N
 
 

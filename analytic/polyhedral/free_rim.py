@@ -38,8 +38,8 @@ from analytic.polyhedral.sector import Complex, Sector
 
 DENSITIES = (5.0, 7.0)
 POINTS = 6  # per pole
-OFFSET = 0.382  # of even points: none at a corner, a middle or a round share, where a force may be
-CUT = 1e-14  # singular values that are left out, over the largest
+OFFSET = 0.382  # offset of evenly spaced points from corners, middles and round shares
+CUT = 1e-14  # omitted singular values, relative to the largest
 GOOD, WORST = 1e-6, 1e-4  # residual that ends the refinement, residual that is refused
 
 

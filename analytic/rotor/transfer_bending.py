@@ -35,7 +35,7 @@ class Bending:
 
     @staticmethod
     def up_to(rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
-        """Cut for all frequencies from 0 to `w` [rad/s] at the speeds `Omega`, as pairs."""
+        """Rotor divided for frequencies from 0 to `w` [rad/s] at the speeds `Omega`, in pairs."""
         s, b, t = numbers(rotor, w, Omega)
         parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
         return Bending(rotor, tuple(int(n) for n in parts))

@@ -88,7 +88,7 @@ def transfer_unbalance_response(
             )
         if excitation > 0:
             force[:, 2 * node] += value * w**2
-        else:  # turns against the rotor
+        else:  # backward whirl
             force[:, 2 * bending.nodes + 2 * node] += np.conj(value) * w**2
     return TransferResponse(Omega, w, _solved(bending, w, Omega, force), bending)
 

@@ -16,7 +16,7 @@ class Balance:
     """Energies and works [J] of the whole clutch since the start, each (steps,)."""
 
     torque: Array  # put in by the torque
-    blades: Array  # put in by the blades, whose other end the equations of motion leave open
+    blades: Array  # work of the blades, whose other end the equations of motion do not specify
     kinetic: Array
     elastic: Array  # of contacts, races and sprags
     support: Array  # of the spring behind the outer race

@@ -31,7 +31,7 @@ from analytic.sprag.goursat import displaced, flamant, forces_along, rest, turns
 
 Pair = tuple[float, float]  # of the inner and the outer contact
 
-DEGREE = 32  # of the polynomials: 2 % of how far the ends of a column turn
+DEGREE = 32  # of the polynomials: error of 2 % of the rotation of the ends of a column
 
 
 class Triangle(Protocol):

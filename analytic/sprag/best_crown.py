@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from analytic.surrogate.largest import Largest
 
 POWER = 2.0  # a slice's pressure squared is proportional to its force
-AGREE = 0.005  # of surrogate and true model where the optimal crown is
+AGREE = 0.005  # relative difference of surrogate and true model at the optimal crown
 DIRECT = 40  # engagements of the search without a surrogate
 
 

@@ -31,7 +31,7 @@ from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.search import first_reach
 
 MOST_FRICTION = 0.99  # no limit here
-BENDING = 0.2, 0.5  # of the rotation with a contact at a flank, where the column's bending is taken
+BENDING = 0.2, 0.5  # relative to the rotation with a contact at a flank: evaluation of the bending
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class ElasticSpragClutch:
         """Torque [N m] at which a contact reaches a flank; infinite if none does."""
         if self.column is None:
             return math.inf
-        turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 but for 1 %
+        turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 within 1 %
         return float(
             sprag_torque_limits(self.clutch, mu=MOST_FRICTION, theta_max=turned).end_of_cam
         )

@@ -30,7 +30,7 @@ from analytic.contact.checks import Array
 
 Complex = NDArray[np.complex128]
 Goursat = tuple[Complex, Complex, Complex]  # phi, its derivative, psi
-Force = tuple[complex, complex]  # where, and which
+Force = tuple[complex, complex]  # point of application, force
 
 DEGREE = 24  # of the polynomials: 4e-4 of a sprag's approach
 

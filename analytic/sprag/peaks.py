@@ -1,10 +1,10 @@
 """Largest pressures of crowns under torques, and the criterion of a design: its ends or the rest.
 
 The slices of Eqs. 2-5 hardly represent the end of a sprag: their optimal crown loads the ends, for
-which strips on a half-space have a pressure peak, the higher the finer they are. So a crown for
-manufacture is evaluated by strips, with unloaded ends: where a contact ends before the sprag, the
-last strip is partly unloaded and carries less than the others; where it reaches the end it
-carries more, without limit as strips become narrower.
+which strips on a half-space have a pressure peak that increases with the number of strips. A crown
+for manufacture is therefore evaluated by strips, with unloaded ends. If a contact ends before the
+sprag, the last strip is partly unloaded and carries less than the others; if the contact reaches
+the end, the last strip carries more, without limit as strips become narrower.
 """
 
 from dataclasses import dataclass
@@ -43,7 +43,7 @@ class Peaks:
     def regimes(self) -> tuple[Array, Array]:
         """Weighted pressures of the end and of the rest [Pa], each (n, m): regimes for a surrogate.
 
-        By strips no crown with loaded ends is accepted: see END.
+        A crown with loaded ends is not accepted by strips: see END.
         """
         return (END if self.by == "strips" else 1.0) * self.end, self.inside
 
@@ -51,13 +51,13 @@ class Peaks:
     def objective(self) -> Array:
         """The larger regime [Pa], (n, m), to be minimised by a crown.
 
-        That is `largest` of slices, and of strips where the ends are free.
+        Value of `largest` for slices, and for strips if the ends are unloaded.
         """
         return np.maximum(*self.regimes)
 
     @property
     def end(self) -> Array:
-        """Pressure [Pa] of the first slice, at an end, 0 where they carry nothing, (n, m)."""
+        """Pressure [Pa] of the first slice, at an end; 0 if the ends are unloaded, (n, m)."""
         return np.asarray(self.pressure[..., 0])
 
     @property

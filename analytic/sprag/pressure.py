@@ -1,9 +1,9 @@
 r"""Contact pressure along a sprag through an engagement, p(y, t).
 
-The slices are solved at a few loads, evenly over sqrt(N), and a monotone cubic over sqrt(N) is put
-through each slice's peak pressure: that of a slice which carries its part of the load whatever the
-load is straight, p ~ sqrt(N). Between two loads a slice that just begins to carry is off by up to
-7 % of the largest pressure, the largest pressure itself by 0.2 % (41 slices; 0.7 % with 21).
+The slices are solved at a few loads, evenly spaced in sqrt(N). The peak pressure of each slice is a
+monotone cubic of sqrt(N); it is a straight line, p ~ sqrt(N), for a slice whose share of the load
+is constant. Between two loads, a slice that just begins to carry has an error of up to 7 % of the
+largest pressure; the error of the largest pressure is 0.2 % (41 slices; 0.7 % with 21).
 """
 
 import numpy as np

@@ -29,7 +29,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def at_torque(clutch: SpragClutch, T: float) -> Wedged:
-    """State under the torque T [N m] of the clutch, the first from no load upwards."""
+    """State at the torque T [N m] of the clutch: the first state from no load upwards."""
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
     N = first_reach(lambda N: wedged(clutch, N).T, np.asarray(T), start=start)

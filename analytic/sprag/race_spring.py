@@ -1,8 +1,8 @@
 """A sprag clutch as a spring between its races: its torque over their relative rotation.
 
-Rolling contacts couple the sprags' motion to the relative rotation theta of the races. Without
-the sprags' mass the clutch is a spring T(theta), N(theta), less the share of the blades that press
-the sprags on their races.
+Rolling contacts couple the motion of the sprags to the relative rotation theta of the races.
+Without the mass of the sprags, the clutch is a spring with T(theta) and N(theta), less the moment
+of the blades that press the sprags on their races.
 """
 
 from collections.abc import Callable
@@ -27,9 +27,9 @@ LONGEST = 60  # times that the largest load is raised
 
 @dataclass(frozen=True, kw_only=True)
 class Blades:
-    """Springs of the stiffness `K_r` [N m/rad] on each sprag, slack at its turn `alpha_max` [rad].
+    """Springs of the stiffness `K_r` [N m/rad] on each sprag, unloaded at the turn `alpha_max`.
 
-    The profile ends that far from first contact.
+    The profile ends at this turn [rad] from first contact.
     """
 
     K_r: float
@@ -76,12 +76,12 @@ class RaceSpring:
         return CubicSpline(self.theta, self.states.N)
 
     def resistance(self) -> CubicSpline:
-        """Torque [N m] of the sprags over the rotation theta [rad], less the blades'."""
+        """Torque [N m] of the sprags over the rotation theta [rad], without that of the blades."""
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
     @cached_property
     def pressed(self) -> Wedged:
-        """The state in which the blades alone press the sprags on their races."""
+        """State in which only the blades press the sprags on their races."""
         blades = self.blades
         N, _ = spring_equilibrium(self.clutch, K_r=blades.K_r, alpha_max=blades.alpha_max)
         return N
@@ -102,9 +102,9 @@ def reached(
 ) -> RaceSpring:
     """The clutch up to the largest load of an engagement, or the end of the profile.
 
-    `made` gives the clutch whose contacts are known up to a force [N]. It is raised from `N` until
-    the clutch stores more than the torque `T` [N m], the races' `kinetic` energy [J] and the blades
-    put in. ValueError if no force carries the torque.
+    `made` gives the clutch whose contacts are known up to a force [N]. This force is increased from
+    `N` until the clutch stores more energy than the work of the torque `T` [N m], the `kinetic`
+    energy [J] of the races and the work of the blades. ValueError if no force carries the torque.
     """
     for _ in range(LONGEST):
         found = made(N)

@@ -13,7 +13,7 @@ WIDEST = 0.9  # of half a pitch: patches that are wider would overlap
 
 
 def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
-    """Hoop stresses [Pa] at R_i, at the inner race's bore and at R_e, and Tresca's of both races.
+    """Hoop stresses [Pa] at R_i, the bore of the inner race and R_e; Tresca stresses of both races.
 
     The forces N, N_e [N] of the sprags are uniformly distributed; the inner race has its largest
     stress at its bore, the outer at R_e.

@@ -49,7 +49,7 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """Relative shift of the mean N by the swing: N and the arms of its moment swing together."""
+    """Relative change of the mean N by the swing: N and the arms of its moment vary together."""
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])

@@ -1,4 +1,4 @@
-"""Normal force at which a growing quantity first reaches a goal."""
+"""Normal force at which an increasing quantity first reaches a given value."""
 
 from collections.abc import Callable
 
@@ -17,8 +17,8 @@ HALVINGS = 60
 def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -> Array:
     """Least N [N], found in a path of growing steps, with value(N) = goal; nan if there is none.
 
-    `start` is a first guess of N; where it is 0, so is the answer. The path ends where the value is
-    nan. Bisection on ln N to round-off.
+    `start` is a first guess of N; if it is 0, 0 is returned. The path ends at the first nan.
+    Bisection on ln N to round-off.
     """
     shape = np.broadcast_shapes(np.shape(value(start)), goal.shape)
     start, goal = np.broadcast_to(start, shape), np.broadcast_to(goal, shape)
@@ -60,7 +60,7 @@ def _last(value: Callable[[Array], Array], low: Array, high: Array) -> Array:
 def _halved(
     met: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array
 ) -> tuple[Array, Array]:
-    """Bracket of the load from which on `met` holds, halved to round-off."""
+    """Bracket of the load above which `met` is true, halved to round-off."""
     for _ in range(HALVINGS):
         middle = np.sqrt(low * high)
         beyond = met(middle)

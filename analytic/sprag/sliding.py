@@ -1,12 +1,13 @@
 """Sprags that slide permanently: their forces, and which contact slides.
 
-If one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
-the blades alone. Driven, it is the inner one, T_i = mu N:
+If one contact slides at a constant speed, N follows from the two equations of the sprag (Eq. 14)
+and the moment of the blades. If the clutch is driven, the inner contact slides, T_i = mu N:
 
     N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
 
-which grows without limit as mu comes near the friction required at rest. If the race overruns,
-the outer contact would carry more, slides with T_e = -mu N, and the sprags rotate with the race.
+which grows without limit if mu approaches the friction required at rest. If the race overruns, the
+outer contact has the larger required friction and slides with T_e = -mu N, and the sprags rotate
+with the race.
 """
 
 import math
@@ -20,7 +21,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 @dataclass(frozen=True)
 class Sliding:
-    """N [N] of a sprag that slides, T_i/N, and whether it does so on the outer race."""
+    """N [N] of a sliding sprag, T_i/N, and whether the outer contact slides."""
 
     N: float
     share: float
@@ -28,10 +29,10 @@ class Sliding:
 
 
 def sliding(w: RaceSpring, mu: float) -> Sliding:
-    """The state with friction `mu` at the contact that slides, negative where the race overruns.
+    """State with the friction `mu` at the sliding contact; mu is negative if the race overruns.
 
-    The contact slides that otherwise would have to transmit more than friction. If both would, for
-    |mu| below h/2 over OC_g, there is no such state, and N is nan.
+    The contact slides that would otherwise have to transmit more than friction. If this applies to
+    both contacts (|mu| below h/2 over OC_g), no such state exists, and N is nan.
     """
     blades, now = w.blades, w.states
     h = now.h_i - now.h_e

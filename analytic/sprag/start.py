@@ -1,6 +1,6 @@
 r"""Start of an engagement: the blade spring presses the sprag, without drag of the inner race.
 
-With T_i = 0 the tangential balance of Eq. 14 gives
+With T_i = 0, the tangential equilibrium of Eq. 14 gives
 
 .. math:: T_e = -N_0\,\frac{\sin(\beta+\gamma) - \sin\gamma}{\cos\gamma}
 
@@ -26,9 +26,8 @@ def spring_equilibrium(
 ) -> tuple[Wedged, Array]:
     """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
 
-    Of the state N and the geometry hold, not its forces of a wedged strut. ValueError if the
-    spring is slack already at first contact, ArithmeticError if the states end before one
-    balances it.
+    N and the geometry of the state are valid, but not its forces of a wedged strut. ValueError if
+    the spring is unloaded already at first contact; ArithmeticError if no state is in equilibrium.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
     first = wedged(clutch, 0.0)

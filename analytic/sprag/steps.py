@@ -25,7 +25,7 @@ class LongStepError(ArithmeticError):
 
 
 def enough(table: Table, motion: Motion, dt: float) -> float:
-    """A sufficient step [s] where `dt` [s] was too long, of one digit."""
+    """Sufficient time step [s], rounded to one digit, if `dt` [s] was too long."""
     return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 
@@ -43,7 +43,7 @@ def missing(engagement: Engagement) -> float:
 def fastest(table: Table, motion: Motion) -> float:
     """Upper bound [rad/s] of the engagement's frequencies and rates of decay.
 
-    Races that roll on stiff sprags, the support, the damping, a sprag that slides alone.
+    Rolling races on stiff sprags, the support, the damping, and a sprag that slides alone.
     """
     _, OA, OB, OC_g, b_i, b_e, *_ = table.values[:, 1:]
     alpha = (table.step * np.arange(table.values.shape[1])) ** 2

@@ -4,7 +4,7 @@ r"""Oscillation in time of two races, with a sprag clutch as the spring between 
     I_{bi}\,\theta_i'' = C - T(\theta) - C_{rl}\,\theta', \qquad
     I_{be}\,\theta_e'' = T(\theta) + C_{rl}\,\theta' - k_{out}\,\theta_e
 
-That shares with the equations of motion (Eqs. 14-16) the closure alone.
+This formula and the equations of motion (Eqs. 14-16) share only the closure equations.
 """
 
 import math
@@ -36,7 +36,7 @@ class Swing:
 
 @dataclass(frozen=True, kw_only=True)
 class Driven:
-    """A torque `T` [N m] that is reached in `t_ramp` [s] on a race that turns at `w_i` [rad/s].
+    """Torque `T` [N m], reached after `t_ramp` [s], on a race with the speed `w_i` [rad/s].
 
     It is followed till `t_end` [s].
     """
@@ -69,8 +69,8 @@ def time_to_rest(q: Driven, motion: Motion) -> float:
 def swing(w: RaceSpring, q: Driven, motion: Motion) -> Swing:
     """Two races on the clutch as a spring: rolling, massless sprags.
 
-    A race that overruns comes to rest first and engages from there. ArithmeticError if the
-    integration ends before its time.
+    A race that overruns first comes to rest and then engages. ArithmeticError if the integration
+    ends prematurely.
     """
     rest = time_to_rest(q, motion)
     force, start = w.force(), w.start

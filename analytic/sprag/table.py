@@ -1,20 +1,21 @@
 r"""Force and geometry of one sprag tabulated over its rotation alpha.
 
-The closure gives everything explicitly over N; an engagement needs it over alpha, four times a
-step. The table has equal intervals of s = sqrt(alpha) from the first contact (alpha = 0, N = 0) to
-its end and holds value and slope d/ds of each column, cubic between (Hermite): continuous with its
-slope. An engagement begins under the blades' few newtons, at a ten-thousandth of its rotation, and
-whether the sprag slips is decided there: equal intervals of alpha are too coarse for it.
+The closure equations give all quantities explicitly as functions of N; an engagement needs them as
+functions of alpha, four times per step. The table has equal intervals of s = sqrt(alpha) from the
+first contact (alpha = 0, N = 0) to its end, and contains value and slope d/ds of each column.
+Between the points, columns are cubic (Hermite) with continuous slope. An engagement begins under
+the few newtons of the blades, at a ten-thousandth of its rotation, and whether the sprag slips is
+determined there: equal intervals of alpha would be too coarse.
 
-The columns are those that the equations of motion need,
+The columns are those of the equations of motion,
 
     N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
 
-W the elastic energy of one sprag as measured by the motion. It is U = \int N dH but for the
-terms that Eqs. 14-16 leave out. The paper gives one normal force, N_e = N_i = N. Then the forces
-do not balance across the tangent, the static force is 4e-4 above the strut's, and it changes by
-1.4e-3 as the centroid moves by 0.5 mm. With `balanced` it is N_e = N cos(omega)/cos(nu) and
-h = h_i - h_e N_e/N: the statics are exactly the strut's, wherever the centroid is.
+W is the elastic energy of one sprag, as measured by the motion. It is U = \int N dH except for the
+terms that Eqs. 14-16 omit. The paper has one normal force, N_e = N_i = N. With it, the tangential
+forces are not in equilibrium: the static force is 4e-4 above that of the strut, and it changes by
+1.4e-3 if the centroid moves by 0.5 mm. With `balanced`, N_e = N cos(omega)/cos(nu) and h = h_i -
+h_e N_e/N: the statics are exactly those of the strut for any position of the centroid.
 """
 
 from dataclasses import dataclass
@@ -30,7 +31,7 @@ from analytic.sprag.clutch import SpragClutch
 
 COLUMNS = ("N", "OA", "OB", "OC_g", "b_i", "b_e", "h", "W")
 INTERVALS = 2000
-STATES = 4001  # of the closure, close together where the force is small
+STATES = 4001  # of the closure equations, closely spaced at small forces
 FEWEST = 100
 BISECTIONS = 40
 
@@ -39,7 +40,7 @@ BISECTIONS = 40
 class Table:
     """`values` and `slopes` d/ds, each (columns, intervals + 1), every `step` [rad^(1/2)] of s.
 
-    alpha counts from the first contact, which at speed comes later than at rest, by `origin`.
+    alpha is measured from the first contact, which at speed is later than at rest by `origin`.
     """
 
     n_s: int
@@ -59,14 +60,14 @@ class Table:
         return CubicHermiteSpline(knots, self.values.T, self.slopes.T)
 
     def at(self, alpha: ArrayLike) -> dict[str, Array]:
-        """Columns at `alpha` [rad], nan beyond the end; the first contact below 0."""
+        """Columns at `alpha` [rad]; nan beyond the end, the values of first contact below 0."""
         alpha = np.asarray(alpha, dtype=np.float64)
         inside = np.clip(alpha, 0.0, self.end)
         found = np.where((alpha > self.end)[..., None], np.nan, self._curve(np.sqrt(inside)))
         return dict(zip(COLUMNS, np.moveaxis(found, -1, 0), strict=True))
 
     def static_ratio(self, alpha: ArrayLike) -> Array:
-        r"""T_i/N with which Eq. 14 is at rest without the blades: tan(nu), but for N_e = N_i.
+        r"""T_i/N at which Eq. 14 is in equilibrium without blades: tan(nu), except for N_e = N_i.
 
         .. math:: \frac{T_i}{N} = \frac{h\,OB}{OA\, b_e + OB\, b_i}
         """
@@ -94,7 +95,7 @@ def table(
 ) -> Table:
     """Table of the closure's states, which begin at N = 0 and rise; angles in rad, SI.
 
-    ValueError if a growing force does not turn the sprag further.
+    ValueError if a larger force does not rotate the sprag further.
     """
     alpha, N, OA, OB, OC_g, beta, gamma = (
         np.asarray(x, dtype=np.float64) for x in (alpha, N, OA, OB, OC_g, beta, gamma)
@@ -131,7 +132,8 @@ def tabulated(
 ) -> Table:
     """Table of a clutch up to the normal force `N_end` [N] or the spiral's end `theta_max` [rad].
 
-    ValueError if no force up to `N_end` has a state, or further force turns nothing.
+    ValueError if no force up to `N_end` has a state, or if a larger force does not rotate the
+    sprag.
     """
     N = float(positive(N_end, "normal force at the end", "N")) * np.linspace(0, 1, STATES) ** 2
     states = wedged(clutch, N)

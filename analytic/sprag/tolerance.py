@@ -1,8 +1,8 @@
 r"""Sensitivity of the wedge angle of a given sprag to the dimensions around it.
 
-A spiral is similar to itself at every scale, so that the angles of first contact of a given sprag
-depend on R_i, R_e, its outer radius r_e and m alone, with OC_e = R_e - r_e; where on the spiral it
-touches changes, not how. With c = AB,
+A spiral is similar to itself at every scale. The angles of first contact of a given sprag therefore
+depend only on R_i, R_e, its outer radius r_e and m, with OC_e = R_e - r_e; a change of the races
+moves the contact along the spiral but keeps the angles. With c = AB,
 
 .. math::
     d\nu_0 &= \frac{R_e(R_e - R_i\cos\beta)}{c^2}\,d\beta
@@ -51,7 +51,7 @@ sensitivities = wedge_angle_sensitivities  # its name in version 0.1
 
 
 def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:
-    """Wedge angle and turn of the same sprag [rad] between races that are off by dR [m].
+    """Changes of wedge angle and turn [rad] of the same sprag between races with deviations dR [m].
 
     >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
     >>> nu, turned = first_contact(sprag, dR_i=-0.02)  # a smaller inner race lets it turn

@@ -12,12 +12,12 @@ from analytic.sprag.steps import LongStepError, missing
 from analytic.sprag.table import Table
 
 RELAXED = 0.6  # steps in which a residual sliding decays; Runge-Kutta is stable above 0.36
-WIDER = 2.0  # band over the change of sliding in one step, where the band is chosen here
+WIDER = 2.0  # band over the change of sliding speed in one step, if D_V is not given
 TRIALS = 20
 
 
 class NarrowBandError(ArithmeticError):
-    """A contact that could have stuck passed the whole band in one step."""
+    """In one step, the sliding speed passed the whole band in which a contact may stick."""
 
     def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
         self.change = change
@@ -40,13 +40,13 @@ def engage(
     speeds: Speeds | None = None,
     guard: bool = True,
 ) -> Engagement:
-    """Engagement over `duration` [s] in steps of `dt` [s], from rest under the blades alone.
+    """Engagement over `duration` [s] in steps of `dt` [s], from rest with the blades as only load.
 
-    `D_V` [m/s] is the half-width of the band in which a contact may stick; None takes twice the
-    change that a step makes in the inner contact's sliding at rest, and twice the change at which
-    the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, if the band
-    given is too narrow, LongStepError if the energy balance is off by a hundredth of the work
-    put in; without `guard` the wrong result is returned. ValueError for impossible inputs.
+    `D_V` [m/s] is the half-width of the band of sliding speed in which a contact may stick. With
+    None, it is twice the change of the sliding speed of the inner contact in one step from rest; if
+    the guard stops, it is twice the change at this step. NarrowBandError (an ArithmeticError) if a
+    given band is too narrow; LongStepError if the error of the energy balance is a hundredth of the
+    work put in. Without `guard`, the wrong result is returned. ValueError for impossible inputs.
     """
     positive(duration, "duration", "s")
     positive(dt, "dt", "s")

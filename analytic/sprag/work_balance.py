@@ -1,8 +1,8 @@
 """Results of a clutch as a spring between its races for an engagement, without motion in time.
 
-Statics balance work: without damping and with the outer race held the first peak is where the
-torque has done the work that the spring has taken. That shares with the equations of motion
-(Eqs. 14-16) the closure alone.
+The work balance needs only statics: without damping and with the outer race fixed, the first peak
+is the state at which the work of the torque equals the energy of the spring. This formula and the
+equations of motion (Eqs. 14-16) share only the closure equations.
 """
 
 import math
@@ -27,7 +27,7 @@ def at_rest(w: RaceSpring, T: float) -> float:
 
 
 def undamped(w: RaceSpring, T: float) -> float:
-    """Angle [rad] of the first peak without damping, outer race held: T theta = the work done."""
+    """Angle [rad] of the first peak without damping, outer race fixed: T theta = stored work."""
     work, rest, start = w.resistance().antiderivative(), at_rest(w, T), w.start
 
     def left(x: float) -> float:
@@ -39,7 +39,7 @@ def undamped(w: RaceSpring, T: float) -> float:
 
 
 def stored(w: RaceSpring, N: float) -> float:
-    """Work [J] of the forces on all deflections, from the blades' start to N [N]; no rolling."""
+    """Work [J] of the forces on all deflections, from the start of the blades to N [N]."""
     return w.n_s * float(work(w.clutch, N) - work(w.clutch, w.pressed.N))
 
 
@@ -58,7 +58,7 @@ def left_out(w: RaceSpring, N: float) -> float:
 
 
 def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
-    """Inertia [kg m²] of the sprags, referred to the inner race, outer race held."""
+    """Inertia [kg m²] of the sprags, referred to the inner race; outer race fixed."""
     now = w.states
     alpha_b = np.gradient(now.alpha_b, w.theta, edge_order=2)
     alpha = np.gradient(now.alpha, w.theta, edge_order=2)
@@ -69,7 +69,7 @@ def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
 
 
 def frequency(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Frequency [Hz] of small oscillations about the state at rest under T, outer race held."""
+    """Frequency [Hz] of small oscillations about the equilibrium under T, outer race fixed."""
     rest = at_rest(w, T)
     if math.isnan(rest):
         return math.nan
@@ -84,7 +84,7 @@ def asked(w: RaceSpring, theta: float) -> float:
 
 
 def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Largest |T|/N with which both contacts would begin to roll under the whole torque."""
+    """Largest |T|/N at which both contacts would begin to roll under the whole torque."""
     system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
     _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
     return float(np.abs(tangential).max() / N)
@@ -93,7 +93,7 @@ def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
 def passed_on(w: RaceSpring, T: float) -> float:
     """Relative change of the undamped peak's N per change of the torque at every rotation.
 
-    From T theta = work: (T* - T) dtheta = -work dT/T at the peak's turn and torque T*.
+    From T theta = work: (T* - T) dtheta = -work dT/T at the turn and torque T* of the peak.
     """
     peak = undamped(w, T)
     if math.isnan(peak):

@@ -1,6 +1,6 @@
 """Accordion springs of roller clutches.
 
-Any consistent units, where a docstring does not name SI units; messages state SI units.
+Any consistent units, unless a docstring names SI units; messages state SI units.
 """
 
 from analytic.public import lazily

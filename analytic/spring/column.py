@@ -6,20 +6,21 @@ unit's centre, which are exact for a small load:
 
 .. math:: B = p / a_B, \qquad C = p / a_C, \qquad S = p \,/\, (a_S - p^2 a_B/12)
 
-against a couple, an axial and a lateral force (what bending spread evenly over the pitch does
-under the lateral force is no shear). The number of units stays the same while the spring shortens
-to :math:`L = L_0 (1 - \xi)`, so that all rigidities fall in proportion to L. Haringx's shear force
-acts along the turned section; the force :math:`P = C \xi` then bends the column in waves of
+against a couple, an axial and a lateral force (the bending by a lateral force that is uniform over
+the pitch is not part of the shear compliance). The number of units is constant while the spring
+shortens to :math:`L = L_0 (1 - \xi)`, so that all rigidities decrease in proportion to L. Haringx's
+shear force acts along the rotated section; the force :math:`P = C \xi` then bends the column in
+waves of
 
 .. math::
 
    (k L)^2 = \frac{P}{B}\Big(1 + \frac{P}{S}\Big) L^2
            = \frac{C L_0^2}{B}\,\xi \Big[1 - \Big(1 - \frac{C}{S}\Big)\xi\Big]
 
-and it buckles where kL reaches :math:`\pi/2` (head free), the root of
-:math:`\tan kL = kL/(1 + P/S)` (head hinged) or :math:`2\pi` (head guided), the tail being clamped.
-kL has a largest value: a spring too short for it never buckles. Force over E I and all lengths
-enter as ratios, so that :math:`\xi` depends on the shape of the centre line alone.
+and the spring buckles if kL reaches :math:`\pi/2` (head free), the root of :math:`\tan kL = kL/(1 +
+P/S)` (head hinged) or :math:`2\pi` (head guided), with a clamped tail. kL has a largest value: a
+sufficiently short spring never buckles. Force over E I and all lengths enter as ratios, so that
+:math:`\xi` depends only on the shape of the centre line.
 
 Range: many units (errors of order 1/n), shortening small enough for the unit's first flexibilities.
 
@@ -49,8 +50,8 @@ SHEAR = 6 / 5  # energy factor of a rectangle
 class Unit:
     """Pitch [length] and flexibilities of one middle unit about its centre.
 
-    `turn` [1/(force x length)] against a couple, `axial` and `lateral` [length/force] against
-    forces along and across the spring.
+    `turn` [1/(force x length)] is the compliance under a couple, `axial` and `lateral`
+    [length/force] under forces along and across the spring.
     """
 
     pitch: Array
@@ -114,8 +115,8 @@ def critical_shortening(
 ) -> Array:  # fmt: skip
     r""":math:`\xi = U_{cr}/L_0` at which the spring buckles sideways; NaN if it never does.
 
-    L_0 is the distance from the head's leaf to the tail's along the centre line. The thickness
-    enters by the small share of axial force and shear alone.
+    L_0 is the distance from the leaf of the head to that of the tail along the centre line. The
+    thickness has only a small effect, by axial force and shear.
 
     >>> shape = dict(L1=11.6, radius=0.5, alpha=math.radians(80), b=0.1)
     >>> round(float(critical_shortening("free", n=10, **shape)), 4)

@@ -1,9 +1,9 @@
-r"""Large bending of an accordion spring, exactly: the elastica of its leaves and arcs.
+r"""Exact large bending of an accordion spring: the elastica of its leaves and arcs.
 
-The head exerts a force (F_x, F_y) and a couple M_0 at the origin, the middle of its leaf, where the
-centre line starts along y. Nothing else acts before leaves touch: the force is the same in every
-section, and the couple follows from where the section has moved to. That leaves the rotation
-:math:`\psi(s)` of the sections as the only unknown function:
+The head exerts a force (F_x, F_y) and a couple M_0 at the origin, the middle of its leaf, at which
+the centre line starts along y. Before leaves touch, there is no other load: the force is the same
+in every section, and the couple follows from the displaced position of the section. The only
+unknown function is the rotation :math:`\psi(s)` of the sections:
 
 .. math::
 
@@ -18,7 +18,7 @@ section, and the couple follows from where the section has moved to. That leaves
 Gauss points. With the matrix S that integrates along the line, the equations and their derivatives
 are products of matrices; Newton's method solves for :math:`\psi` and the head at once.
 
-Range: no contact between leaves; a narrow strip, or E/(1 - nu^2) for a wide one.
+Range: no contact between leaves; a narrow strip, or E/(1 - nu^2) for a wide strip.
 
 References
 ----------
@@ -49,11 +49,12 @@ HELD_OFF = {  # unknowns of the head if its movement along x is given
 
 @dataclass(frozen=True)
 class State:
-    """Equilibrium of a spring whose head has come `U` along x and `drift` along y [length].
+    """Equilibrium of a spring with the displacement `U` along x and `drift` along y of its head.
 
-    `head` (4,) holds the head's rotation, couple and force (F_x, F_y); `psi` (m,) the rotations and
-    `at` (2, m) the places of the Gauss points, seen from the head. `J` (3, 4) are the derivatives
-    of the tail's rotation, x and y, seen from the head, with respect to `head`.
+    `head` (4,) contains the rotation, couple and force (F_x, F_y) of the head, `psi` (m,) the
+    rotations and `at` (2, m) the positions of the Gauss points relative to the head. `J` (3, 4)
+    contains the derivatives of rotation, x and y of the tail, relative to the head, with respect to
+    `head`.
     """
 
     U: float
@@ -70,9 +71,9 @@ class State:
 
 
 class Elastica:
-    """A line of leaves and arcs (length, turn), clamped at its end and pushed at its start.
+    """Line of leaves and arcs (length, turn), clamped at its end and loaded at its start.
 
-    `analytic.spring.frame.pieces` gives the parts of an accordion spring.
+    `analytic.spring.frame.pieces` returns the parts of an accordion spring.
     """
 
     def __init__(
@@ -99,8 +100,8 @@ class Elastica:
     def path(self, head: Head, U: Iterable[float]) -> list[State]:
         """States at the displacements `U` [length] of a head free, hinged or guided sideways.
 
-        Steps between them should keep within a twentieth of the spring's length. ArithmeticError
-        if equilibrium is not found.
+        The step between two states should be at most a twentieth of the length of the spring.
+        ArithmeticError if equilibrium is not found.
         """
         states = [self.unloaded()]
         for u in U:
@@ -117,7 +118,7 @@ class Elastica:
     ) -> State:
         """The state at U, found from one or two states in its neighbourhood.
 
-        A head that is not free is held `aside` of its line, along y [length].
+        A head that is not free is fixed at the distance `aside` from its line, along y [length].
         """
         psi, P = near[-1].psi, near[-1].head
         if len(near) == 2 and near[1].U != near[0].U:
@@ -132,11 +133,11 @@ class Elastica:
         return self._solve(near.psi, P, (TURN,), (0,), np.zeros(3))
 
     def linear_load(self) -> float:
-        r"""Force along x at which a free head's spring buckles if it does not deform before.
+        r"""Force along x at which a spring with a free head buckles without prior deformation.
 
-        1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`, where psi
-        vanishes at the tail and c is the cosine of the centre line's angle, with what the strips'
-        strains of the strips under F add to it.
+        1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`; psi is zero
+        at the tail, and c is the cosine of the angle of the centre line. Strains of the strips
+        under F are included.
         """
         cos, sin, F = np.cos(self.phi), np.sin(self.phi), 0.0
         for _ in range(3):  # F/EA is small

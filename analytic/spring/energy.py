@@ -1,14 +1,14 @@
 r"""Stiffness of the free accordion spring by the energy method (Wang et al. 2023, Eqs. 1-9).
 
-The equations stand here as they must be read; the printed forms are in the errata ledger. The
-bending couple is :math:`M = F y` with y the height of the centre line above the line of the force,
-which acts in the middle of the head. Head and tail are half leaves with a quarter arc; the n - 2
-units between are a leaf with an arc of angle alpha at both ends. Every part is integrated in
-closed form. The arcs have the inner radius r as in the paper, although the centre line has
-r + b/2; `analytic.spring.frame` takes either.
+The equations are in their corrected form; the printed forms are in the errata ledger. The bending
+couple is :math:`M = F y`, with y the height of the centre line above the line of action of the
+force, which is the middle of the head. Head and tail are half leaves with a quarter arc; each of
+the n - 2 units between them is a leaf with an arc of the angle alpha at both ends. Every part is
+integrated in closed form. The arcs have the inner radius r as in the paper, although the centre
+line has r + b/2; `analytic.spring.frame` accepts both.
 
-Range: small displacements, thin strip (b << r), head free to turn and to move sideways, tail held
-at the end of its arc, no contact between the parts.
+Range: small displacements, thin strip (b << r), head free to rotate and to move sideways, tail
+fixed at the end of its arc, no contact between the parts.
 
 References
 ----------
@@ -53,7 +53,7 @@ def apex_moments(
     .. math:: T_1 = L_1/2 + r, \qquad T_i = T_{i-1} + s_i\,(2A + L_2 \sin\alpha), \qquad
         A = r (1 - \cos\alpha), \quad s_i = (-1)^{i+1}
 
-    The recursion that Eq. 3 leaves out; it follows from its last line at theta = alpha.
+    The recursion that Eq. 3 omits; it follows from the last line of Eq. 3 at theta = alpha.
     """
     L1, r, b, alpha = _geometry(L1, r, b, alpha)
     if n < 3:
@@ -137,7 +137,7 @@ def stiffness(
 def bending_stress(
     *, F: ArrayLike, b: ArrayLike, h: ArrayLike, r: ArrayLike, L1: ArrayLike
 ) -> Array:
-    r"""Largest bending stress [stress], inside a loop at its apex, where M = F (L_1/2 + r).
+    r"""Largest bending stress [stress], at the inner side of a loop's apex, with M = F (L_1/2 + r).
 
     .. math:: \sigma = \kappa\,\frac{6 M}{h b^2}
 

@@ -1,12 +1,13 @@
 r"""Accordion spring as a plane curved frame, by the force method, for every end condition.
 
-The centre line starts in the middle of the head, the origin, and runs along y; the force acts
-along x. With P = (F_x, F_y, M_0) at the head, a section at (x, y) with tangent t carries
+The centre line starts in the middle of the head, the origin, along y; the force acts along x. With
+P = (F_x, F_y, M_0) at the head, a section at (x, y) with tangent t carries
 
 .. math:: M = y F_x - x F_y + M_0, \qquad N = -(F_x, F_y)\cdot t, \qquad V = -(F_x, F_y)\cdot n
 
-and the head moves by :math:`d = C P`, C the unit-load integrals. Supports select what of d and P
-vanishes. Gauss points on every leaf and arc make the integrals exact to round-off.
+and the displacement of the head is :math:`d = C P`, with C the unit-load integrals. The supports
+determine which components of d and P are zero. Gauss points on every leaf and arc make the
+integrals exact to round-off.
 
 Theories, each containing the one before:
 
@@ -60,10 +61,10 @@ def pieces(
     tail: Tail = "arc",
     leaf: float | None = None,
 ) -> Iterator[tuple[float, float]]:
-    """(length, turn) of every leaf and arc from the head on; turn [rad], positive to the left.
+    """(length, turn) of every leaf and arc, starting at the head; turn [rad], positive to the left.
 
-    `leaf` is the straight length of the middle units; by default the one that makes the spring
-    symmetric, so that its loops reach L1/2 + radius on both sides of the force.
+    `leaf` is the straight length of the middle units; the default makes the spring symmetric, so
+    that its loops extend to L1/2 + radius on both sides of the force.
     """
     if n < 3:
         raise ValueError(f"a spring needs at least 3 segments, got n={n}")

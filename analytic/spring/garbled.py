@@ -1,4 +1,4 @@
-"""Eqs. 1 to 7 of Wang et al. 2023 with the readings that their garbled signs leave open.
+"""Eqs. 1 to 7 of Wang et al. 2023 with the possible readings of their illegible signs.
 
 `analytic.spring.energy` has the adopted reading in closed form.
 """
@@ -51,7 +51,7 @@ def flexibility(
     for i in range(2, n):
         s = 1.0 if signs == "all plus" or i % 2 else -1.0
         total += over(r * alpha, T + s * r * (1 - np.cos(angle)))
-        if signs == "M_2 as printed":  # the sign stands before T and the arc's share, not F x
+        if signs == "M_2 as printed":  # the sign applies to T and the term of the arc, not to F x
             total += over(L2, x * math.sin(alpha) + s * (T + A))
         else:
             total += over(L2, T + s * (A + x * math.sin(alpha)))

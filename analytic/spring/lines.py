@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 @dataclass(frozen=True)
 class Lines:
-    """F = k1 U + c1 up to where both cross, F = k2 U + c2 beyond [force, displacement].
+    """F = k1 U + c1 up to the intersection of the lines, F = k2 U + c2 beyond [force, length].
 
     >>> lines = Lines(k1=2.0, c1=0.0, k2=3.0, c2=-4.0)
     >>> lines.U, lines.F, lines.force([1.0, 5.0]).tolist()
@@ -23,12 +23,12 @@ class Lines:
 
     @property
     def U(self) -> float:
-        """Displacement where they cross."""
+        """Displacement at the intersection of both lines."""
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     @property
     def F(self) -> float:
-        """Force where they cross."""
+        """Force at the intersection of both lines."""
         return self.k1 * self.U + self.c1
 
     def force(self, U: ArrayLike) -> NDArray[np.float64]:

@@ -1,8 +1,8 @@
 """The accordion spring's centre line as a wire, with the two loops that its free tips close.
 
-Head and tail are whole leaves, L_1 long, held in their middles; the half of each beyond the
-middle is free until its tip touches the next leaf. Coordinates as in `analytic.spring.frame`:
-the middle of the head is the origin, its leaf runs along y, the force acts along x.
+Head and tail are whole leaves of the length L_1, fixed in their middles; the half of each beyond
+the middle is free until its tip touches the next leaf. Coordinates as in `analytic.spring.frame`:
+the origin is the middle of the head, whose leaf is along y; the force acts along x.
 """
 
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ QUARTER = np.pi / 2
 
 @dataclass(frozen=True)
 class Pair:
-    """A tip and the place of the next leaf that it will touch, separated by unit forces.
+    """A tip, and the point of the next leaf that it will touch, loaded by opposite unit forces.
 
     They load a section at (x, y) with the couple `moment` . (1, x, y) and the force `force`:
     on `loop` together with the spring's force; `with_tip` contains the free half leaf, too.
@@ -38,7 +38,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Line:
-    """Second moments of the line from the head's middle to the clamp, and both pairs.
+    """Second moments of the line from the middle of the head to the clamp, and both pairs.
 
     `tops` (..., n - 1, 3) are the most distant places (1, x, y) from the force's line, one a loop.
     """
@@ -51,7 +51,7 @@ class Line:
 
 @dataclass
 class _Pen:
-    """End of a line that is being drawn, and its second moments so far."""
+    """End of the line as far as it is assembled, and its second moments up to there."""
 
     at: Array
     heading: Array
@@ -89,7 +89,7 @@ def line(
     tail: Tail,
     normal: Normal,
 ) -> Line:
-    """The line of n segments with arcs of `radius` and middle leaves `straight` long.
+    """Line of n segments with arcs of `radius` and middle leaves of the length `straight`.
 
     `normal` is the direction of the forces between tip and leaf: that of the "force" of the
     spring, or the normal of the unloaded "leaf". Arrays broadcast.
@@ -121,7 +121,7 @@ def line(
     thin = b / 2 * (1 + 1 / np.sin(alpha)) * (np.sin(alpha) if normal == "leaf" else 1.0)
     return Line(
         whole,
-        # seen from the head, the tip's force comes before a section, the tail's leaf's too
+        # from the head, the force on the tip precedes a section; so does that on the tail's leaf
         Pair(_couple(head_tip, -head_n), -head_n, before, before + free, head_d, head_d - thin),
         Pair(_couple(tail_foot, tail_n), tail_n, after,
              after + (bent if tail == "mid-leaf" else nothing), tail_d, tail_d - thin),
@@ -134,7 +134,7 @@ def _along(heading: Array, length: Array) -> Array:
 
 
 def _foot(tip: Array, unit: _Pen, normal: Normal) -> tuple[Array, Array, Array]:
-    """Where the normal through `tip` meets the leaf ahead of `unit`; that normal; how far."""
+    """Intersection of the normal through `tip` with the leaf ahead of `unit`; normal; distance."""
     t = _along(unit.heading, np.ones_like(unit.heading))
     across = np.stack([-t[..., 1], t[..., 0]], axis=-1)
     away = ((unit.at - tip) * across).sum(axis=-1)

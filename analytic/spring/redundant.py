@@ -1,7 +1,8 @@
 """Response of an accordion spring with supports and closed pairs of tip and leaf.
 
-The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three of the head and the contact
-force of each pair, do work on E I d = A X. A support or a closed pair holds its d at zero.
+The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three at the head and the contact force
+of each pair, do work on the displacements E I d = A X. A support or a closed pair keeps its d at
+zero.
 """
 
 from dataclasses import dataclass
@@ -18,12 +19,12 @@ END_COUPLES = np.array(
     [[0.0, 0, 1], [0, -1, 0], [1, 0, 0]]
 )  # couples of F_x, F_y, M_0 at (1, x, y)
 END_FORCES = np.array([[1.0, 0], [0, 1], [0, 0]])
-PAIRS = 3  # where the pairs' rows begin
+PAIRS = 3  # first row of the pairs
 
 
 @dataclass(frozen=True)
 class Response:
-    """Of a spring with E I = 1: its stiffness, all five forces X and both closing rates per F."""
+    """Spring with E I = 1: stiffness, all five forces X and both closing rates per force F."""
 
     k: Array
     X: Array
@@ -43,7 +44,7 @@ def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
 
 
 def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
-    """A (..., 5, 5) of F_x, F_y, M_0 and both pairs for E I = 1."""
+    """A (..., 5, 5) for F_x, F_y, M_0 and both pairs with E I = 1."""
     axial = b**2 / 12 * (theory != "bending")
     shear = b**2 / 12 * (12 / 5) * (1 + nu) * (theory == "shear")
 
@@ -63,7 +64,7 @@ def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
 
 
 def turn(pair: Pair, couple: Array) -> Array:
-    """Relative rotation of tip and leaf towards each other per F, with E I = 1."""
+    """Relative rotation of tip and leaf towards each other per force F, with E I = 1."""
     sums = pair.loop.G[..., 0, :]
     side = -np.sign((sums * pair.moment).sum(axis=-1))
     return np.asarray(side * (sums * couple).sum(axis=-1))

@@ -1,14 +1,14 @@
 r"""Sideways buckling of an accordion spring: critical points of its elastica.
 
-The spring is compressed with its head guided. Released sideways, the head retains the guide's force
-as a dead load; it can then move without a change of load where the tail's movements, relative to
-the head, no longer depend on the head's freedom: where a part of `State.J` is singular.
-Beyond that displacement only the guide holds the head. Lateral stiffness of the guided head is
-the stiffness against the guide.
+The spring is compressed with its head guided. If the head is released sideways, the force of the
+guide acts on it as a dead load. The head can then move without a change of load if a part of
+`State.J` is singular: the displacements of the tail, relative to the head, no longer depend on the
+freedom of the head. Beyond this displacement, only the guide keeps the head in place. The lateral
+stiffness of the guided head is the stiffness against the guide.
 
-There is no bifurcation before on that path. A head that is free from the first moment drifts from
-the beginning, since its force bends the spring more to one side than to the other, and the
-drift grows without limit near the same force.
+There is no earlier bifurcation on this path. A head that is free from the beginning drifts
+immediately, because its force bends the spring more to one side than to the other; the drift grows
+without limit near the same force.
 
 References
 ----------
@@ -59,7 +59,7 @@ def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
 
 
 def _located(line: Elastica, head: Head, before: State, after: State) -> State:
-    """Between two states of different sign: the secant that keeps both signs (Illinois)."""
+    """Root between two states of different sign: secant method with bracketing (Illinois)."""
     a, b = (determinant(state, head) for state in (before, after))
     for _ in range(SECANTS):
         u = (before.U * b - after.U * a) / (b - a)

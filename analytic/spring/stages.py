@@ -1,9 +1,10 @@
-r"""Accordion spring up to and beyond the touching of its free tips: stages OA and AB of its curve.
+r"""Accordion spring before and after its free tips touch: stages OA and AB of its curve.
 
-Head and tail are whole leaves, L_1 = 2a long. The half of the head's leaf beyond the force is
-free until its tip touches the next leaf (point A); the same happens at a tail that is held in
-its middle. A pair in touch is a rigid link without friction, so that force over displacement is
-piecewise straight. With M the couple per force at O and m that per force between tip and leaf,
+Head and tail are whole leaves of the length L_1 = 2a. The half of the head's leaf beyond the force
+is free until its tip touches the next leaf (point A); the same happens at a tail that is fixed in
+its middle. A pair in contact is a rigid link without friction, so that force over displacement is
+piecewise linear. With M the couple per unit force at O and m the couple per unit force between tip
+and leaf,
 
 .. math::
     J = \int M^2 ds, \quad f_{FC} = \int M\,m\,ds, \quad f_{CC} = \int m^2 ds
@@ -11,11 +12,11 @@ piecewise straight. With M the couple per force at O and m that per force betwee
     k_1 = \frac{EI}{J}, \quad F_A = \frac{g_0 EI}{f_{FC}}, \quad U_A = \frac{F_A}{k_1}, \quad
     k_2 = \frac{EI}{J - p f_{FC}^2/f_{CC}}
 
-for p pairs that touch at once. F_A follows from the gap that F closes, k_2 from the force
-F f_FC/f_CC that keeps it closed and undoes p f_FC^2/f_CC of the compliance.
+for p pairs that close simultaneously. F_A follows from the gap that F closes; k_2 follows from the
+force F f_FC/f_CC that keeps the gap closed and reduces the compliance by p f_FC^2/f_CC.
 
-Head free: M = y and, for a force between tip and leaf along x, m = y + a, so that with
-R the arcs' radius, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between
+Head free: M = y, and m = y + a for a force between tip and leaf along x. With R the radius of the
+arcs, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between the arcs,
 
 .. math::
     g_0 = R(1 + \sin\alpha) + \frac{y_t + a}{\tan\alpha} - \frac b2 \Big(1 + \frac1{\sin\alpha}\Big)
@@ -27,9 +28,9 @@ R the arcs' radius, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight lea
     f_{CC} = \frac{8 a^3}{3} + R\Big[4a^2\beta + 4aR(1 - \cos\beta) + R^2\Big(\frac\beta2
         - \frac{\sin 2\beta}4\Big)\Big] + \frac{(y_t + a)^3}{3 \sin\alpha}
 
-from the free half (f_CC alone: a^3/3), the other half, the arc above and the leaf down to y = -a.
-Both loops are equal, the force's line passes through both clamps: a tail held in its middle
-touches together with the head.
+from the free half (only f_CC: a^3/3), the other half, the arc above and the leaf down to y = -a.
+Both loops are equal, and the line of the force passes through both clamps: a tail fixed in its
+middle touches simultaneously with the head.
 
 Head guided: the guide's couple and side force, P = (F_x, F_y, M_0), follow from
 its rotation and side movement being zero. They do not vanish: of n even leaves one loop more
@@ -39,13 +40,14 @@ become entries of a matrix, and supported displacements are eliminated:
 
 .. math:: E I\,d = A\,X, \quad X = (F_x, F_y, M_0, C_h, C_t), \quad A_{jk} = w_j^T G\, w_k
 
-with the second moments G of `analytic.spring.wire`. Head and tail still touch at once by
-symmetry. A hinged head is not symmetric: there the tips touch one after the other.
+with the second moments G of `analytic.spring.wire`. By symmetry, head and tail still touch
+simultaneously. A spring with a hinged head is not symmetric: its tips touch one after the other.
 
-The direction of the force between tip and leaf: unloaded leaves stand at 90 deg - alpha to the
-head, but the head's loop closes by turning, and at A the leaf ahead of the tip is nearly
-parallel to it (`Stages.tilt`, within 2 deg for the paper's spring). So the normal at A is the
-force's direction, which is what `normal="force"` takes; "leaf" takes the unloaded leaf's.
+Direction of the force between tip and leaf: unloaded leaves have the angle 90 deg - alpha to the
+head, but the loop of the head closes by rotation, and at A the leaf ahead of the tip is nearly
+parallel to the head (`Stages.tilt`, within 2 deg for the paper's spring). The normal at A is
+therefore the direction of the force: `normal="force"`. With "leaf", the normal of the unloaded leaf
+is used.
 
 Range: small displacements. U_A is half of the free length of the paper's spring, so that all
 this is a linear reference, not a prediction of the true curve. Thin strip, no friction.
@@ -95,7 +97,7 @@ class Stages:
 
     @property
     def intercept(self) -> Array:
-        """Force at which the second line, prolonged, meets U = 0; below zero for k2 > k1."""
+        """Force at which the extended second line intersects U = 0; negative for k2 > k1."""
         return np.asarray(self.F_A - self.k2 * self.U_A)
 
     def force(self, U: ArrayLike) -> Array:
@@ -178,7 +180,7 @@ def stages(
     A = compliances(shape, b, nu, theory)
     free = response(A, HELD[head], ())
     gaps = np.stack([shape.head.gap, shape.tail.gap], axis=-1)
-    alone = _until(gaps, free.rates)  # where each tip would touch without contact of the other
+    alone = _until(gaps, free.rates)  # if the other tip stays open
     first = np.argmin(alone, axis=-1)
     F_A = alone.min(axis=-1)
     rest = np.maximum(gaps - F_A[..., None] * free.rates, 0.0)

@@ -14,7 +14,7 @@ angle psi_0 to psi_1,
     G = \frac{L}{6}(2 v_0 v_0^T + v_0 v_1^T + v_1 v_0^T + 2 v_1 v_1^T), \qquad
     G = B \Big[R \int q\,q^T |d\psi|\Big] B^T, \quad v = B q, \quad q = (1, \cos\psi, \sin\psi)
 
-Everything broadcasts: lengths and angles are arrays of one shape, and G has it in front.
+All functions broadcast: lengths and angles are arrays of one shape; G has it in front.
 """
 
 from dataclasses import dataclass
@@ -63,7 +63,7 @@ def leaf(start: Array, heading: ArrayLike, length: ArrayLike) -> tuple[Wire, Arr
 
 
 def arc(start: Array, heading: ArrayLike, radius: ArrayLike, turn: ArrayLike) -> tuple[Wire, Array]:
-    """An arc from `start` (..., 2) on, turning by `turn` [rad], positive to the left.
+    """Arc from `start` (..., 2) with the rotation `turn` [rad], positive to the left.
 
     >>> wire, end = arc(np.zeros(2), np.pi / 2, 2.0, -np.pi / 2)  # a quarter circle
     >>> end.round(12).tolist(), round(float(wire.G[2, 2]), 12) == round(2 * np.pi, 12)

@@ -1,6 +1,6 @@
 """Surrogates of a slow model on a box of parameters, and the search for their smallest value.
 
-Any consistent units, where a docstring does not name SI units.
+Any consistent units, unless a docstring names SI units.
 """
 
 from analytic.public import lazily

@@ -5,9 +5,9 @@ The best linear unbiased prediction at x has weights w on the known values with
     [C  F ] [w]   [c(x)]
     [F' 0 ] [l] = [f(x)]
 
-and the variance s² (1 - w'c - l'f). What `analytic.surrogate.kriging` does in steps (trend by
-generalised least squares, Gaussian process on the residual, left-out values in closed form) is
-solved for at once, on length scales that are given.
+and the variance s² (1 - w'c - l'f). This solves simultaneously, for given length scales, the steps
+of `analytic.surrogate.kriging`: trend by generalised least squares, Gaussian process on the
+residual, left-out values in closed form.
 """
 
 from dataclasses import dataclass

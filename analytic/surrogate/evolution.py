@@ -1,8 +1,8 @@
 """Differential evolution, for the smallest value of an objective in a box.
 
-Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; scipy's implementation.
-No gradient method polishes the end: the largest of several regimes has kinks, often at its
-smallest value, where a gradient does not exist. The population is shrunk further instead.
+Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; implementation of scipy. No
+gradient method follows: the largest of several regimes has kinks, often at its smallest value, at
+which a gradient does not exist. Instead, the population shrinks further.
 """
 
 import numpy as np

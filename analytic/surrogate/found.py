@@ -12,7 +12,7 @@ Objective = Callable[[Array], Array]  # (n, d) to (n,)
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """Smallest value of an objective met by a search, and where."""
+    """Smallest value of an objective found by a search, and its position."""
 
     x: Array  # (d,)
     value: float

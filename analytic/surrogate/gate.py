@@ -1,9 +1,10 @@
-"""Whether a surrogate is good enough to be searched.
+"""Test of whether a surrogate is accurate enough for a search.
 
-Leaving out one design of a factorial at a time proves little where the model has a kink: neighbours
-at the same level of the other parameters contain it too. Leaving out a whole level is better,
-and costs no new value of the model. Measured on the largest pressure between sprag and race over
-three profile parameters (5^3 designs, 200 random points beside, mean/largest relative error in %):
+Leaving out one design of a factorial at a time proves little if the model has a kink: neighbours at
+the same level of the other parameters contain the kink as well. Leaving out a whole level is better
+and needs no new value of the model. Measured for the largest pressure between sprag and race over
+three profile parameters (5^3 designs, 200 additional random points, mean/largest relative error in
+%):
 
     surrogate                     torque   true       one left out   level left out
     one process, with the kinks   25 N m   0.67/3.2   0.010/0.07     0.90/3.7
@@ -11,14 +12,14 @@ three profile parameters (5^3 designs, 200 random points beside, mean/largest re
     two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
     two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
 
-One left out is too small by 9 to 70 in the mean, and ranks one process in the wrong order (better
-at 25 N m, where it is worse); a level left out is too large by 1.3 to 2.7 in the mean, since it
-doubles the spacing.
-Ten random points are few: with the limits below they pass the first row in one draw of five
-(twenty in one of ten), the last two rows always.
+With one design left out, the mean error is too small by a factor of 9 to 70, and one process is
+ranked in the wrong order (better at 25 N m, although it is worse). With a level left out, it is too
+large by a factor of 1.3 to 2.7, because the spacing is doubled. Ten random points are too few: with
+the limits below, the first row passes in one draw of five (with twenty points, in one of ten), the
+last two rows always.
 
-So a surrogate is checked twice: with a level left out, before any new evaluation, and on at
-least twenty new random points. One left out finds the design that does not fit, no more.
+A surrogate is therefore tested twice: with a level left out, before any new evaluation, and on at
+least twenty new random points. Leaving out one design only finds the design that does not fit.
 """
 
 from dataclasses import dataclass
@@ -61,7 +62,7 @@ class Quality:
 def quality(predicted: Array, true: Array) -> Quality:
     """Relative errors of predicted values (n,) in two numbers.
 
-    ValueError unless both are finite, of one shape and at least one, and no true value is 0.
+    ValueError unless both are finite, non-empty and of one shape, and no true value is 0.
     """
     predicted, true = np.asarray(predicted, np.float64), np.asarray(true, np.float64)
     if predicted.shape != true.shape or not true.size:
@@ -81,7 +82,7 @@ def gate(quality: Quality, *, mean: float = 0.005, largest: float = 0.03, what: 
 
 
 def left_level_out(model: Surrogate, x: Array, true: Array) -> Array:
-    """Relative errors (m,) where a whole level of one parameter is left out of a factorial.
+    """Relative errors (m,) if a whole level of one parameter is left out of a factorial.
 
     x (n, d) are the factorial's designs, true (n,) their values. Every inner level of every
     parameter is left out in turn, at constant length scales, and predicted by the rest; errors

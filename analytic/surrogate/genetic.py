@@ -1,11 +1,11 @@
 """Genetic algorithm of binary codes, for the smallest value of an objective in a box.
 
 Source: Huang et al. 2018, Sec. 3: a population of 500, 100 generations, crossover with probability
-0.9 and mutation with 0.01. Coding, selection and survival are not printed. Read here as the
-textbook's simple algorithm: every parameter a Gray code of `bits` bits, parents by tournaments of
-two, one-point crossover of a pair's whole codes with the probability given, a flip of each bit
-with the probability of mutation, and the best individual so far retained as the first child.
-The first of the generations is the random one, so that 500 x 100 points are evaluated.
+0.9 and mutation with 0.01. Coding, selection and survival are not printed. The textbook's simple
+algorithm is assumed: every parameter is a Gray code of `bits` bits; parents by tournaments of two;
+one-point crossover of the whole codes of a pair with the given probability; a flip of each bit with
+the probability of mutation; the best individual so far is the first child. The first generation is
+random, so that 500 x 100 points are evaluated.
 """
 
 import numpy as np

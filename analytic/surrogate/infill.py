@@ -33,7 +33,7 @@ class Round:
     x: Array  # (d,)
     predicted: float
     true: float
-    on_design: bool  # whether x was a design already, where agreement is by interpolation alone
+    on_design: bool  # whether x already was a design, so that agreement is only by interpolation
 
     @property
     def error(self) -> float:
@@ -68,20 +68,20 @@ def infill(
     in_a_row: int = 1,
     rounds: int = 20,
 ) -> Infilled[A, S]:
-    """Fit, search the surrogate's smallest value, evaluate the true model there, until both agree.
+    """Fit, search the smallest value of the surrogate, evaluate the model there, until both agree.
 
-    `answers` are the true model's at x (n, d), asked for if not given; `value` is the number in
-    one of them. Agreement is |true/predicted - 1| <= agree, in so
-    many rounds `in_a_row`. A smallest value on a design that is
-    there already is asked for once more: a model that is a function answers the same, and a
-    surrogate that interpolates agrees. ArithmeticError if it does not, or for an answer that
-    is not finite; NoAgreementError, one of them, where `rounds` have passed without agreement.
+    `answers` are the values of the true model at x (n, d), computed if not given; `value` selects
+    the number from one of them. Agreement means |true/predicted - 1| <= agree in `in_a_row`
+    successive rounds. If the smallest value is at an existing design, the design is evaluated
+    again: a model that is a function returns the same value, and a surrogate that interpolates
+    agrees. ArithmeticError if it does not, or for a value that is not finite; NoAgreementError (an
+    ArithmeticError) after `rounds` without agreement.
 
-    Agreement is local. It shows that the surrogate is right where it is smallest, not that nothing
-    smaller lies where it is wrong. One process over the largest of three planes, four places of
-    the kink, 6 x 6 designs, agreed on average 2.0 % above the smallest value, after three rounds
-    `in_a_row` 0.5 %; of 4 x 4 designs 4.5 % and 1.9 %. `Largest`, which has no kink to learn,
-    agrees on the smallest value itself. `gate` finds other errors of a surrogate.
+    Agreement is local. It shows that the surrogate is correct at its smallest value, but not that
+    no other point has a smaller value. One process over the largest of three planes, four positions
+    of the kink, 6 x 6 designs, agreed on average 2.0 % above the smallest value, after three rounds
+    `in_a_row` 0.5 %; with 4 x 4 designs 4.5 % and 1.9 %. `Largest` has no kink to approximate and
+    agrees on the smallest value. `gate` finds other errors of a surrogate.
     """
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)

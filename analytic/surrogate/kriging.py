@@ -132,11 +132,11 @@ class Kriging:
 def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
     """Universal kriging of values y (n,) at x (n, d) with the likeliest length scales.
 
-    Trend and process are found in turn, the trend by generalised least squares of the present
-    length scales, these by the likelihood of the residual of the trend, until they converge:
-    coordinate ascent on the likelihood of both. Three starts, one of them random by `seed`; the
-    likeliest goes on. ValueError for values that are not finite, fewer designs than trend terms
-    + 2, or a design given twice.
+    Trend and process are fitted alternately until they converge: the trend by generalised least
+    squares with the present length scales, the length scales by the likelihood of the residual of
+    the trend (coordinate ascent on the likelihood of both). There are three starts, one of them
+    random by `seed`; the result with the largest likelihood is returned. ValueError for values that
+    are not finite, fewer designs than trend terms + 2, or a design given twice.
     """
     x, y = box.points(x), np.asarray(y, dtype=np.float64)
 
@@ -150,7 +150,7 @@ def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
     d = box.dimension
     trend_only = of(np.full(d, SHORTEST))  # its C is a unit matrix nearly: plain least squares
     if np.max(np.abs(trend_only.residual)) <= ROUNDING * np.max(np.abs(y)):
-        return trend_only  # no residual is left that has a length scale
+        return trend_only  # the residual is zero and has no length scale
     random = np.exp(np.random.default_rng(seed).uniform(np.log(0.1), np.log(3), d))
     starts = [better(of(start)) for start in (np.full(d, 0.3), np.ones(d), random)]
     model = max(starts, key=lambda start: start.likelihood)

@@ -1,8 +1,8 @@
-"""Surrogate of a largest value: each regime kriged for itself, and the largest taken.
+"""Surrogate of a largest value: each regime is kriged separately, then the largest is taken.
 
-If the largest of several quantities passes from one to the other it has a kink, which no smooth
-process follows; each quantity alone is smooth. Kriging a power of it helps where the power is the
-natural quantity: a Hertzian pressure squared is a force a length.
+If the largest of several quantities changes from one to another, it has a kink, which no smooth
+process represents; each quantity by itself is smooth. Kriging a power helps if the power is the
+natural quantity: a Hertzian pressure squared is proportional to force per length.
 """
 
 from collections.abc import Sequence
@@ -39,10 +39,10 @@ class Largest:
         return Largest(tuple(model.without(x) for model in self.models), self.power)
 
     def left_out(self, x: Array, values: Sequence[Array]) -> Array:
-        """Relative errors (n,) at x (n, d) of the largest regime, each design left out in turn.
+        """Relative errors (n,) of the largest regime at x (n, d), each design left out in turn.
 
-        values[k] (n,) are the true values of regime k. A regime that has no such design is asked
-        as it is.
+        values[k] (n,) are the true values of regime k. A regime without such a design is evaluated
+        as fitted.
         """
         left = []
         for model in self.models:
@@ -64,10 +64,10 @@ def fit_largest(
     power: float = 2.0,
     present: Sequence[NDArray[np.bool_]] | None = None,
 ) -> Largest:
-    """Each regime's values (n,) at x (n, d), to the `power`, kriged on the designs that have it.
+    """Values (n,) of each regime at x (n, d), to the `power`, kriged on designs with the regime.
 
-    ValueError for a negative value, or as `fit` has it; values where a regime is not present are
-    not looked at.
+    ValueError for a negative value and as in `fit`; values at which a regime is not present are not
+    used.
     """
     x = box.points(x)
     if present is None:

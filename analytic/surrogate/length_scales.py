@@ -10,14 +10,14 @@ from sklearn.gaussian_process.kernels import ConstantKernel, Matern, WhiteKernel
 from analytic.contact.checks import Array
 
 SHORTEST, LONGEST = 0.02, 20.0  # of the unit cube: shorter is noise to any design, longer a trend
-VARIANCES = (1e-9, 1e9)  # of the process, in those at the start
+VARIANCES = (1e-9, 1e9)  # of the process, relative to the variance at the start
 
 
 def likeliest(u: Array, residual: Array, start: Array, *, nugget: float) -> Array:
     """Length scales (d,) of the Matérn 5/2 process that most likely gave the residual (n,) at u.
 
     u (n, d) in the unit cube. The search over variance and length scales is local, from a variance
-    of 1 and the length scales `start` (d,); give the residual divided by its deviation there.
+    of 1 and the length scales `start` (d,); the residual must be divided by its deviation.
     """
     kernel = ConstantKernel(1.0, VARIANCES) * (
         Matern(start, (SHORTEST, LONGEST), nu=2.5) + WhiteKernel(nugget, "fixed")

@@ -113,7 +113,7 @@ def solve_curved_frame(
     return replace(
         solved,
         stations=np.einsum("qn,enk->eqk", _shape(basis), points[elements]),
-        section_forces=np.stack([N, V, M * forward], axis=-1),  # M alone is odd in the direction
+        section_forces=np.stack([N, V, M * forward], axis=-1),  # only M depends on the direction
     )
 
 

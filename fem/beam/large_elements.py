@@ -43,7 +43,7 @@ class Elements:
     _place: Indices = field(init=False)
     _rows: Indices = field(init=False)
     _starts: Indices = field(init=False)
-    _unit: Extended = field(init=False)  # 1 but for round-off, so that there is no strain at rest
+    _unit: Extended = field(init=False)  # 1 within round-off, so that there is no strain at rest
 
     def __post_init__(self) -> None:
         m, k = self.nodes.shape

@@ -15,8 +15,8 @@ from fem.beam.large_state import BeamState
 from fem.beam.section import Array
 
 TOLERANCE = 1e-10  # residual, relative to the forces between nodes and elements
-ROUND_OFF = 1e-7  # the same where steps have become round-off
-FLICKER = 1e-8  # the same where places flicker between touching and not
+ROUND_OFF = 1e-7  # residual that is accepted if steps are round-off
+FLICKER = 1e-8  # residual that is accepted if points alternate between open and closed
 STALL = 4  # iterations without progress
 STILL = 1e-14  # a step that is round-off, relative to the size of the frame
 MAX_ITERATIONS = 25

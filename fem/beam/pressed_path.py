@@ -9,7 +9,7 @@ from fem.beam.section import Array
 
 CLOSER = 4  # steps to the smallest share
 STEPS = np.linspace(0.05, 1.1, 22)  # of a load on a free head
-DRIFTING, GUIDED = (0.01, 0.15, 0.18, 0.6), (0.02, 0.7)  # of the length: where paths are solved
+DRIFTING, GUIDED = (0.01, 0.15, 0.18, 0.6), (0.02, 0.7)  # points of a path, relative to the length
 
 
 class UnstableError(ArithmeticError):

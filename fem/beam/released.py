@@ -14,7 +14,7 @@ from fem.beam.section import Array
 Held = tuple[BeamState, tuple[Array, Array]]  # with the head's stiffness and its rounding
 
 LOCATED = 1e-13  # relative to the displacement
-ITERATIONS = 3  # inverse ones from a mode of six digits: each gains two digits and more of its load
+ITERATIONS = 3  # inverse iterations from a mode of six digits: each adds two digits to its load
 NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacement to the next
 
 

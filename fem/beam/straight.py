@@ -129,7 +129,7 @@ def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
     """
     N, M = held[0], held[1:]
     V = -M.sum(axis=0) / L
-    at_nodes = np.column_stack([-N, -V, M[0], N, V, M[1]]) - fixed_end  # what nodes exert
+    at_nodes = np.column_stack([-N, -V, M[0], N, V, M[1]]) - fixed_end  # nodes on element
     return at_nodes.reshape(-1, 2, 3) * np.array([[-1.0], [1.0]])
 
 

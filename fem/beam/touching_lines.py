@@ -61,7 +61,7 @@ def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: 
     limit = np.where(np.abs(met.distance) < LEAST * b, np.copysign(LEAST * b, met.distance),
                      met.distance)  # fmt: skip
     a, c = (own.slope * t).sum(axis=1), (other.slope * t).sum(axis=1)
-    # the gap is stationary in both places unless they are held: its slopes by eta and by xi
+    # the gap is stationary at both points unless they are fixed: slopes over eta and xi
     H_own, H = (
         a**2 / limit + (own.second * n).sum(axis=1) + probes.ease[probe],
         c**2 / limit - (other.second * n).sum(1),

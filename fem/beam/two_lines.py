@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-TWICE = 2.0  # the force that ends a curve, over that at the end of its stroke
+TWICE = 2.0  # force at the end of a curve, over the force at the end of its stroke
 TOUCH = 0.004  # relative to the force: tips with this force are certainly in contact
 ROUNDING = 1e-9  # relative to a displacement
 

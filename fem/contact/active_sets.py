@@ -20,9 +20,9 @@ States = NDArray[np.int8]
 Solution = tuple[Array, Array, States]  # multipliers (n,), motions (k,), states (m,)
 
 STATE_TOLERANCE = 1e-11  # relative to the terms of a row: a gap, slip or traction within it is zero
-FINE = 1e-3  # of that, where contact forces are small against those that would close the gaps
+FINE = 1e-3  # times STATE_TOLERANCE, if contact forces are small against closing forces
 MAX_BLOCK_EXCHANGES = 10  # full exchanges without progress before single ones
-MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, where the method is finite
+MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, for which the method is finite
 MAX_FRICTION_EXCHANGES = 40  # a slower descent costs more than Lemke's method
 
 

@@ -148,7 +148,7 @@ class Bodies:
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:
-        # springs on the rigid motions: loads that balance on them leave them at rest
+        # springs on the rigid motions: loads in equilibrium cause no force in them
         S = self.condensed.S
         size = np.trace(S) / len(S) or 1.0
         return cho_factor(S + size * self.motions @ self.motions.T, check_finite=False)

@@ -26,7 +26,7 @@ __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complemen
 # the slowest one that took part; the last finds that bodies rest without contact
 METHODS = "active sets", "Lemke's method", "linear programme"
 STRICT = 1e-7  # relative to the largest contact force or its approach: margin of a certain state
-FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
+FEW, GROUP = 24, 4  # largest number of rows without a coarse start; rows per coarse row
 AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 
 

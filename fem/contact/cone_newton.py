@@ -16,8 +16,8 @@ FINE = 1e-13  # relative to the peak pressure: Newton's method ends
 GOOD = 1e-10  # accepted as well if rounding prevents a smaller error
 MAX_STEPS = 40
 ROUGHLY = 0.2  # over the peak pressure: error up to which a full Newton step may increase the error
-SHORTEST = 1.0 / 8  # of Newton's step, if its error exceeds those of all steps before
-MEMORY = 6  # of these steps
+SHORTEST = 1.0 / 8  # of Newton's step, if its error exceeds those of the previous MEMORY steps
+MEMORY = 6  # number of steps
 SPRING, WEAKEST = 1e-7, 1e-12  # of the contact's stiffness: the first springs and the last
 MAX_RELEASES = 60
 

@@ -12,8 +12,8 @@ from scipy.linalg.blas import dger
 from fem.plane.discretisation import Array, Indices
 
 PIVOT_TOLERANCE = 1e-9  # relative to the largest entry of its column: a smaller pivot is round-off
-TIE_TOLERANCE = 1e-13  # over the largest value: rows that come this close to zero block together
-ARTIFICIAL_TOLERANCE = 1e-12  # of its first value: z_0 below it has left the basis
+TIE_TOLERANCE = 1e-13  # relative to the largest value: rows this close to zero block together
+ARTIFICIAL_TOLERANCE = 1e-12  # relative to its first value: below, z_0 has left the basis
 PIVOTS_PER_ROW = 4
 
 

@@ -17,7 +17,7 @@ from fem.contact.shapes import Circle
 from fem.contact.solution import ContactSolution
 from fem.plane.material import Elastic
 
-STEP, STEPS = 0.6, 9  # of pressures for shares: in that which N balances on a flat; how many
+STEP, STEPS = 0.6, 9  # step of the pressures over the equilibrium pressure; number of steps
 
 Force = tuple[float, float]  # along the flat's normal, and along it away from its middle
 

@@ -16,12 +16,12 @@ from fem.plane.discretisation import Array
 
 ZONE = 1.5  # of the even cells over the contact
 CELLS = 6  # on it, on the mesh of level 1: four on the half-width
-COARSE = 2  # the level that finds where the contact ends
+COARSE = 2  # mesh level for the search of the end of the contact
 HIT = 1e-12  # relative to P, within which the load is met
 MOST = 40
 SOLVED = 1e-10  # relative error of values if the load is reached within HIT
 PLACES = 8.0  # of the pressure by which places of nodes, rounded in double precision, move a peak
-INTEGRAL = 0.02  # of that, over the peak, which is left in integrals of the pressure
+INTEGRAL = 0.02  # share of this error, relative to the peak, in integrals of the pressure
 AXIS = np.linspace(0.5, 1.25, 301)  # depths over a at which stresses are taken
 
 Build = Callable[[float, int, int], ContactProblem]

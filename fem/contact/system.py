@@ -21,14 +21,14 @@ from fem.plane.discretisation import Array, Indices
 
 OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: + and -
 SIGN = np.array([0.0, 0.0, 1.0, -1.0])
-STAYING = 1e-2  # relative to the contact's stiffness: holds neutral motions where they are
+STAYING = 1e-2  # relative to the contact's stiffness: springs against neutral motions
 FELT = 1e-7  # relative to the squared displacements: below, only facets resist the motion
 LOAD_TOLERANCE = 1e-13  # over the forces that would close the gaps: smaller loads are round-off
 GAP_TOLERANCE = 1e-14  # over the largest gap or slip: smaller gaps of unloaded bodies are none
 BALANCE_TOLERANCE = 1e-9  # relative to the loads on rigid motions: smaller imbalances are allowed
 BARE = 1e-12  # relative to the largest: smaller rows act on no rigid motion
 ASKEW = 1e-2  # over the loads: so much may act on a neutral motion until surfaces are paired again
-OFFSET = 1e-3  # and this much where they are: moments count about places in the mesh
+OFFSET = 1e-3  # the same for neutral rotations, whose moments refer to points of the mesh
 
 
 def directions(D: Array) -> Array:

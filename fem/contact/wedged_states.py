@@ -13,7 +13,7 @@ SWEEP, SWEPT = 50, 0.88  # steps of letting go, and T/(mu N) at their end
 STIFFENS = 0.93  # d ln(approach)/d ln(N) of line contacts, about
 BELOW, ABOVE = 2e-4, 4e-4  # of T/N: ends of the bracket in which the limit is searched
 BISECTIONS = 5
-HELD = 0.9  # relative to N: more is left of it, or the roller is being expelled
+HELD = 0.9  # relative to N: below this share, the roller is expelled
 
 
 def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:

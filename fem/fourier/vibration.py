@@ -142,7 +142,7 @@ class RotatingSolid:
             return np.concatenate([K @ x[:size], M @ x[size:]])
 
         def solved(x: Array) -> Array:
-            # ARPACK calls this right after `right`: the second half is M q, and its solution q
+            # ARPACK calls this right after `right`: the second half is M q, whose solution is q
             return np.concatenate([self.factor.solve(x[:size]), last])
 
         found, x = eigsh(

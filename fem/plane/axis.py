@@ -7,7 +7,7 @@ from skfem.mesh import Mesh2D
 from fem.plane.geometry import Array
 
 ON_AXIS = 1e-9  # relative to the largest radius: nearer points lie on the axis within round-off
-STATIONS = 9  # along an edge: between two, a parabola dips by less than 1/500 of its curvature
+STATIONS = 9  # per edge: between two points, a parabola dips by less than 1/500 of its curvature
 AT_AXIS = 1e-8  # relative to a cell's radius: u_r/r loses as many digits there as its limit misses
 
 

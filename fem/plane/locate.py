@@ -17,7 +17,7 @@ BULGE = 1 / 3  # of a cell's extent, the most by which a quadratic edge leaves t
 TRIALS = ((4, 0.0), (32, 0.0), (32, INSIDE))  # nearest cells, and gap; after these, all cells
 ROUND_OFF_DIGITS = 9  # of a depth: cells that hold a point as deeply count by their number
 NEWTON_STEPS = 25
-NEWTON_REACH = 0.25  # how far outside its cell an iterate may go, so that it does come back
+NEWTON_REACH = 0.25  # largest distance of an iterate from its cell, so that it returns
 NEWTON_DONE = 1e-12
 PAIRS = 4_000_000  # points times cells compared at once: some ten megabytes
 

@@ -87,7 +87,7 @@ def free_motions(
         shapes = motion(tied.x[:, nodes[0]], of_node)
         blocks.append(_compressed(also, nodes, of_node, shapes, count))
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
-    # a basis with as many zeros as it can have: single motions of single bodies, where there are
+    # a basis with as many zeros as possible: single motions of single bodies, if they exist
     free = lu(v[s < 1e-9].T, permute_l=True)[0].T.reshape(-1, count, n)
     if not len(free):
         return Motions(np.zeros((basis.N, 0)), ())

@@ -74,7 +74,9 @@ class Rolling:
 
     def __post_init__(self) -> None:
         if self.angle.ndim != 1 or self.angle.shape != self.z.shape:
-            raise ValueError(f"angle {self.angle.shape} and z {self.z.shape} need one for each cam")
+            raise ValueError(
+                f"angle {self.angle.shape} and z {self.z.shape} must have one value per cam"
+            )
 
     def state(self, d: Array, R: Array, *, second: bool = True) -> State:
         zero = np.zeros_like(self.angle)

@@ -59,7 +59,7 @@ TWO, THREE = gauss(2)[0], gauss(3)[0]
 POINTS = grid(THREE, THREE)
 WEIGHTS = np.outer(gauss(3)[1], gauss(3)[1]).ravel()
 
-# tying points of a strain along the first direction, along the second, and of those of both
+# tying points of strains along the first direction, along the second, and along both
 TYING = (grid(TWO, THREE), grid(THREE, TWO), grid(TWO, TWO))
 _FROM_TWO, _FROM_THREE = _lagrange(TWO, THREE), np.eye(3)
 TO_POINTS = tuple(

@@ -26,7 +26,7 @@ import numpy as np
 from fem.shell.reference import NODES, POINTS, TO_POINTS, TYING, WEIGHTS, Array, Indices, shapes
 
 MEMBRANE, BENDING, SHEAR = slice(0, 3), slice(3, 6), slice(6, 8)
-TIED, UNTIED = 8, 9  # ω by its tying points, and as it is
+TIED, UNTIED = 8, 9  # index of ω interpolated from its tying points, and without interpolation
 STRAINS, UNKNOWNS = 10, 6 * NODES
 SHEAR_FACTOR = 5 / 6
 FLAT_OUT = 1e-6  # area at a Gauss point over the cell's mean, below which it counts as none

@@ -33,7 +33,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     for group in conditions.ties:
         moved = rows(group, of_node[group // 3])
         held.append(moved[1:] - moved[0])
-    for k in range(count):  # nodes that the last body to claim them shares with this one
+    for k in range(count):  # nodes of this body that are assigned to another body
         own = np.unique(nodes[:, body == k])
         own = own[of_node[own] != k]
         dofs = (3 * own[:, None] + np.arange(3)).ravel()

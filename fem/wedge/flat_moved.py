@@ -7,7 +7,7 @@ from fem.wedge.flat_place import Pitch, Place
 from fem.wedge.flat_start import Start, after
 from fem.wedge.pulled import HARDER
 
-NEAR, MOST = 2e-4, 6  # how near the torque is met, and in how many steps
+NEAR, MOST = 2e-4, 6  # relative error of the torque, number of steps
 
 
 def angle_with_flats(

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution
 
 Array = NDArray[np.float64]
-Drags = tuple[float, float]  # m, how far inner and outer surface are turned where they are touched
+Drags = tuple[float, float]  # m, tangential displacements of inner and outer surface
 
 STILL = 1e-5  # of both overlaps: allowed movement of a body
 CORE = 0.05  # relative to a body's size: where its motion is read

@@ -22,8 +22,8 @@ ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
 AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
-HELD = 0.5  # relative to N: more is left of it where places are equal and forces are not
-DRIVEN = (1.5, 3.0)  # of the ring along z, over the deflection of parts: to where all slips
+HELD = 0.5  # relative to N: with less, the contacts count as released
+DRIVEN = (1.5, 3.0)  # displacement of the ring along z for full slip, over the parts' deflection
 
 
 class Limit:
@@ -65,7 +65,7 @@ class Limit:
         first = 1 + AXIAL_ABOVE
         second, _ = self._corrected(first)
         if second < first and not self.sticks(second * self.full):
-            # the first one carries more than the load; with the second, torque alone is too much
+            # the first carries more than the load; at the second, the torque alone causes slip
             return np.array([(first + second) / 2, (first - second) / 2])
         found, doubt = self._corrected(second)
         return np.array([found, doubt + abs(found - second)])

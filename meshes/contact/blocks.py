@@ -111,7 +111,7 @@ def mesh_blocks(
         if cells == "tri":  # scikit-fem renumbers the nodes of triangles
             return _named(plane_mesh(straight=straight), whole)
         read = nodes_and_cells(straight=straight)
-        # where the drawing is the same, so are the names of curves and surfaces
+        # equal drawings have equal names of curves and surfaces
         key = (drawing.structure, tuple(whole.items()), read.t.shape, read.t.tobytes())
         topology = TOPOLOGIES.get(
             key, lambda: Topology.of(_named(plane_mesh(straight=straight), whole), read.t)

@@ -11,7 +11,7 @@ from meshes.counts import at_least
 # the coarsest mesh and 7e-7 on the fourth: growth by 1.3 and a core as deep as 2/3 of its width
 # halve that, for 1.7 times the unknowns.
 DEEP = 1 / 2  # depth of the core over its width
-GROWTH = 1.6  # how much longer than the one before a cell of the coarsest mesh is at most
+GROWTH = 1.6  # largest ratio of the lengths of successive cells of the coarsest mesh
 
 
 @dataclass(frozen=True)

@@ -44,6 +44,6 @@ def beta(*, length: float, first: float, cells: int) -> float:
 def last_cell(*, length: float, cells: int, beta: float) -> float:
     """Size of the last of `cells` that `beta` grades, in the unit of `length`."""
     ratio = (beta + 1) / (beta - 1)
-    # how far from the far end the last node lies, with u = beta (e - 1) / (e + 1)
+    # distance of the last node from the far end, with u = beta (e - 1) / (e + 1)
     e = ratio ** (1 / cells)
     return length * beta * (e - 1) / (e + 1)

@@ -33,7 +33,7 @@ def half_race(
             f"zone={zone:g} m, r_i={r_i:g} m, r_o={r_o:g} m"
         )
     fine, wall, centre = Zone(zone, cells, refine), r_o - r_i, (0.0, r_i)
-    # in the plane of angle and ln r, which bends no angle, the fan is a square beside the core
+    # in the plane of angle and ln r, a conformal map, the fan is a square beside the core
     brink = math.asin(zone / r_i)
     angle = min(math.pi / 2, brink + math.log(r_o / (r_i + fine.depth)))
     inner, outer = (_at(r, angle, r_i) for r in (r_i, r_o))

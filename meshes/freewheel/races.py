@@ -84,7 +84,7 @@ class FlatRace:
         radius = math.hypot(self.apothem, self.at)
         thick = math.log(self.other / radius)
         up = -1 if thick > 0 else 1
-        # as deep as makes the cells at the contact as long as they are wide
+        # depth for which the cells at the contact are as long as wide
         blocks = Strip(left, right, radius * abs(thick), base, body, zone).blocks()
         mesh = flat_mesh(tuple(block.mirrored(1, up) for block in blocks), order)
         places = self._places(mesh, radius * thick)

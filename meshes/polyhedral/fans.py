@@ -13,7 +13,7 @@ from meshes.counts import at_least
 from meshes.polyhedral.outline import Outline
 
 BODY = "ring"
-SLENDER = 2.0  # and how much longer than the wall is thick they are at most
+SLENDER = 2.0  # largest length of a cell over the thickness of the wall
 LEAN = 0.6  # relative to the core's depth, by which its end leans to the corner to open the fan
 DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet takes at most
 

@@ -8,7 +8,7 @@ from skfem import MeshQuad1
 
 from meshes.revolution.section import chain, section, stations
 
-ALONG, DOWN = 1.6, 2.0  # by how much cells grow along the rim and below it, coarsest mesh
+ALONG, DOWN = 1.6, 2.0  # ratios of successive cells along the rim and below it, coarsest mesh
 
 
 def half_cylinder(

@@ -10,7 +10,7 @@ from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
 AROUND = 12  # cells along a quarter on the coarsest mesh
-ACROSS = 0.4  # and by how much ln r grows over one of them
+ACROSS = 0.4  # increase of ln r over one of these cells
 
 
 def quarter_ring(

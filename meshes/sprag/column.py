@@ -39,7 +39,7 @@ class Reach:
         end = np.where(share < 0, self.left, self.right)
         near = self.least * share + (end - self.least) * share**3
         far = ((1 + share) * self.right - (1 - share) * self.left) / 2
-        # of all powers this one leaves the widest angles
+        # the power that gives the widest angles
         return near + np.minimum(depth, 1) ** 1.5 * (far - near)
 
 

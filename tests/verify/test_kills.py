@@ -127,7 +127,7 @@ def test_kills_lose_nothing(name, tmp_path):
         now = copy.entries()
         assert stored.items() <= now.items()  # nothing is lost, nothing is made twice
         stored = now
-    if name == "levels":  # what a killed run was writing goes
+    if name == "levels":  # temporary files of a killed run are removed
         (copy.folder / "out" / ".part-killed").mkdir(parents=True, exist_ok=True)
         (copy.folder / "out" / "rows.csv").unlink(missing_ok=True)  # or it is up to date
     copy.run()

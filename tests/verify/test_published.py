@@ -179,7 +179,7 @@ def test_an_incomplete_ledger_is_refused():
         (changed("equations", 0, **EMPTY | {"status": "implemented"}), "its code and its test"),
         (changed("equations", 0, **EMPTY | {"status": "argued"}), "give the argument"),
         (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
-         "yet names code or a test"),
+         "but names code or a test"),
         (changed("errata", 1, id=RAW["belcin"]["errata"][0]["id"]), "used twice"),
         (changed("errata", 0, evidence=""), "evidence"),
         (RAW["belcin"] | {"values": RAW["belcin"]["values"] * 2}, "used twice"),

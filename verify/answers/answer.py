@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-ROUND_OFF = 1e-9  # relative; a limit that is reached exactly is met
+ROUND_OFF = 1e-9  # relative; a value equal to the limit satisfies it
 
 
 class Verdict(StrEnum):

@@ -53,7 +53,7 @@ def hand_over(text: str, out: Path | None) -> None:
     """Print a template, or write it to a file that does not exist yet."""
     if out is None:
         if isinstance(sys.stdout, TextIOWrapper):
-            sys.stdout.reconfigure(encoding="utf-8")  # TOML is, whatever the terminal takes
+            sys.stdout.reconfigure(encoding="utf-8")  # TOML is UTF-8 on any terminal
         print(text, end="")
         return
     try:

@@ -13,7 +13,7 @@ from verify.core.inputs import Inputs
 from verify.core.results import CaseResult
 from verify.jobs.dynamic import DynamicResult
 
-SCHEMA_VERSION = 3  # 1 had no answer, and keys with spaces; 2 no verdicts
+SCHEMA_VERSION = 3  # version 1 had no answer, and keys with spaces; version 2 had no verdicts
 
 
 def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:

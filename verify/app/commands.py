@@ -33,7 +33,7 @@ from verify.verdicts.record import moved
 
 ROOT = Path(__file__).parents[2]
 BAD = (Status.FAIL, Status.SKIP)
-GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are many that stay in use
+GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are numerous and stay in use
 
 
 def run_list() -> int:

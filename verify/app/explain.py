@@ -26,7 +26,7 @@ from verify.jobs.session import solve
 from verify.judging.explain.steps import derive
 from verify.verdicts.console import explained, named
 
-BESIDE = ": convergence"  # the row that every finite-element row has beside it
+BESIDE = ": convergence"  # ends the name of the convergence row of a finite-element row
 LISTED = 12
 
 

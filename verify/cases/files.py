@@ -91,7 +91,7 @@ def _loaded(path: Path) -> Case:
     if not name.isidentifier():
         raise InputError(f"{path}: rename the file: letters, digits and _, as a Python module")
     if str(path.parent) not in sys.path:
-        sys.path.append(str(path.parent))  # for files beside it, and for pickle in other processes
+        sys.path.append(str(path.parent))  # for imports of files in its folder and for pickle
     source_code.include(path.parent)
     try:
         module = importlib.import_module(name)

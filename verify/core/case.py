@@ -38,7 +38,7 @@ class Context:
     inputs: Any
     analytic: Values
     fem: Sequence[FemResult]
-    is_paper: bool  # printed numbers speak of the paper's inputs alone
+    is_paper: bool  # printed numbers apply only to the paper's inputs
 
     @property
     def converging(self) -> bool:
@@ -163,12 +163,12 @@ class Case:
     method: Method = Method()  # noqa: RUF009 - frozen
     # conclusions for the user, in words, the verdict first
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
-    # the same for programs, as JSON beside the values
+    # the same for programs, as JSON in addition to the values
     summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
     warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
     tables: Callable[[Context], Sequence[Table]] = lambda _context: ()
-    too_large: Callable[[Any], str] = lambda _inputs: ""  # why finite elements refuse these inputs
+    too_large: Callable[[Any], str] = lambda _inputs: ""  # reason of a refusal
     sketch: Callable[[Any], Sketch | None] = lambda _inputs: None
     figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
     pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()

@@ -15,8 +15,8 @@ import subprocess
 import sys
 from collections.abc import Collection, Sequence
 
-OLDEST, NEWEST = (3, 11), (3, 14)  # all wheels of requirements.txt exist for these and between
-MESHES, PICTURES = "meshes", "pictures"  # gmsh does not start without these; pictures are fewer
+OLDEST, NEWEST = (3, 11), (3, 14)  # versions with all wheels of requirements.txt
+MESHES, PICTURES = "meshes", "pictures"  # gmsh needs the first, pyvista the second
 
 # shared library, its Debian package, its users
 LIBRARIES = (
@@ -34,7 +34,7 @@ PACKAGES = ("python3-venv", *(package for _, package, _ in LIBRARIES))
 OPENGL = ("libEGL.so.1", "libGL.so.1")
 DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # drivers of OpenGL without a screen
 
-# A sphere drawn off-screen: exit status 3 where the picture is empty.
+# A sphere drawn off-screen: exit status 3 if the picture is empty.
 RENDER = """
 import pyvista
 plotter = pyvista.Plotter(off_screen=True, window_size=(64, 64))

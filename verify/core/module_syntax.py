@@ -12,7 +12,7 @@ from threading import Lock
 
 from verify.core.plain_code import is_of_project
 
-STUB = "__init__.pyi"  # of a package that imports its public names when they are asked for
+STUB = "__init__.pyi"  # of a package that imports its public names at first use
 _PARSING = Lock()
 
 

@@ -24,7 +24,7 @@ from verify.core.plain_code import PROJECT, plain
 from verify.core.source_memory import remembered
 
 CASE = "q"  # variable of a case's modules for the case with its inputs
-SOLVERS = ("analytic.", "fem.", "meshes.")  # take numbers, and no case
+SOLVERS = ("analytic.", "fem.", "meshes.")  # modules that use numbers only, and no case
 COMPILED = "analytic.sprag.engagement"
 _outside: set[Path] = set()
 OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules with inputs of both sides

@@ -134,7 +134,7 @@ class Store:
                 (kind, kind, subject, subject),
             ).rowcount
             database.execute(FORGET)
-        with suppress(OSError):  # they are removed; a later entry takes their place in the file
+        with suppress(OSError):  # they are removed, and later entries reuse their space in the file
             self._database.compact()
         return removed
 

@@ -21,7 +21,7 @@ from pathlib import Path
 from verify.core.environment import LIBRARIES, MESHES, missing_libraries, python_problem
 
 FORBIDDEN = "FREEWHEEL_NO_APT"  # if set, nothing is installed and the command to run is printed
-LOCK_SECONDS = 120  # another apt-get or dpkg may take so long
+LOCK_SECONDS = 120  # s: another apt-get or dpkg may need this long
 APT = ("apt-get", "-q", "-o", f"DPkg::Lock::Timeout={LOCK_SECONDS}", "-o", "Acquire::Retries=1")
 INSTALL = (*APT, "install", "-y", "--no-install-recommends")
 REPAIR = "dpkg --configure -a"  # required by apt-get after an interrupted installation
@@ -118,7 +118,7 @@ def _run(words: Sequence[str]) -> tuple[int, str]:
     ) as process:  # fmt: skip
         try:
             output = process.communicate()[0]
-        except KeyboardInterrupt:  # apt-get has it too, and ends where dpkg is not cut in two
+        except KeyboardInterrupt:  # apt-get also gets the signal, and ends without breaking dpkg
             process.communicate()
             raise
     return process.returncode, output

@@ -70,7 +70,7 @@ kip = 1000 * pound_force
 percent = 0.01 = %
 """.strip().splitlines()
 
-# What the words for a dimension are, for messages; by a unit that has it.
+# Names of the dimensions for messages, by a unit of the dimension.
 DIMENSIONS = {
     "mm": "a length", "MPa": "a pressure or stress", "N": "a force", "deg": "an angle",
     "N/mm": "a stiffness", "kg/m^3": "a density", "1": "a number", "s": "a time",

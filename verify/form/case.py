@@ -53,7 +53,7 @@ class Case(Inputs):
     model_config = ConfigDict(ignored_types=(Declared, Family, shared))
 
     id: ClassVar[str] = ""  # by default the name of the file
-    title: ClassVar[str] = ""  # empty where the class only holds inputs that cases share
+    title: ClassVar[str] = ""  # empty if the class only holds inputs that cases share
     source: ClassVar[str] = ""  # key of a paper of the suite
     place: ClassVar[str] = ""
     method: ClassVar[Method] = Method()  # of the reference
@@ -62,7 +62,7 @@ class Case(Inputs):
     readings: ClassVar[tuple[str, ...]] = ()
     assumptions: ClassVar[tuple[str, ...]] = ()
     scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas
-    portions: ClassVar[tuple[Portion, ...]] = ()  # parts of the reference, solved alone
+    portions: ClassVar[tuple[Portion, ...]] = ()  # parts of the reference solved separately
     dynamic: ClassVar[Dynamic | None] = None  # transient part for `check --dynamic`
     time_limit: ClassVar[float] = 600.0  # s, of a level or the formulas of a case outside the suite
 

@@ -16,7 +16,7 @@ import numpy as np
 Side = Literal["too high", "too low", ""]
 Role = Literal["formula", "step", "geometry"]
 Form = Literal["as printed", "corrected", "small angles", ""]
-Indexed = Callable[..., SupportsFloat]  # a method with arguments beside the instance
+Indexed = Callable[..., SupportsFloat]  # a method with arguments in addition to the instance
 T = TypeVar("T")
 MEMO = "="  # before the name of a computed value in an instance's __dict__: no field begins so
 _numbers = count(1)

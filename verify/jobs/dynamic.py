@@ -25,7 +25,7 @@ class DynamicResult:
     findings: tuple[str, ...]
     summary: Mapping[str, Any]
     figures: tuple[Figure, ...]
-    verdict: str = ""  # of both parts together, where the case has one
+    verdict: str = ""  # of both parts together, if the case has a dynamic part
     first: tuple[str, ...] = ()  # findings in the place of the formulas' first
 
     def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:

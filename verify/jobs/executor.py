@@ -20,7 +20,7 @@ from verify.jobs.engine import Engine, GoneError
 from verify.jobs.guard import named
 from verify.jobs.processes import Processes, RemoteTraceback
 
-TICK = 0.25  # s between two looks of the caller at a run in which nothing happens
+TICK = 0.25  # s between two checks of the caller if nothing happens in a run
 MOST_JOBS = 256
 ENGINES = ("local", "dask")
 ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")

@@ -55,7 +55,7 @@ class Guard:
         """The rows of one check; if judging fails, failed rows with the same names."""
         try:
             return list(rows())
-        except Exception as error:  # whatever it is, it is this case's alone
+        except Exception as error:  # any error concerns only this case
             return self.red(check, self._note(error))
 
     def red(self, check: Check, reason: str) -> list[Row]:

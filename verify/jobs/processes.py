@@ -100,7 +100,7 @@ class Processes(ThreadPoolExecutor):
         worker = self._worker()
         try:
             is_done, answer = worker.call(function, args, kwargs)
-        except (EOFError, OSError) as error:  # it died, perhaps in the middle of its answer
+        except (EOFError, OSError) as error:  # it ended, possibly in the middle of its answer
             raise WorkerDiedError(f"the process died ({self._end(worker)})") from error
         if is_done:
             return answer

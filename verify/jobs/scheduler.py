@@ -135,7 +135,7 @@ class _Work:
 
     def _receive(self, task: Task | Judging, answer: Solved | CaseResult | Lost | None) -> int:
         if isinstance(task, Judging):
-            if isinstance(answer, CaseResult):  # else it is judged here, with the same outcome
+            if isinstance(answer, CaseResult):  # otherwise it is judged here, with the same outcome
                 self.judged[task.job] = answer
                 assert self.hand_over is not None
                 self.hand_over(answer)

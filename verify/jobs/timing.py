@@ -16,8 +16,8 @@ from verify.core.store import Store
 Level = tuple[str, int]
 
 COST_EXPONENT = 2.0  # plane meshes: cells grow with the square of the level
-FINEST_SECONDS = 5.0  # of a case's finest level where nothing was ever measured
-OVERRUN = 0.5  # a level beyond its expectation takes another half of what it took
+FINEST_SECONDS = 5.0  # expected time of a case's finest level without a measurement
+OVERRUN = 0.5  # of the elapsed time: assumed rest of a level beyond its expected time
 KIND = "duration"  # of entries
 USUAL = Path(__file__).with_name("seconds.json")  # by case and level, on one machine
 

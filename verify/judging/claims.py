@@ -45,7 +45,7 @@ class Claim(ABC):
     form: str = ""
     safe: str = ""
     shares: str = ""
-    paper_only: bool = False  # speaks of the paper's inputs alone, and user inputs have no row
+    paper_only: bool = False  # applies only to the paper's inputs; user inputs have no such row
 
     @property
     def needs_fem(self) -> bool:
@@ -144,7 +144,7 @@ class FemClaim(Claim):
     fem: str
     by: str = ""
     formal: float | None = None
-    scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
+    scale: str = ""  # analytic key of the natural magnitude; if empty, the reference
     own_demand: float = judge.DEMAND
     own_reason: str = "user inputs: the suite's default"
 

@@ -162,7 +162,7 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
         return high
     if excess(low) >= 0:
         return low
-    from scipy.optimize import brentq  # slow to import; formulas alone need no order
+    from scipy.optimize import brentq  # slow to import, and not needed for formulas only
 
     return float(brentq(excess, low, high, xtol=1e-12))
 

@@ -30,7 +30,7 @@ class Value(Entry):
     role: Literal["input", "result", "claim", "limit"]
     place: Words
     also: tuple[Words, ...] = ()
-    approximate: bool = False  # "about", "close to", a bound: the last digit says nothing
+    approximate: bool = False  # "about", "close to", a bound: the last digit has no meaning
     note: str = ""
 
     @property
@@ -75,7 +75,7 @@ class Equation(Entry):
         if self.status == "argued" and not self.note:
             raise ValueError(f"equation {self.number} is argued: give the argument in its note")
         if self.status == "missing" and (self.code or self.test):
-            raise ValueError(f"equation {self.number} is missing, yet names code or a test")
+            raise ValueError(f"equation {self.number} is declared missing but names code or a test")
         return self
 
 

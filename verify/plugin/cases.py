@@ -21,7 +21,7 @@ from verify.plugin import STRICT
 from verify.plugin.messages import FreewheelError, failure, with_extra
 
 FAILED = (Status.FAIL, Status.SKIP)  # a row that could not be judged is no success either
-NOT_JUDGED = (Status.SHOWN, Status.CALIBRATED)  # which fail where the setting is strict
+NOT_JUDGED = (Status.SHOWN, Status.CALIBRATED)  # these fail if the setting is strict
 
 
 class CaseFile(pytest.File):

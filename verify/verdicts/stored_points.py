@@ -47,7 +47,7 @@ def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course])
         tuple(axis.in_unit(v) for axis, v in zip(plan.axes, point, strict=True))
         for point in plan.points
     ]
-    # a value of an axis may differ from the default in the last bit alone
+    # a value of an axis may differ from the default only in the last bit
     kept = [n for n, point in enumerate(shown) if point not in shown[:n]]
     rows = {row.quantity: row for row in result.rows}
     return StoredStudy(

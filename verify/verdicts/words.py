@@ -8,7 +8,7 @@ from verify.verdicts.rule import CLASSES
 
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
-VALUES = re.compile(r" \(\d+ values\)")  # how many, which the ranges state
+VALUES = re.compile(r" \(\d+ values\)")  # numbers of points, which the ranges state
 SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 
 

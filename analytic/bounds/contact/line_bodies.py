@@ -16,7 +16,7 @@ from analytic.contact import pair_series
 from analytic.contact.checks import Assumption
 from analytic.contact.partial_slip import dundurs_beta
 
-# of what unlike materials couple, as in `pair_series`
+# for the coupling between different materials, as in `pair_series`
 COUPLED_PRESSURE = -(2 * pair_series.CATALAN - 1 / 3) / pi
 COUPLED_WIDTH = 64 / (45 * pi)
 PLANE: Assumption = "plane strain"

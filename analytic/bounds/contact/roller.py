@@ -2,11 +2,11 @@
 
 from math import isfinite
 
-LEAST = 1e-4  # relative to a model error: nothing sharper is claimed
-LEAST_USER = 1e-3  # nor this for user inputs, for which strips and grids are not tuned
-LOADED = 3e-3  # nor this, there, for a loaded end, to which no expansion applies
+LEAST = 1e-4  # smallest half-width of an interval, relative to a model error
+LEAST_USER = 1e-3  # the same for user inputs, for which strips and grids are not optimised
+LOADED = 3e-3  # the same at a loaded end, to which no expansion applies
 SLENDER = 0.03  # relative to the length: largest half-width for which the expansion is valid there
-WIDEST = 0.01  # wider than the required sensitivity: such an interval proves nothing
+WIDEST = 0.01  # an interval wider than the required sensitivity proves nothing
 TIMES = 2.0  # factor within which the strips' estimate of the neglected terms holds
 CELLS = 1e-3  # of cells across with uniform pressure
 

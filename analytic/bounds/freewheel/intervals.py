@@ -5,11 +5,11 @@ import math
 from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 
 CURVED = 4.0  # bound of Hertz's error of pressures over (a/r)²; between flats it is 3/16
-LEAST = 7e-3  # and no less is required: 1 % is accepted, meshes take 0.3
-ROUNDED = 2e-5  # relative to a value: nothing finer is required, splines and meshes take half of it
-SMALLEST = 2e-3  # nor of approaches that others follow from
-ASKED = 4e-3  # nor of approaches themselves
-TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear
+LEAST = 7e-3  # smallest half-width: 1 % is accepted, the error of meshes is 0.3 %
+ROUNDED = 2e-5  # smallest half-width, relative: splines and meshes cause half of it
+SMALLEST = 2e-3  # the same for approaches from which other values follow
+ASKED = 4e-3  # the same for approaches
+TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring; beyond these there are corners
 SIDEWAYS = 0.5, 1.0  # bounds of the tangential over the normal compliance, of like logarithms
 STRAIGHT = 0.01  # share of phi: change of the printed angle's ratio along its arc
 

@@ -38,7 +38,7 @@ class Moved:
 def turned(
     ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float, f_i: float, f_o: float
 ) -> float:
-    """dalpha/dX [rad/length] between both `ends`, with `f_i`, `f_o` times their approaches."""
+    """dalpha/dX [rad/length] between both `ends`; `f_i` and `f_o` scale their approaches."""
     low, high = (end.angle(F_t, bounds.at.N, f_i, f_o) for end in ends)
     return (high - low) / (2 * off)
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 Interval = tuple[float, float]
 
 ENERGY = 1e-5  # relative to the work: error of the cubics of a table
-BOOKED = 2 * ENERGY  # the same, and the rotation of the outer race that inertia alone holds
+BOOKED = 2 * ENERGY  # also for the rotation of the outer race against its inertia only
 PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 401 states
 
 

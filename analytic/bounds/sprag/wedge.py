@@ -27,13 +27,13 @@ Interval = tuple[float, float]
 Assumption = Literal["plane stress", "plane strain"]
 
 BEND = 0.25  # of all parts of a shift: point forces, straight walls, proportional slip
-LEVER = 0.1  # relative to the deflections about the inner contact, how they share
+LEVER = 0.1  # relative to the deflections at the inner contact: error of their distribution
 SHARP = 1e-3  # error of second order by reciprocity
 ELASTIC = 1e-3  # over deflections: polynomials of the column (4e-4), N for N_e on one side (5e-4)
 HERTZ, EDGES = 2.0, 2e-3  # Hertz's error over (a/r)²; effect of a contact edge inside a cell
 ACCEPTED = 1e-2  # of half-widths
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
-SLOPES = 5e-3  # relative to the rotation per deflection of one side, over that of the other
+SLOPES = 5e-3  # relative to the ratio of the rotations per deflection of both sides
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

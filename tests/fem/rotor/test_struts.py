@@ -97,7 +97,7 @@ def test_loads_of_a_known_place_lead_back_to_it(struts):
     [
         (lambda: pinned(b=np.zeros((3, 3))), "ends need"),
         (lambda: Pinned(a=np.ones((1, 3)), b=np.ones((1, 3))), "both its ends coincide"),
-        (lambda: rolling(z=np.zeros(3)), "one for each cam"),
+        (lambda: rolling(z=np.zeros(3)), "one value per cam"),
     ],
 )
 def test_struts_without_sense_are_refused_in_words(call, message):

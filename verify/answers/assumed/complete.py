@@ -72,7 +72,7 @@ def _refuse_missing(
     """InputError for required inputs that nothing is assumed for, unless a key is unknown."""
     fields = model.model_fields
     if any(key not in fields and key not in assumable for key in raw):
-        return  # `build` says what is wrong
+        return  # `build` reports the error
     needed = [
         name for name, field in fields.items()
         if meta(field)["omitted"] == REQUIRED and name not in raw and name not in assumable

@@ -8,7 +8,7 @@ from verify.answers.assumed.rules import Assumption, Given
 STROKE = 0.6  # of the free length
 THICKNESSES = ["0.05 mm", "0.06 mm", "0.08 mm", "0.09 mm", "0.1 mm", "0.11 mm", "0.12 mm",
                "0.15 mm", "0.2 mm", "0.25 mm", "0.3 mm"]  # fmt: skip
-LEAVES, ARCS = (0.37, 0.52, 41), (0.013, 0.024, 7)  # L_1 and r over L_max, and how many
+LEAVES, ARCS = (0.37, 0.52, 41), (0.013, 0.024, 7)  # ranges and numbers of L_1 and r over L_max
 
 
 def stiffening(g: Given) -> float:

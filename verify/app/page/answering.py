@@ -15,7 +15,7 @@ from verify.app.page.session import State
 from verify.app.page.widgets import enable
 from verify.core.inputs import InputError
 
-FORMULAS, DETAILS = 60.0, 60.0  # s that an answer may take
+FORMULAS, DETAILS = 60.0, 60.0  # s, time limit of an answer
 SLOW = 0.4  # s after which the page states that it computes
 PAUSE = 0.5  # s without typing before slow notes are computed
 

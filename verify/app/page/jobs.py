@@ -16,7 +16,7 @@ from verify.jobs.processes import SPAWN
 MOST_RUNNING = 2  # jobs of all pages at a time
 LONGEST = 1800.0  # s of a job
 WATCH = 1.0  # s between two looks for the parent
-POLL = 0.004  # s between two looks for an answer
+POLL = 0.004  # s between two polls for an answer
 
 
 class CancelledError(Exception):

@@ -1,4 +1,4 @@
-"""What a page has done in other processes: finite elements, a report, a sweep of the formulas."""
+"""Tasks that a page runs in other processes: finite elements, a report, a sweep of formulas."""
 
 import os
 from collections.abc import Callable, Mapping, Sequence
@@ -26,7 +26,7 @@ from verify.studies.sweep.axes import Axis, axis, changed
 
 Tell = Callable[[Any], None]
 MOST_POINTS = 1000
-MARGIN, DESIGN = "margin", "design value"  # results of a sweep beside the case's values
+MARGIN, DESIGN = "margin", "design value"  # results of a sweep in addition to the case's values
 
 
 def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:

@@ -21,7 +21,7 @@ from verify.app.page.widgets import Choice, Typed, button, enable, html, message
 from verify.core.inputs import InputError
 
 IS_DARK = "matchMedia('(prefers-color-scheme: dark)').matches"
-ANSWERED = 10.0  # s in which a browser answers
+ANSWERED = 10.0  # s within which a browser must answer
 OLD = "of earlier inputs: the form has changed since then"
 Tell = Callable[[Any], None]
 
@@ -32,7 +32,7 @@ class Tools:
     def __init__(self, screen: Any) -> None:
         self.screen = screen
         self.old: dict[str, ui.html] = {}
-        self.made: dict[str, Any] = {}  # the inputs of what a job has made
+        self.made: dict[str, Any] = {}  # inputs of a job's result
         with tool("Check with finite elements", "tool-fem"):
             html(Markup('<p class="soft">{}</p>').format(screen.case.method))
             self._job("Check with finite elements", "fem", self._fem)

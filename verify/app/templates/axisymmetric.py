@@ -20,15 +20,15 @@ class Disc(vc.Case):
     source = "Timoshenko, Strength of Materials, part II"
     place = "rotating disc of constant thickness"
 
-    # inputs: default, unit, symbol, what it is, bounds in that unit
+    # inputs: default, unit, symbol, meaning, bounds in this unit
     R: float = vc.given("100 mm", "mm", "R", "outer radius", gt=0)
     h: float = vc.given("50 mm", "mm", "h", "thickness", gt=0)
     n: float = vc.given("20000 r/min", "r/min", "n", "speed", gt=0)
     rho: float = vc.given("7850 kg/m^3", "kg/m^3", "ρ", "density", gt=0)
     nu: float = vc.given(0.3, "1", "ν", "Poisson's ratio", ge=0, lt=0.5)
 
-    # a formula in SI units, with symbol, unit of its display, what it is; the safe side is the
-    # one on which an error does no harm
+    # a formula in SI units, with symbol, displayed unit and meaning; an error on the safe side
+    # causes no harm
     @vc.Quantity("σ", "MPa", "stress in the middle", equation="1", safe="too high")
     def sigma(self) -> float:
         return (3 + self.nu) / 8 * self.rho * (self.n * self.R) ** 2

@@ -16,7 +16,7 @@ class Rollers(vc.Case):
     source = "Roark's Formulas for Stress and Strain"
     place = "contact of two cylinders, parallel axes, both of ν = 0.3"
 
-    # inputs: default, unit, symbol, what it is, bounds in that unit
+    # inputs: default, unit, symbol, meaning, bounds in this unit
     D_1: float = vc.given("40 mm", "mm", "D_1", "diameter of the lower roller", gt=0)
     D_2: float = vc.given("20 mm", "mm", "D_2", "diameter of the upper roller", gt=0)
     P: float = vc.given("300 N/mm", "N/mm", "P", "load per length", gt=0)

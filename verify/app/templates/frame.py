@@ -21,14 +21,14 @@ class CurvedCantilever(vc.Case):
     source = "Wahl, Mechanical Springs"
     place = "curved flat springs, thin strip"
 
-    # inputs: default, unit, symbol, what it is, bounds in that unit
+    # inputs: default, unit, symbol, meaning, bounds in this unit
     R: float = vc.given("40 mm", "mm", "R", "radius of the centre line", gt=0)
     t: float = vc.given("8 mm", "mm", "t", "thickness", gt=0)
     w: float = vc.given("20 mm", "mm", "w", "width", gt=0)
     E: float = vc.given("206 GPa", "GPa", "E", "Young's modulus", gt=0)
     nu: float = vc.given(0.3, "1", "ν", "Poisson's ratio", ge=0, lt=0.5)
 
-    # formulas in SI units; a "step" is not compared, on the safe side an error does no harm
+    # formulas in SI units; a "step" is not compared; an error on the safe side is harmless
     @vc.Quantity("I", "mm^4", "second moment of area", role="step")
     def I(self) -> float:  # noqa: E743 - as in books
         return self.w * self.t**3 / 12

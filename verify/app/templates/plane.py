@@ -4,24 +4,24 @@ from collections.abc import Iterator
 
 import verify.case as vc
 
-# where the expected error comes from: neither from the finite elements nor by reading the formula
+# source of the expected error, independent of the finite elements and of the formula
 SOURCE = "derived: Barlow's mean stress over Lamé's largest is (1 + r_i/r_o)²/(1 + (r_i/r_o)²)/2"
 
 
 class Pipe(vc.Case):
     """The hoop stress of a pipe under inner pressure by Barlow's formula."""
 
-    title = "Hoop stress of a pipe"  # of its page
-    source = "Textbook on pressure vessels"  # a book, a standard or a paper, as it is cited
+    title = "Hoop stress of a pipe"  # title of the page
+    source = "Textbook on pressure vessels"  # citation of a book, a standard or a paper
     place = "Barlow's formula"
 
-    # inputs: default, unit, symbol, what it is, bounds in that unit
+    # inputs: default, unit, symbol, meaning, bounds in this unit
     r_i: float = vc.given("50 mm", "mm", "r_i", "inner radius", gt=0)
     r_o: float = vc.given("55 mm", "mm", "r_o", "outer radius", gt=0)
     p: float = vc.given("10 MPa", "MPa", "p", "inner pressure", gt=0)
 
-    # formulas in SI units, with symbol, unit of their display, what they are. The safe side is the
-    # one on which an error does no harm. A "step" of a formula is not compared.
+    # formulas in SI units, with symbol, displayed unit and meaning. An error on the safe side
+    # causes no harm. A "step" is an intermediate value, which is not compared.
     @vc.Quantity("s", "mm", "wall", role="step")
     def s(self) -> float:
         return self.r_o - self.r_i

@@ -19,15 +19,15 @@ class Shaft(vc.Case):
     source = "Den Hartog, Mechanical Vibrations"
     place = "uniform beam, hinged at both ends"
 
-    # inputs: default, unit, symbol, what it is, bounds in that unit
+    # inputs: default, unit, symbol, meaning, bounds in this unit
     L: float = vc.given("400 mm", "mm", "L", "distance of the bearings", gt=0)
     d_o: float = vc.given("60 mm", "mm", "d_o", "outer diameter", gt=0)
     E: float = vc.given("210 GPa", "GPa", "E", "Young's modulus", gt=0)
     nu: float = vc.given(0.3, "1", "ν", "Poisson's ratio", ge=0, lt=0.5)
     rho: float = vc.given("7850 kg/m^3", "kg/m^3", "ρ", "density", gt=0)
 
-    # a formula in SI units, with symbol, unit of its display, what it is; the safe side is the
-    # one on which an error does no harm
+    # a formula in SI units, with symbol, displayed unit and meaning; an error on the safe side
+    # causes no harm
     @vc.Quantity("f_1", "Hz", "first bending frequency", equation="1", safe="too low")
     def f_1(self) -> float:
         return pi * self.d_o / (8 * self.L**2) * sqrt(self.E / self.rho)

@@ -30,7 +30,7 @@ JUDGES = (
 )
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times the duration of the unchanged code: two processes may share a core
-WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
+WHOLE = 3.0  # s: a case is solved completely if all its levels together take less
 CASES_EACH = 3  # the quickest, one after the other until one notices a mutant of finite elements
 LONGEST = 4.0  # s for a coarsest level that mutants are tried on
 

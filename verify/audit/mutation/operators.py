@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import dataclass
 
-SMALL = 1e-6  # smaller constants guard against round-off: no change of one can be seen
+SMALL = 1e-6  # smaller constants only limit round-off: a change has no visible effect
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ class By(StrEnum):
     REFUSED = "refused"  # a check of the project raised its error
     TESTS = "tests"
     NOTHING = "nothing"
-    CRASHED = "crashed"  # anything else was raised
-    TIME = "time"  # it does not end, or takes the machine's memory
+    CRASHED = "crashed"  # any other exception was raised
+    TIME = "time"  # it does not end, or exhausts the memory
 
 
 CAUGHT_BY_ROWS = (By.ROWS, By.REFUSED)

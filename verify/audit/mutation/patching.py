@@ -23,7 +23,7 @@ class NotPatchedError(RuntimeError):
 
 def patch(of: Source, changed: Changed) -> int:
     """Replace the code in all functions that have it; returns their number. NotPatchedError."""
-    import_module(of.module)  # finite elements, which nothing imports before it solves
+    import_module(of.module)  # finite-element modules, which are imported only for solving
     forget_memoised()
     changed.place.put(changed.node)
     try:

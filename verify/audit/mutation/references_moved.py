@@ -26,7 +26,7 @@ from verify.judging import judge
 PERTURBATIONS = (0.005, -0.005, 0.01, -0.01, 0.05, -0.05, -0.09)
 COMPARED = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.TREND, Kind.ASYMPTOTIC, Kind.EXACT)
 ALIKE = 0.01  # relative difference up to which scale and reference are the same magnitude
-CONVERGENCE = ": convergence"  # ends the name of the row that stands beside a comparison
+CONVERGENCE = ": convergence"  # end of the name of the convergence row of a comparison
 
 Red = frozenset[float]  # the perturbations that turn a row red
 

@@ -25,7 +25,7 @@ from verify.jobs.guard import named
 MEMORY = 6 * 2**30  # bytes: memory limit of a child, in case a mutant changes a size
 LATE = "does not end"
 DIED = "the process died"
-GRACE = 0.1  # s without a byte after which a child is not writing its answer
+GRACE = 0.1  # s without output after which a child process counts as hanging
 SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 
@@ -99,7 +99,7 @@ class Forks(Executor):
         for pipe, child in list(self.children.items()):
             is_late = now - child.start > child.task.limit
             if is_late or _has_ended(child.pid):  # its child processes may hold the pipe open
-                child.read += _rest(pipe)  # it may have answered in time
+                child.read += _rest(pipe)  # it may have answered just before the limit
                 self._conclude(pipe, LATE if is_late else DIED)
         return [future for future in futures if future.done()]
 
@@ -172,7 +172,7 @@ def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
     """Work of the child process; never returns."""
     status = 1
     try:
-        os.setpgid(0, 0)  # with whatever it starts
+        os.setpgid(0, 0)  # including its child processes
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         signal.signal(signal.SIGALRM, signal.SIG_DFL)

@@ -162,7 +162,7 @@ def _no_matter(node: ast.AST) -> bool:
         return True
     if isinstance(node, ast.Call) and name_of(node.func) in SHAPES:
         return True
-    # a docstring, or a rule that raises: what it returns is not taken
+    # a docstring, or a call for its exception, whose result is unused
     return isinstance(node, ast.Expr) and not (
         isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Attribute)
     )

@@ -54,7 +54,7 @@ class _Tracer:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        start, calls = time.process_time(), Calls()  # whoever else is at work
+        start, calls = time.process_time(), Calls()  # independent of other processes
         try:
             with calls:
                 return (yield)

@@ -90,7 +90,7 @@ def _ratio(change: float, allowed: float) -> float:
 
 
 def _scale(row: Record) -> float:
-    """The row's scale, else the size of its largest number."""
+    """The scale of the row, otherwise its largest number."""
     if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
         return row.scale
     numbers = (0.0, *row.values.values(), row.difference)

@@ -12,7 +12,7 @@ from verify.core.progress import Show, State
 
 LOG = "log.txt"
 TICK = 1.0  # s between two looks at the processes
-GUESS = 15.0  # s that a case takes on one processor, before any is known
+GUESS = 15.0  # s per case on one processor, if no time was measured
 
 
 @dataclass(frozen=True, kw_only=True)

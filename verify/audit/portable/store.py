@@ -18,7 +18,7 @@ from verify.jobs import cache
 KIND = "portable"  # of entries: their subject is the variant
 MACHINE = "(machine)"  # of no case
 SOURCES = ("analytic", "fem", "meshes", "verify")
-DATA = ("verify/papers", "verify/measured/deep")  # what rows read
+DATA = ("verify/papers", "verify/measured/deep")  # data of the rows
 LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
 
 

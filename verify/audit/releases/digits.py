@@ -1,16 +1,16 @@
 """Whether a stored number was stated by a person or computed, by its digits.
 
 Stated figures have one or two significant digits; computed figures have all nine digits that are
-stored. A number with up to four digits is considered stated: one in ten thousand computed numbers
-has so few digits, and then it only has to be repeated exactly. Ends of intervals and acceptance
-figures are stored directly, not as a quotient; they are considered stated if they have up to six
-digits, which happens for one in a thousand computed numbers.
+stored. A number with up to four digits is considered stated, and must be repeated exactly. One in
+ten thousand computed numbers has so few digits and is treated in the same manner. Ends of intervals
+and acceptance figures are stored directly, not as a quotient; they are considered stated if they
+have up to six digits, which happens for one in a thousand computed numbers.
 """
 
 import math
 
 STATED_DIGITS = 4  # significant digits of a number that a person writes, at most
-LITERAL_DIGITS = 6  # digits of a number that is stored as it is written
+LITERAL_DIGITS = 6  # largest number of digits of a number that is stored as written
 RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
 
 

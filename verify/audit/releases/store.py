@@ -21,7 +21,7 @@ ROOT = FOLDER.parents[2]
 ENDING = ".json.gz"
 FORMAT = 1
 EXACTLY = 15  # significant digits of values that are compared to round-off
-ENOUGH = 9  # of everything else
+ENOUGH = 9  # of all other data
 
 _VERSION = re.compile(r"\d+(\.\d+)*")
 EARLIER = {"required": "asked"}  # words of the records of version 0.1.0

@@ -23,7 +23,7 @@ LARGEST_ANGLE = math.radians(15)
 GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
 WIDE = 0.12  # largest a/r for finite elements with small displacements
 BENT = 0.1  # deflection over the ring's wall above which forces shift along it
-BEYOND, EDGE = 1.1, 4.0  # over those approaches; least distance to the flat's corner in half-widths
+BEYOND, EDGE = 1.1, 4.0  # times the approaches; least distance to the flat's corner in half-widths
 
 Load = Literal["T", "N_0", "ψ"]
 

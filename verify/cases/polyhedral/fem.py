@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fem.plane.material import Assumption
     from fem.plane.solution import PlaneSolution
 
-UNIT = 1e6  # Pa, the pressure that is solved for; everything is proportional to it
+UNIT = 1e6  # Pa, pressure of the solution; all results are proportional to it
 # cells along the fillet: outside the corner there are as many, and where they are wide against the
 # wall a displacement there errs by a third order in h beside the fourth, with the other sign
 ARC = 12

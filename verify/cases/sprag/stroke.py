@@ -53,9 +53,9 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
         share = P / state.N[0]
         if abs(share - 1) <= NEAR:
             return start
-        # forces grow a little faster than deflections, and these about as the rotation
+        # forces grow a little faster than deflections, deflections about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
-    raise NotFoundError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
+    raise NotFoundError(f"the force {P:.4g} N/m is not reached: difference {share - 1:.1%}")
 
 
 def _rotation(q: WedgeInputs, H: float) -> float:

@@ -11,7 +11,7 @@ from verify.judging.claims import FemClaim, rows_of
 from verify.studies.budget.solve import Solution
 from verify.studies.sweep.pairs import Pair
 
-ALIKE = (4.0, 2.0, 1.0)  # mesh sizes that one solution stands for where a claim wants three
+ALIKE = (4.0, 2.0, 1.0)  # mesh sizes of one solution, if a claim needs three
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def _by_its_row(pair: Pair, inputs: Any, found: Solution) -> Values:
     paper = inputs == type(inputs)()
     try:
         rows = rows_of(claim, Context("", inputs, found.formulas, levels, paper))
-    except (LookupError, ValueError, ArithmeticError, TypeError):  # it needs what is not stored
+    except (LookupError, ValueError, ArithmeticError, TypeError):  # its data are not stored
         return NONE
     row = next((row for row in rows if row.levels and row.analytic is not None), None)
     if row is None or row.analytic is None or row.grid is None or not row.scale:

@@ -4,7 +4,7 @@ from verify.core import source_code
 from verify.core.case import Case
 from verify.judging.budget_statement import Cause, Constant, Rerun, Without
 
-TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter
+TIGHTER, LOOSER = 0.01, 100.0  # tighter tolerance over the usual one, unless round-off prevents it
 # stopping tolerances of the iterative solvers, by module; others solve directly
 TOLERANCES = (
     "fem.beam.large_newton:TOLERANCE",

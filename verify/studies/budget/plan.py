@@ -30,7 +30,7 @@ class Plan:
         """Removed causes by name."""
         own = self.says.reruns
         causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
-        levels = next((rerun.levels for rerun in own), ())  # where others are dear, so is this
+        levels = next((rerun.levels for rerun in own), ())  # the same levels as the other reruns
         generic = () if Cause.CONTACT in causes else contact(self.case, levels)
         return {rerun.name: rerun for rerun in (*generic, *own)}
 

@@ -9,7 +9,7 @@ from verify.studies.crosscheck.registry import COMPARISONS
 from verify.studies.crosscheck.statement import Cross
 from verify.studies.crosscheck.store import Found, current
 
-# names of numbers that belong to no row, where a comparison has them short
+# full names of numbers that belong to no row, by their short names in a comparison
 TOLD = {
     "mid": "pressure at mid-length", "q mid": "load per length at mid-length",
     "largest": "largest pressure",

@@ -16,7 +16,7 @@ ENVIRONMENT = ROOT / ".venv-crosscheck"  # the environment of tamaas and ROSS
 GUESTS = Path(__file__).parent / "external"
 SCRIPTS = {TAMAAS: "tamaas_press.py", ROSS: "ross_rotor.py"}
 MODULES = {TAMAAS: "tamaas", ROSS: "ross"}
-ENOUGH = 60.0  # s for a module to say its version
+ENOUGH = 60.0  # s for a module to print its version
 LONG = 300.0  # s for a deck
 RERUN = {
     CALCULIX: "ccx -i {stem}",

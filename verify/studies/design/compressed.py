@@ -12,7 +12,7 @@ from verify.studies.design.strip import HEAD_HELD, strip
 Array = NDArray[np.float64]
 PER_ARC = 4
 PARTS = 10  # of the working displacement, so that U_w is one of the states
-ROUND_OFF = 1e-9  # of the stroke, which often is a whole number of those parts
+ROUND_OFF = 1e-9  # of the stroke, which often is a multiple of these parts
 
 NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by up to an eighth
 

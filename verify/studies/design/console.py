@@ -212,7 +212,7 @@ def rounded(r: Relaxation) -> str:
     """The bound that is needed, in its unit, rounded to the side that admits the candidate."""
     value = r.needed / units.factor(r.limit.unit)
     step = 10.0 ** (np.floor(np.log10(abs(value))) - 3) if value else 1.0
-    steps = np.round(value / step, 9)  # whole but for round-off, which limits allow, is whole
+    steps = np.round(value / step, 9)  # round-off does not make a number fractional
     whole = np.floor(steps) if r.limit.least else np.ceil(steps)
     number = f"{whole * step:.4g}"
     return number if r.limit.unit == "1" else f"{number} {r.limit.unit}"

@@ -11,7 +11,7 @@ from verify.studies.design.inputs import Demands
 from verify.studies.design.springs import Formulas, Springs
 
 Array = NDArray[np.float64]
-ROUND_OFF = 1e-12  # a limit that is just met is not violated
+ROUND_OFF = 1e-12  # a limit that is reached exactly is not violated
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,7 @@ from verify.studies.design.inputs import Task
 from verify.studies.design.search import Search, search
 
 CHOSEN = "chosen.toml"
-BEYOND = 1.15  # of U_A, how far the chosen spring is compressed
+BEYOND = 1.15  # compression of the selected spring, relative to U_A
 
 
 @dataclass(frozen=True)

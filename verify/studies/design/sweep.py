@@ -93,7 +93,7 @@ class Sweep:
         low, high = (bound * units.factor(self.unit) for bound in (self.low, self.high))
         if self.whole and value != round(value):
             raise InputError(f"{where}: needs a whole number, got {value:g}")
-        # a bound that a unit has rounded is met: 90 deg in rad
+        # a bound that is rounded by a unit is satisfied: 90 deg in rad
         slack = 1e-12 * abs(high)
         if not (value > low if self.above else value >= low - slack) or not value <= high + slack:
             raise InputError(

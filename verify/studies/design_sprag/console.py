@@ -92,7 +92,7 @@ def span(j: int, ends: Array) -> str:
 def outward(ends: Array) -> Array:
     """Two positive values in three digits, rounded outwards."""
     step = 10.0 ** (np.floor(np.log10(ends)) - 2)
-    low, high = np.round(ends / step, 6)  # what is whole but for its last digit is whole
+    low, high = np.round(ends / step, 6)  # an error in the last digit is ignored
     return np.array([np.floor(low), np.ceil(high)]) * step
 
 

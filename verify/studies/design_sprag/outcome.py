@@ -21,7 +21,7 @@ from verify.studies.design_sprag.verified import Check, checks, ends_carry, unlo
 
 FLAT = 0.005  # of the objective: crowns within this range are equivalent
 SCATTERED, LINE = 3000, 201
-EDGE, BEYOND = 0.01, 0.10  # of a range: how near a bound is at it; how far beyond is looked
+EDGE, BEYOND = 0.01, 0.10  # of a range: distance of an active bound; extension of the search
 GAIN = 0.001  # from which on a bound costs something
 SHALLOWER = 0.95  # factor on z_m; if the ends are then loaded, the crown is close to edge loading
 MOST_JOBS = 2
@@ -190,7 +190,7 @@ def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[
         line[:, j] = np.linspace(search.task.low[j], search.task.high[j], LINE)
         kept = worth(search.worst(line)) <= most
         alone[j] = _around(line[:, j], kept, crown[j])
-    good = np.vstack([good, alone.T])  # a parameter moved alone is one of the crowns, too
+    good = np.vstack([good, alone.T])  # a crown with one changed parameter is a candidate, too
     return alone, np.column_stack([good.min(axis=0), good.max(axis=0)])
 
 

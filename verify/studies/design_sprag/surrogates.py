@@ -20,7 +20,7 @@ from verify.studies.design_sprag.known import Known
 if TYPE_CHECKING:
     from analytic.surrogate.largest import Largest
 
-EDGES = {"strips": (0, 1, 4), "slices": (0, 1)}  # where regimes begin, from the end
+EDGES = {"strips": (0, 1, 4), "slices": (0, 1)}  # positions at which regimes begin, from the end
 POWER = 2.0  # of the pressure: a force per length
 
 

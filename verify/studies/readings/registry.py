@@ -7,7 +7,7 @@ from verify.studies.readings.problem import Problem
 
 PROBLEMS: tuple[Problem, ...] = (*SPRAGS, *FREEWHEELS, *SPRINGS)
 
-# not met, and no formula of the paper gives them
+# not reproduced, and no formula of the paper gives them
 WITHOUT_FORMULA = {
     "huang2018:table1-i-1": "an inertia in no equation",
     "huang2018:table1-c-f": "a torque in no equation",

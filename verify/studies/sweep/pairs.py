@@ -16,7 +16,7 @@ from verify.judging.claims import FemClaim
 from verify.judging.convergence import GridConvergence, grid_convergence
 
 LEVELS = 3  # that an error bar needs
-MOST_NAMES = 5  # that are offered for one that fits nothing
+MOST_NAMES = 5  # names that are suggested if nothing matches
 LIKE = 0.75  # share of equal letters from which on a word is taken as mistyped
 NO_FORMULA = "the formula has no finite value"  # a state that it does not have
 NO_REFERENCE = "finite elements have no finite value"
@@ -196,7 +196,7 @@ def _judged(
         return _none(r, v[-1] if v else math.nan, problem)
     if not (scale > 0 and math.isfinite(scale)):
         return _none(r, v[-1], "nothing to relate a difference to")
-    natural = scale if pair.scale else abs(r)  # as rows have it
+    natural = scale if pair.scale else abs(r)  # as in rows
     gci = _index(grid_convergence(h, v, formal=pair.claim.formal, scale=natural, u_it=u_it), v)
     if not math.isfinite(gci):
         return _none(r, v[-1], "does not converge")

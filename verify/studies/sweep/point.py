@@ -92,7 +92,7 @@ def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
     try:
         values = case.analytic(inputs)
         return replace(found, formulas={key: float(value) for key, value in values.items()})
-    except Exception as error:  # whatever it is, it is this point's alone
+    except Exception as error:  # any error concerns only this point
         problem = _said("formulas", error)
         return replace(found, problem_formulas=problem, lost=of_machine(error))
 

@@ -118,7 +118,7 @@ class _Points:
                 self.refused[n] = str(error)
                 self.keys.append("")
                 continue
-            # the limit of the case, evaluated each time: a stored answer would outlive it
+            # the limit of the case, evaluated each time: a stored answer could be outdated
             if reason := plan.case.too_large(one):
                 self.refused[n] = reason.partition("; check ")[0]
                 self.keys.append("")
@@ -201,7 +201,7 @@ class _Batches:
 
     def _receive(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> int:
         if isinstance(answer, Lost):
-            if answer.trace:  # what goes wrong in a point is stated in its solution
+            if answer.trace:  # an error in a point is stated in its solution
                 raise GoneError(f"the workers cannot solve points here: {answer.reason}")
             answer = [_lost(task, answer) for task in batch]
         self.points.keep(batch, answer)

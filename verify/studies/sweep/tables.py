@@ -17,7 +17,7 @@ from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.pairs import Pair
 from verify.studies.sweep.region import NAMES, Region, regions
 
-ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
+ALIKE = 1e-9  # relative to the largest error: round-off of an input without effect
 SOLVED, REFUSED, FAILED = "solved", "refused", "failed"
 Cell = str | int | float | None
 

@@ -17,7 +17,7 @@ from verify.studies.validity.left_out import LEFT_OUT, MAPS, SUBJECTS
 from verify.studies.validity.regions import region
 from verify.studies.validity.store import Measured, measured
 
-ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
+ALIKE = 1e-9  # relative to the largest error: round-off of an input without effect
 STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 

@@ -36,7 +36,7 @@ def drawn(context: Context) -> Iterator[Figure]:
 
 def grown(q: "ComparedCrowns", varied: str) -> Figure:
     """Fig. 11: the crown for growing values of a single parameter."""
-    start = 0.85 if varied == "z_m" else 0.0  # where it is visible
+    start = 0.85 if varied == "z_m" else 0.0  # if it is visible
     y = np.linspace(start, 1.0, 301) * q.L / 2
     return plot(
         f"Profiles as {varied} grows (Fig. 11)", "y [mm]", "z [µm]",

@@ -65,7 +65,7 @@ def under_torque(q: OneClutch) -> Start:
         steepness = max(STEEP - D / (2 * (most - D)), FLAT)
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
-    raise NotFoundError(f"T = {q.T:g} N m is missed by {miss:.1%}: the maximum is near")
+    raise NotFoundError(f"T = {q.T:g} N m is not reached (by {miss:.1%}): the maximum is near")
 
 
 class CupSweep(SummitCourse):

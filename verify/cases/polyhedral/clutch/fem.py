@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from fem.contact.locked import LockedSector
 
 THICK = 0.15  # wall over outer diameter above which a mesh is twice as fine
-THIN = 0.02  # and that at the rollers below which it is: bent walls end contacts beside vertices
+THIN = 0.02  # the same at the rollers, below which it is so: contacts end near the vertices
 
 
 def driven_fem(q: ClutchInputs, level: int, *, elastic: bool) -> "DrivenSector":

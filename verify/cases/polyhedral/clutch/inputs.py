@@ -11,7 +11,7 @@ from verify.case import Case, Quantity, count, given
 from verify.cases.polyhedral.inputs import PolygonRing, check_apart, check_on_the_flat
 
 FLATTENED = 0.15  # a/d that rollers may reach
-NARROWEST, WIDEST = 1e-5, 0.02  # over d_e: clearances that a ring can take up
+NARROWEST, WIDEST = 1e-5, 0.02  # relative to d_e: clearances that a ring can close
 
 
 class ClutchInputs(Case):

@@ -27,7 +27,7 @@ def solve(q: Any, level: int) -> Level:
         body = ring.in_body()
         arrays |= {f"x{edges}": body.x, f"u{edges}": body.u, f"weight{edges}": body.weight}
     profiles = dict(walls.across(q, long))
-    # without prescribed movement energy and potential differ by round-off alone; the residual is
+    # without prescribed displacement, energy and potential differ by round-off; the residual is
     # the residual of displacements, not of energies
     round_off = max(
         max(abs(ring.potential_energy / ring.strain_energy + 1), ring.residual**0.5)

@@ -12,7 +12,7 @@ CELLS = 4  # on half the patch of the coarsest mesh
 ROUND = 1e-11  # relative: machine epsilon times the ring over its cells (below 1e5)
 AROUND, ACROSS = 9, 5  # stations of the stresses inside
 ALONG = 16  # stations of the profiles on the walls
-AWAY = 2.0  # half-widths from the patch's middle beyond which they are compared
+AWAY = 2.0  # distance from the patch's middle, in half-widths, beyond which results are compared
 
 
 def stations(q: LoadsInputs) -> Array:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 TORQUES = (0.1, 0.2, 0.4, 0.7, 1.0)  # shares of T
 ANGLES = (0.08, 0.2, 0.4, 0.7, 1.0)  # shares of nu
-STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # deflections smaller by these
+STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # divisors of the deflections
 OFFSETS = (0.25, 0.5, 1.0, 1.5, 2.0)  # shares of the offset
 SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the deflection
 HARD = 1e3  # stiffer springs for small twists

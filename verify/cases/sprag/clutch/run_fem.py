@@ -23,7 +23,7 @@ class Run:
 
     one: Crowned
     engagement: Engagement
-    end_of_profile: bool  # whether the table ends with the profile, else with the formulas
+    end_of_profile: bool  # the table ends with the profile, not with the formulas
 
     @property
     def peaks(self) -> tuple[float, float]:

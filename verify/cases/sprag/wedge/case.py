@@ -45,7 +45,7 @@ class WedgedSprag(WedgeSteps):
     It rotates between two races as its contacts, its body and the races deflect: wedge angle,
     normal force, sprag rotation and wind-up. Finite elements of one pitch of both races with a
     free sprag confirm the closure of Eqs. 9 and 10 if all deflections of the inner side are
-    included; as printed the sprag rotation is an eighth too small for the same deflections, while
+    included. As printed, the sprag rotation is an eighth too small for the same deflections;
     deflections by Palmgren's law with Eqs. 6 and 7 are a quarter too large.
     """
 

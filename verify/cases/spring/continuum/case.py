@@ -90,7 +90,7 @@ class PlaneSpring(FreeStage):
         If the next order exceeds half the demand, the bar is too thick for an estimate and its
         error is measured.
         """
-        unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # nothing sharper
+        unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # no smaller tolerance
         return about(neglected, unknown, SOURCE)._replace(sharp=unknown <= DEMAND[0] / 2)
 
     refusal = plane_body.refusal

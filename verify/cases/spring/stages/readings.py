@@ -23,9 +23,9 @@ from verify.judging.checks import Margin
 from verify.judging.judge import expanded
 from verify.papers.ledger import published
 
-MET = 0.01  # k_1 within this of the printed one
+MET = 0.01  # accepted relative difference of k_1 from the printed value
 ACCEPTED = 0.05  # tolerances of k_2 and the crossing
-EQ10_END = 16.85e-3  # m: 11 N, where the tests end, on the second line
+EQ10_END = 16.85e-3  # m: 11 N, the end of the tests, on the second line
 FITTED = "calibrated: of the sixteen readings the one whose k_1 is nearest to the printed one"
 LOOSE = "linear theory alone: such a spring buckles near 1 N, see spring-buckling and spring-curve"
 N_PER_MM, mm = 1e3, 1e-3

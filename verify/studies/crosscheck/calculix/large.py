@@ -19,7 +19,7 @@ from verify.studies.crosscheck.calculix.reading import blocks, buckling_factors
 from verify.studies.crosscheck.calculix.running import run_deck
 
 STEEL = Elastic(E=206e3, nu=0.3)  # MPa
-TIGHT = "1e-6,1e-4,,,1e-6,,,"  # share of the mean force left over, of the last movement changed
+TIGHT = "1e-6,1e-4,,,1e-6,,,"  # limits: residual over mean force, correction over last displacement
 RIGHT, END, LEFT, START = 1, 2, 3, 4  # sides of a cell, seen along the line
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from verify.studies.crosscheck.calculix.reading import Array, displacements
 
-LAST = 500  # characters of its output that an error repeats
+LAST = 500  # characters of the output of calculix in an error message
 
 
 @dataclass(frozen=True, kw_only=True)

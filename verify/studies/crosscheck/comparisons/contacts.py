@@ -109,7 +109,7 @@ def fit(which: Fit) -> Posed:
         from verify.studies.crosscheck.comparisons.plane import outwards
 
         walls = {"inner bore": "inner.bore", "outer rim": "outer.rim"}
-        # the same share of it presses along x, whatever the pressure
+        # the share that presses along x does not depend on the pressure
         found = {"p": own["p"] * fields.force()[0] / state.touches[0].force[0]}
         return found | {f"u, {k}": outwards(fields.solution, v) for k, v in walls.items()}
 

@@ -13,7 +13,7 @@ from verify.studies.crosscheck.statement import CALCULIX, Cross, Posed, Quantity
 
 LEVEL, ACROSS = 3, 6  # of the shell's mesh, and cells over half the width
 # Calculix loses digits where bricks are much wider than thick: 14 % of the stiffness at h/b = 560.
-WIDE = 20.0  # times the thickness, as a row of the case has it
+WIDE = 20.0  # times the thickness, as in a row of the case
 ARC, LEAF = 12, 40  # cells of solids along an arc and half a leaf
 MOVED = 1e-3  # m, of the loop's head
 GRADED = 30.0  # cells over the width: the first over the last

@@ -38,7 +38,7 @@ UNITS = 6  # of a spring whose tips are to touch
 PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch
 APART, TOUCHING = "force, tips apart", "force, tips touching"
 ASIDE = 1e-6  # m, that a head is moved aside
-# N, the unit of a thin strip's forces: calculix takes what is left of a balance for nothing
+# N, unit of force for a thin strip: calculix regards smaller residuals as zero
 # below a millionth of the unit, which is 0.7 % of a newton's load on so thin a strip
 SMALL = 1e-3
 

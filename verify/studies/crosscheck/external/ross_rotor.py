@@ -37,7 +37,7 @@ def built(ross: Any, asked: Any) -> Any:
         for i, p in enumerate(pieces):
             steel = ross.Material(f"shaft{k}piece{i}", rho=p["rho"], E=p["E"], Poisson=p["nu"])
             own = ross.ShaftElement(p["length"], p["d_i"], p["d_o"], material=steel)
-            # what it takes for Hutchinson's coefficient lacks a square: 0.712 for 0.925
+            # ROSS's formula for Hutchinson's coefficient lacks a square: 0.712 instead of 0.925
             own.kappa = p["kappa"]
             own.phi = 12 * p["E"] * own.Ie / (steel.G_s * own.kappa * own.A * own.L**2)
             elements.append(own)
