@@ -9,7 +9,8 @@ from typing import Any
 from docutils.nodes import SkipNode
 from sphinx.util import logging
 
-from reports.equations import SYMBOLS, Equations
+from reports.equations import Equations
+from reports.glyphs import SYMBOLS
 from reports.mathematics import tree
 
 LOGGER = logging.getLogger(__name__)

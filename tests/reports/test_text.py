@@ -9,8 +9,9 @@ import pytest
 from markupsafe import Markup
 
 from reports import equations, formats, svg
-from reports.equations import SYMBOLS, Equations
+from reports.equations import Equations
 from reports.formats import concise, difference, fraction, tolerance, values
+from reports.glyphs import SYMBOLS
 from reports.mathematics import tree
 from reports.richtext import digits, plain, runs
 from reports.rows import HEADER, cells
