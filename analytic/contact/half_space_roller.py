@@ -46,7 +46,7 @@ class RollerContact:
 
     @property
     def centre_pressure(self) -> Array:
-        """Pressure at x = 0; by an even parabola through the nearest cells of an even count."""
+        """Pressure at x = 0; for an even number of cells, interpolated by an even parabola."""
         return _middle(self.contact.pressure)
 
     @property

@@ -16,7 +16,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class TransferResponse:
-    """Deflections (speeds, 4 nodes) over `speeds` [rad/s], turning at `w` >= 0 [rad/s].
+    """Deflections (speeds, 4 nodes) at the rotor speeds `speeds` [rad/s].
+
+    The excitation rotates at `w` >= 0 [rad/s].
 
     `unknowns` are (r+, phi+ L) and then (r-, phi- L), r = r+ e^{iwt} + conj(r-) e^{-iwt}.
     """

@@ -87,7 +87,9 @@ def infilled(
 def recorded(
     true: Callable[[Array], float], box: Box
 ) -> tuple[Callable[[Array], float], list[list[float]]]:
-    """The largest pressure [Pa] of a crown of the unit cube, and all evaluations, in order.
+    """Function of the largest pressure [Pa], and the list of its evaluations in order.
+
+    The argument of the function is a crown in coordinates of the unit cube.
 
     `true` returns the pressure of crowns (1, 3). The record has rows of K_1, K_2, z_m and the
     pressure.

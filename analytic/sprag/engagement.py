@@ -261,7 +261,7 @@ def rates(y: Array, C: float, law: Law, dy: Array, outputs: Array) -> None:
 
 @compiled
 def torque_at(t: float, times: Array, torques: Array) -> float:
-    """Torque at t, straight between the times."""
+    """Torque at time t, linearly interpolated between `times`."""
     k = np.searchsorted(times, t)
     if k == 0:
         return float(torques[0])

@@ -221,4 +221,4 @@ def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_
                 if abs(c) > 1e-9
             )
             which = "the frame" if parts == 1 else f"the part of node {members[0]}"
-            raise ValueError(f"{which} can move rigidly ({motion}): support it against that")
+            raise ValueError(f"{which} can move rigidly ({motion}): support it against this motion")

@@ -59,7 +59,7 @@ class FlatObstacle:
 
     def __post_init__(self) -> None:
         if not math.hypot(*self.normal) > 0:
-            raise ValueError(f"the normal of a flat has a length, got {self.normal}")
+            raise ValueError(f"the normal of a flat must not be zero, got {self.normal}")
 
     def surface(self, at: Array) -> Surface:
         n = np.asarray(self.normal, float) / math.hypot(*self.normal)

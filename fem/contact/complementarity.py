@@ -85,8 +85,8 @@ class Complementarity(ContactSystem):
             raise NoEquilibriumError("no admissible contact forces balance the loads")
         best = f"; the best candidate violates a law by {least:.1e}" if least < np.inf else ""
         raise NotFoundError(
-            f"no state of rest was found in {len(changes)} exchanges of contact states and by "
-            f"Lemke's method with {COVERING_VECTORS} covering vectors{best}{AWAY}"
+            f"no state of rest was found: {len(changes)} changes of the contact states and Lemke's "
+            f"method with {COVERING_VECTORS} covering vectors found no solution{best}{AWAY}"
         )
 
     def _candidates(

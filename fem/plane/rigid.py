@@ -34,7 +34,7 @@ def check_rigid_motions(
 ) -> None:
     """ValueError with a rigid motion of a body that the conditions permit."""
     if words := free_motions(basis, conditions, tied, means, turn=turn).words:
-        raise ValueError(f"{words[-1]}: support it against that")
+        raise ValueError(f"{words[-1]}: support it against this motion")
 
 
 def free_motions(

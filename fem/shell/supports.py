@@ -99,7 +99,9 @@ def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indic
         _, s, v = np.linalg.svd(conditions, full_matrices=False)
         if s[5] < 1e-9:
             which = "the shell" if parts == 1 else f"the part of node {members[0]}"
-            raise ValueError(f"{which} can move rigidly ({_words(v[5])}): support it against that")
+            raise ValueError(
+                f"{which} can move rigidly ({_words(v[5])}): support it against this motion"
+            )
 
 
 def _rigid_modes(points: Array) -> Array:

@@ -50,7 +50,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
         if abs(c) > FREE
     )
     raise ValueError(
-        f"body {worst + 1} of {count} can move rigidly ({how}): support it against that"
+        f"body {worst + 1} of {count} can move rigidly ({how}): support it against this motion"
     )
 
 

@@ -151,7 +151,7 @@ class State(Touching, Generic[P]):
 
     @property
     def race_mean(self) -> tuple[float, float]:
-        """Radial displacements [m] outwards of the touched circles, on the average."""
+        """Mean radial displacements [m] of the races' contact surfaces, positive outwards."""
         inner, outer = (self.solution.plane.mean_displacement(name, _outwards) for name in RACES)
         return inner, outer
 

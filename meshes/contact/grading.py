@@ -26,7 +26,9 @@ def cells_along(*, length: float, first: float, growth: float) -> int:
 
 
 def beta(*, length: float, first: float, cells: int) -> float:
-    """The beta for cells that start with the size `first`; equal cells if these are smaller.
+    """Grading parameter of cells of which the first has the size `first`.
+
+    If cells of equal size are smaller than `first`, the cells are equal.
 
     `first` is the size of the map at its fine end, the limit for refined meshes: the fine zone
     continues there without a step.

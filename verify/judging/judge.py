@@ -143,7 +143,7 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
         raise ValueError(f"a point that is not finite has no limit: d = {y.tolist()}")
     size = np.abs(y).max()
     if size == 0:
-        raise ValueError("differences that are all zero have no exponent")
+        raise ValueError("no order of convergence can be computed: all differences are zero")
     sigma = np.maximum(sigma / size, 1e-14)
     s, t = x / x.max(), y / size
 

@@ -152,7 +152,7 @@ def contact(**wrong):
         (lambda: contact(share=0.0), "share must be positive and finite, got 0.0"),
         (lambda: contact(per_element=0), "an element needs 1 probe or more, got per_element = 0"),
         (lambda: contact(apart=-1.0), "apart must be a length of 0 or more, got -1.0"),
-        (lambda: FlatObstacle((0, 0), (0, 0)), "the normal of a flat has a length"),
+        (lambda: FlatObstacle((0, 0), (0, 0)), "the normal of a flat must not be zero"),
         (lambda: DiscObstacle((0, 0), -1.0), "a disc's radius must be positive, got -1"),
         (lambda: BeamObstacle(*LINE, SHAPES["flat"], thickness=0.1, EA=1.0, carrier=5),
          "no node 5: the frame has nodes 0 to 4"),

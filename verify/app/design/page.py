@@ -187,7 +187,7 @@ def _relaxations(s: Search) -> Sequence[Table]:
     found = [
         Table(
             title="Limits violated by the closest candidate",
-            note=f"It is {nearest}, with the smallest largest excess of all candidates.",
+            note=f"It is {nearest}, with the lowest maximum excess of all candidates.",
             header=("limit", "value", "has to be", "beyond", "from"),
             rows=tuple((r.limit.symbol, in_unit(r.limit, r.needed), _bound(r),
                         f"{100 * r.excess:.3g} %", r.limit.source) for r in s.nearest),

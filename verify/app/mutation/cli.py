@@ -20,7 +20,7 @@ def mutants(
     """Insert faults into references, formulas, judging and finite elements; count detected faults.
 
     Uses finite-element results of an earlier `verify`. Every outcome is stored at once: the same
-    command continues an interrupted run. The report contains the score of seed 0.
+    command continues an interrupted run. The report contains the score of the sample with seed 0.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What the page offers to choose: parts first, then every case."""
+"""Choices that the page offers: parts first, then every case."""
 
 from collections.abc import Sequence
 

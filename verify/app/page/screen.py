@@ -71,7 +71,7 @@ class Screen:
         ui.add_head_html("<script>document.documentElement.lang = 'en'</script>")
 
     def path(self, state: State) -> str:
-        """What names a state's case: its id, or the path of its file in the folder; InputError."""
+        """Id of the case of a state, or the path of its file; may raise InputError."""
         name = state.case
         return str(self.place.folder.path(name, ".py")) if name.endswith(".py") else name
 

@@ -33,7 +33,7 @@ def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) ->
     """The answer with judged rows; solved levels are stored and reported. InputError."""
     file = _file(case, name, raw)
     if reason := file.case.too_large(file.inputs):
-        raise InputError(f"finite elements refuse these inputs: {reason}")
+        raise InputError(f"these inputs cannot be solved by finite elements: {reason}")
 
     def show(state: Progress) -> None:
         tell((state.done, state.total, names(state.running)))

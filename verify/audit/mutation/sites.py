@@ -118,7 +118,7 @@ def _defined(body: list[ast.stmt], prefix: str) -> Iterator[tuple[str, ast.stmt]
 
 
 def constant_of(item: ast.stmt) -> str:
-    """The name that a module's assignment gives a constant; empty for any other statement."""
+    """Name of the constant that an assignment of a module defines; empty for other statements."""
     target: ast.expr | None = None
     if isinstance(item, ast.Assign) and len(item.targets) == 1:
         target = item.targets[0]

@@ -167,7 +167,7 @@ class EngagementInputs(SpragInputs):
             )
         if not self.t_ramp <= self.t_end:
             raise ValueError(
-                f"the torque has risen before the end: t_ramp <= t_end, got t_ramp = "
+                f"the ramp of the torque must end by t_end: t_ramp <= t_end, got t_ramp = "
                 f"{self.t_ramp:g} s, t_end = {self.t_end:g} s"
             )
         return self

@@ -118,7 +118,7 @@ def peaks_fem(
                 continue
             (_, _, task, _), answer = result
             if isinstance(answer, Lost):
-                raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+                raise ArithmeticError(f"an engagement could not be computed: {answer.reason}")
             if isinstance(answer, str):
                 raise NoLockError(answer)
             found[task] = answer  # also for repeated crowns

@@ -59,7 +59,7 @@ def grid_steps(g: Grid) -> list[Step]:
 
 
 def uncertainty_steps(g: Grid) -> list[Step]:
-    """The index with its numbers put in, and the standard uncertainty of the finest value."""
+    """Grid convergence index with inserted numbers, and standard uncertainty on the finest mesh."""
     again, u_num = regrid(g)
     if not again.converges:
         return []

@@ -104,7 +104,10 @@ def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
 def verified(
     s: Springs, f: Formulas, members: Sequence[int], q: Demands, tell: Callable[[int, float], None]
 ) -> list[Verified]:
-    """All `members`; `tell` receives the number of solved members and the remaining seconds."""
+    """Finite-element results of all `members`.
+
+    `tell` receives the number of solved members and the estimated remaining seconds.
+    """
     found: list[Verified] = []
     start = time.monotonic()
     for done, i in enumerate(members):

@@ -47,7 +47,7 @@ def _least(excess: NDArray[np.float64]) -> int:
 
 
 def nearest(judged: Judged) -> list[Relaxation]:
-    """Violations of the candidate with the smallest largest excess, the worst first.
+    """Violations of the candidate with the lowest maximum excess, largest first.
 
     Empty if no candidate is a spring at all.
     """

@@ -127,7 +127,7 @@ class Model:
 def engagements(answer: list[One] | str | Lost) -> list[One]:
     """Forces and pressures of the crowns in a result of `some_fem`, or the error in it."""
     if isinstance(answer, Lost):
-        raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+        raise ArithmeticError(f"an engagement could not be computed: {answer.reason}")
     if isinstance(answer, str):
         raise NoLockError(answer)
     return answer

@@ -113,7 +113,7 @@ class Indices:
 
 
 def indices(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> Indices:
-    """The scatter of a pair and its causes; ValueError for a grid, which is no sample."""
+    """Scatter and sensitivity indices of a pair of quantities; ValueError if the plan is a grid."""
     if not plan.base:
         raise ValueError("sensitivity indices need a sample, got a grid")
     solved = np.isfinite(course.error + course.U_error)

@@ -133,7 +133,10 @@ Scale = float | Callable[[], float]
 
 
 def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
-    """The stated error is relative to the half-space's value or, if this is zero, to `scale`."""
+    """Function that returns the values of `key` by strips and by the half-space.
+
+    The stated error is relative to the half-space's value or, if this is zero, to `scale`.
+    """
 
     def pair(context: Context) -> Pair:
         v, strips = context.series(key)[1], context.analytic[key]

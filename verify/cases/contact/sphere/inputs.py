@@ -44,12 +44,12 @@ class SphereInputs(Case):
         least, most = sorted((self.R_1, self.R_2))
         if most > 1e3 * least:
             raise ValueError(
-                f"radii may differ a thousandfold, got R_1 = {self.R_1 * 1e3:g} mm, "
+                f"radii may differ by a factor of 1000, got R_1 = {self.R_1 * 1e3:g} mm, "
                 f"R_2 = {self.R_2 * 1e3:g} mm: take the larger one as flat"
             )
         if not 1e-3 <= self.E_1 / self.E_2 <= 1e3:
             raise ValueError(
-                f"moduli may differ a thousandfold, got E_1 = {self.E_1 / 1e9:g} GPa, "
+                f"moduli may differ by a factor of 1000, got E_1 = {self.E_1 / 1e9:g} GPa, "
                 f"E_2 = {self.E_2 / 1e9:g} GPa: take the stiffer body as rigid"
             )
         for pair in PAIRS:

@@ -61,7 +61,7 @@ def interval(q: ClutchInputs, of: Callable[[], Interval]) -> tuple[float, float]
 
 
 def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
-    """Rows of `q` with the class `case`: under the torque, with moved flats, and about slip."""
+    """Rows of `q` with the class `case`: under torque, for displaced flats, at the slip limit."""
     judged: tuple[tuple[Quantity, str, str, Callable[[], Interval], str], ...] = (
         (case.alpha, "clamping angle under torque (Eqs. 4, 5)", "α(T)",
          lambda: expected(q).angle(), BRACKET),

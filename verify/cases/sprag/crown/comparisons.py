@@ -111,7 +111,7 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Reduction from the given crown to the lowest of Eq. 19's factorial."""
+    """Reduction of the pressure from the given crown to the best of Eq. 19's factorial."""
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
     p, given = float(found["box p"][k]), q.p_peak

@@ -21,7 +21,7 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """Stored long measurements of the clutch of the paper."""
+    """Stored results of the long studies, for the clutch of the paper; None for other inputs."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)

@@ -30,7 +30,10 @@ def rigid_force(q: WedgeInputs) -> float:
 
 @lru_cache(maxsize=16)
 def starts_by_fem(q: WedgeInputs) -> tuple[Start[Place], ...]:
-    """Starts of all states, the least loaded first; ArithmeticError if the sprag has none."""
+    """Initial iterates of all states, in order of increasing load.
+
+    Raises ArithmeticError if the sprag has no equilibrium.
+    """
     now = at_force(q, SHARES[-1] * rigid_force(q) / q.l)
     found = [now]
     for above, share in pairwise(reversed(SHARES)):

@@ -117,7 +117,7 @@ def fit(which: Fit) -> Posed:
 
 
 def slip(stage: float) -> Posed:
-    """Half discs pressed together, pushed sideways to Q_max and swung back to a share of it."""
+    """Pressed half discs; the tangential load rises to Q_max, then falls to `stage` Q_max."""
     from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
