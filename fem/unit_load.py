@@ -17,7 +17,7 @@ class Solved(Protocol):
 
     @property
     def residual(self) -> float:
-        """Share of the energy that the solver's last correction held."""
+        """Energy of the solver's last correction, relative to the energy of the solution."""
         ...
 
 

@@ -49,7 +49,7 @@ def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tupl
         left = left[count > 0]
         if not len(left):
             return np.maximum(q, 0.0), growth
-    raise ArithmeticError(f"the set of loaded slices was not found in {PIVOTS} exchanges")
+    raise ArithmeticError(f"the set of loaded slices was not found in {PIVOTS} pivot steps")
 
 
 def _solve(S: Array, right: Array, on: NDArray[np.bool_]) -> Array:

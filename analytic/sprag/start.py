@@ -44,7 +44,7 @@ def spring_equilibrium(
     N = first_reach(pressed, np.asarray(K_r * alpha_max), start=np.asarray(stiff))
     if np.isnan(N).any():
         raise ArithmeticError(
-            f"no normal force with an equilibrium state balances springs of K_r={K_r} N m/rad"
+            f"no equilibrium was found: no normal force balances springs of K_r={K_r} N m/rad"
         )
     now = wedged(clutch, N)
     return now, np.asarray(-now.N * drag(now))

@@ -232,7 +232,7 @@ class LargeFrame:
         )  # fmt: skip
 
     def section_forces(self, state: BeamState) -> tuple[Array, Array]:
-        """Gauss points at rest (m, q, 2) and N, V, M there (m, q, 3).
+        """Undeformed positions of the Gauss points (m, q, 2), and N, V, M there (m, q, 3).
 
         Signs as in `fem.beam.section.FrameSolution`: tension positive, V = -dM/ds at small load.
         """

@@ -83,7 +83,7 @@ def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def on_common(one: Array, other: Array, stroke: float) -> tuple[Array, Array]:
-    """Both curves in the states that they share, displacements over the `stroke` to six digits."""
+    """Points of both curves at common displacements, rounded to 1e-6 of the `stroke`."""
     U, V = (np.round(curve[0] / stroke, 6) for curve in (one, other))
     return one[:, np.isin(U, V)], other[:, np.isin(V, U)]
 

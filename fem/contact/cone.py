@@ -48,7 +48,7 @@ class Residual:
 
     @property
     def largest(self) -> float:
-        """The largest of the three."""
+        """Largest of the three residuals."""
         return max(self.coulomb, self.complementarity, self.equilibrium)
 
 

@@ -38,7 +38,7 @@ class Geometry(NamedTuple):
 
     @property
     def tangent(self) -> Array:
-        """Along the race, into the wedge."""
+        """Unit tangent to the race at the contact, into the wedge."""
         return np.array([math.cos(self.half), -math.sin(self.half)])
 
 

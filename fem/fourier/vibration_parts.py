@@ -27,7 +27,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
-    """`values` (cells,), one value for all cells or one for each body of the mesh.
+    """Value of each cell (cells,); `values` is one for all cells, or one for each body.
 
     ValueError for unknown bodies, cells without a value, and values that are not finite.
     """

@@ -54,7 +54,7 @@ class FirstContact:
 
     @property
     def rho(self) -> float:
-        """From the pole to the inner contact, whose radius of curvature is r_i."""
+        """Distance from the pole to the inner contact, where the radius of curvature is r_i."""
         return self.r_i / math.hypot(1, self.m)
 
     @property

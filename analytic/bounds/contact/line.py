@@ -44,7 +44,7 @@ class OnFlat:
 
     @property
     def shear(self) -> Estimate:
-        """Error of the largest shear stress, by opposite flat and circle; (a/R)² counts once."""
+        """Error of the largest shear stress of a disc on a flat, to first order in a/R."""
         return of_shear(a=self.ratio, R=1.0, inclined=0.0, slack=self.ratio**2)
 
     def _second_order(self, coefficient: float) -> Estimate:

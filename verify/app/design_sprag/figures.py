@@ -107,7 +107,7 @@ def _bare(k: int) -> str:
 
 
 def parity(outcome: Outcome) -> Curves:
-    """Kriging against the true model on random crowns not in its sample, over the best."""
+    """Kriging and true model for random crowns outside the sample, over the best pressure."""
     search, ends = outcome.search, np.array([1.0, SEEN])
     curves = [Curve(name="equal", x=ends, y=ends, style="dashes", colour=4)]
     drawn = [(true / outcome.best, by / outcome.best) for true, by in search.parity]

@@ -44,7 +44,7 @@ from verify.core.inputs import InputError
         (changed(speed_from="9000 r/min"), "inputs: the operating speeds need speed_from < speed"),
         (changed(probe=15), "inputs: probe = 15: there are nodes 1 to 14"),
         (changed("shafts", 1, ratio=0.5),
-         "inputs.shafts[1].ratio = 0.5: the first shaft has the ratio 1, as all speeds are those"),
+         "inputs.shafts[1].ratio = 0.5: must be 1 for the first shaft: all speeds are those"),
     ],
 )  # fmt: skip
 def test_a_rotor_that_cannot_be_is_refused_in_one_line(raw, message):

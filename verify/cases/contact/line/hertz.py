@@ -107,8 +107,9 @@ class LineContact(Case):
         """ValueError if the contact would be as wide as the bodies."""
         if self.guess > WIDEST * self.smallest:
             raise ValueError(
-                f"F = {self.F:g} N on L = {self.L * 1e3:g} mm flattens a = {self.guess * 1e3:.3g} "
-                f"mm, more than {WIDEST:g} of the bodies ({sizes}): no line contact"
+                f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
+                f"{self.guess * 1e3:.3g} mm, exceeds {WIDEST:g} of the smallest size of the bodies "
+                f"({sizes}): no line contact"
             )
 
     def pressure(self, x: Any) -> Array:

@@ -99,13 +99,13 @@ class Roller(Case):
             )
         if self.b > WIDEST * self.L:
             raise ValueError(
-                f"F = {self.F:g} N flattens {self.b * 1e3:.3g} mm to each side, more than "
+                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, exceeds "
                 f"{WIDEST:g} of the length l = {self.L * 1e3:g} mm: no line contact"
             )
         if self.b > 0.3 * self.R_1:
             raise ValueError(
-                f"F = {self.F:g} N flattens {self.b * 1e3:.3g} mm to each side, more than 0.3 of "
-                f"the roller's radius, {self.R_1 * 1e3:g} mm: no line contact"
+                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, exceeds "
+                f"0.3 of the roller's radius, {self.R_1 * 1e3:g} mm: no line contact"
             )
         if self.d > self.L / 4:
             raise ValueError(

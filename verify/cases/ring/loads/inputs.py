@@ -74,9 +74,9 @@ class LoadsInputs(Case):
         a, least = self.half_width, min(wall, self.R)
         if a > WIDEST * least:
             raise ValueError(
-                f"F = {self.F:g} N on L = {self.L * 1e3:g} mm flattens a = {a * 1e3:.3g} mm, more "
-                f"than {WIDEST:g} of the wall or the roller (a wall of {wall * 1e3:g} mm, R = "
-                f"{self.R * 1e3:g} mm): no line contact"
+                f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
+                f"{a * 1e3:.3g} mm, exceeds {WIDEST:g} of the wall or the radius (a wall of "
+                f"{wall * 1e3:g} mm, R = {self.R * 1e3:g} mm): no line contact"
             )
         pitch = math.pi * self.radius / self.n
         if a > CLOSEST * pitch:

@@ -117,7 +117,7 @@ def zones(context: Context) -> Figure:
 
 
 def wrong(context: Context) -> Figure:
-    """N(t) without and with the guard."""
+    """N(t) with and without the check that the friction band is wide enough for the step."""
     last = context.fem[-1].arrays
     return plot(
         "A band too narrow for the step, unguarded", "t [ms]", "N [kN]",

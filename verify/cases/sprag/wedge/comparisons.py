@@ -221,7 +221,7 @@ def _statics() -> Iterator[Comparison]:
 def agrees(
     name: str, symbol: str, pair: found.Function, accepted: float, judged: Quantity | None = None
 ) -> Comparison:
-    """Two values within a figure of this subject."""
+    """Row that requires two values to agree within `accepted`, a requirement of the suite."""
     check = Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted,
                       source=suites(ROLLERS))  # fmt: skip
     return Comparison(check=check, quantity=judged, shares=COLUMN if judged else "")

@@ -52,7 +52,7 @@ class MapInputs(SpringInputs):
 
     @property
     def length(self) -> float:
-        """From the head's leaf to the tail's on the centre line [m]."""
+        """Free length [m] from the head's leaf to the tail's, between centre lines."""
         return Cell(self.n, self.b, self.r, self.L1, self.alpha).length
 
 
@@ -73,7 +73,7 @@ class Cell:
 
     @property
     def length(self) -> float:
-        """From the head's leaf to the tail's on the centre line [m]."""
+        """Free length [m] from the head's leaf to the tail's, between centre lines."""
         return length_of(self.n, self.L1, self.R, self.alpha)
 
     @property
