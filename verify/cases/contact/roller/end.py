@@ -45,9 +45,9 @@ TERMS = "argued: terms of the order of the distance, 1 and 2 thousandths of the 
 class EndFace(Crown):
     """Slices, strips and boundary elements assume that the half-space continues beyond the end.
 
-    Finite elements of whole bodies, with Fourier series around the axes, give the error of that at
-    a free end face. A control in which both bodies continue beyond the ends separates the effect
-    of the face from that of the bodies' finite size.
+    Finite elements of whole bodies, with Fourier series around the axes, determine the error of
+    this assumption at a free end face. A control in which both bodies continue beyond the ends
+    separates the effect of the face from that of the bodies' finite size.
     """
 
     id = "contact-roller-end"
