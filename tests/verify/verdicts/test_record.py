@@ -93,7 +93,7 @@ ABOVE = (
 )  # fmt: skip
 BELOW = (
     "torque", "largest load", "force of the guided spring", "growth of the ring",
-    "force of the pressure", "normal force on a roller", "blocking pressure left",
+    "force of the pressure", "normal force on a roller", "blocking pressure that remains",
 )  # fmt: skip
 
 
