@@ -2,6 +2,7 @@
 
 import io
 import os
+import sys
 from itertools import pairwise
 
 from verify.core.progress import EVERY, FIRST, Lines, State, duration, line, shown
@@ -35,6 +36,18 @@ def test_lines_come_at_most_every_few_seconds_and_none_in_a_short_run():
     assert {b - a for a, b in pairwise(printed)} == {EVERY}
     assert lines_of([t / 4 for t in range(int(4 * FIRST))]) == []
     assert lines_of([0.0, 10.0, 20.0], State(12, 12, (), 0.0)) == []  # nothing is solved
+
+
+def test_in_a_notebook_one_line_is_rewritten_and_removed_at_the_end(monkeypatch):
+    monkeypatch.setitem(sys.modules, "ipykernel", io)
+    monkeypatch.setattr("sys.stderr", io.StringIO())
+    with shown(quiet=False) as show:
+        for state in (State(0, 48, (), 0.0), BUSY, State(24, 48, ("ring level 4",), 5.0)):
+            show(state)
+    _, first, second, removed, end = sys.stderr.getvalue().split("\r")
+    assert first == f"[####            ] {line(BUSY)}"
+    assert second.rstrip().startswith("[########        ] refinement levels 24 of 48, ring level 4")
+    assert (removed, len(second), end) == (" " * len(first), len(first), "")
 
 
 def test_on_a_terminal_a_bar_appears_with_the_first_level_unless_quiet(monkeypatch):

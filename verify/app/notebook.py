@@ -145,8 +145,8 @@ def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: boo
     """A case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml"), judged.
 
     `inputs` are texts with units, {"r_i": "40 mm"}, for inputs other than the default; omitted
-    inputs have the values of `freewheel init`. With `cache`, stored results are used. InputError, a
-    ValueError, states the error in one line.
+    inputs have the values of `freewheel init`. With `cache`, stored results are used. A longer run
+    writes its progress to stderr. InputError, a ValueError, states the error in one line.
     """
     if Path(case).suffix == ".toml" or inputs:
         part = _part(case, inputs)
@@ -154,7 +154,7 @@ def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: boo
     else:
         found = find(str(case))
         job = Job(found, found.inputs())
-    (result,) = solve([job], ThisProcess(), cache, quiet=True)
+    (result,) = solve([job], ThisProcess(), cache)
     return Run(result)
 
 
@@ -167,7 +167,7 @@ def check(
     With `fem`, the formulas are compared with finite elements for these inputs. InputError.
     """
     file = _part(part, inputs)
-    options = Options(fem=fem, cache=cache, json=True)  # quietly
+    options = Options(fem=fem, cache=cache)
     return Part(check_part(file, str(part), options, ThisProcess()), file)
 
 

@@ -1,4 +1,4 @@
-"""Progress of a run: a bar on a terminal, otherwise a line from time to time."""
+"""Progress of a run: a bar on a terminal and in a notebook, otherwise a line from time to time."""
 
 import sys
 import threading
@@ -11,6 +11,7 @@ from typing import TextIO
 EVERY = 5.0  # s between two lines
 FIRST = 2.0  # s before the first: short runs need none
 MOST_NAMES = 2
+WIDTH = 16  # characters of a bar
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,9 @@ def shown(*, quiet: bool) -> Iterator[Show]:
     elif sys.stderr.isatty():
         with _bar() as show:
             yield show
+    elif "ipykernel" in sys.modules:  # a notebook, whose output is no terminal
+        with rewritten(sys.stderr) as show:
+            yield show
     else:
         yield Lines()
 
@@ -52,6 +56,29 @@ class Lines:
         if self.clock() >= self.next and state.running:
             self.next = self.clock() + EVERY
             print(line(state), file=self.stream, flush=True)
+
+
+@contextmanager
+def rewritten(stream: TextIO) -> Iterator[Show]:
+    """A bar in one line of `stream`, written again for each state and removed at the end."""
+    longest = 0
+
+    def show(state: State) -> None:
+        nonlocal longest
+        if not state.running:
+            return
+        filled = WIDTH * state.done // max(state.total, 1)
+        text = f"[{'#' * filled:{WIDTH}}] {line(state)}"
+        longest = max(longest, len(text))
+        stream.write(f"\r{text:{longest}}")
+        stream.flush()
+
+    try:
+        yield show
+    finally:
+        if longest:
+            stream.write(f"\r{'':{longest}}\r")
+            stream.flush()
 
 
 def line(state: State) -> str:
@@ -96,7 +123,7 @@ def _bar() -> Iterator[Show]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
     columns = (  # together less than 80 characters
-        TextColumn("solving"), BarColumn(16), MofNCompleteColumn(),
+        TextColumn("solving"), BarColumn(WIDTH), MofNCompleteColumn(),
         TextColumn("{task.fields[left]}"), TextColumn("{task.description}", style="dim"),
     )  # fmt: skip
     bar = Progress(*columns, console=Console(stderr=True), transient=True)
