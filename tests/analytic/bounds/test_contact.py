@@ -78,6 +78,7 @@ def test_the_bound_of_two_discs_does_not_depend_on_their_order():
     other = OfDiscs(a=0.1, R_1=3.0, R_2=1.0, **below).bounded
     for estimate, same in zip(one, other, strict=True):
         assert estimate == pytest.approx(same, rel=1e-12)
+    assert OfDiscs(a=0.1, R_1=3.0, R_2=1.0, **below).e == 0.1  # over the smaller radius
     like = OfDiscs(a=0.1, R_1=1.0, R_2=3.0, **LIKE).bounded
     assert [estimate.slack for estimate in like] == pytest.approx([0.1**4 / 8] * 2)
 
