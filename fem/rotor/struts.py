@@ -4,8 +4,8 @@ Each strut transmits F(s) with its shortening s, a function of the positions of 
 
 - `Pinned`: both ends are fixed in the hubs, :math:`s = s_0 + l_0 - |d + R a - b|`;
 - `Rolling`: a face on the outer hub, and a cam on the inner hub in a plane normal to its axis; the
-contact point moves as the hub rotates. The cam is an involute: its normal has a constant distance
-from the axis of the hub, nearly as for a logarithmic spiral.
+  contact point moves as the hub rotates. The cam is an involute: its normal has a constant distance
+  from the axis of the hub, nearly as for a logarithmic spiral.
 
 With J and H, first and second derivatives of the shortenings, loads are :math:`\sum F J` and the
 tangent is :math:`\sum F' J J^T + F H`.
