@@ -14,6 +14,7 @@ from reports.typesetting import NotSet, typeset
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 PIXELS = 4 / 3  # of a point
+LONG = 500  # pixels of an equation that a phone scrolls: one shrunk to its width is illegible
 _NUMBER = re.compile(r"-?[\d.]+")
 _PLACE = re.compile(r"<!--equation (\d+)-->")
 
@@ -59,7 +60,8 @@ class Equations:
         return (
             f'<svg class="maths" role="img" aria-label="{escape(tex)}" '
             f'style="vertical-align:{-below * PIXELS:.1f}px" viewBox="0 0 {wide:.1f} {high:.1f}" '
-            f'width="{wide * PIXELS:.1f}" height="{high * PIXELS:.1f}">'
+            f'width="{wide * PIXELS:.1f}" height="{high * PIXELS:.1f}"'
+            f"{' data-long' if wide * PIXELS > LONG else ''}>"
             f"{self._shapes(parts, outlines)}</svg>"
         )
 

@@ -147,6 +147,11 @@ def test_letters_stand_on_the_line_of_the_text():
     assert 8 < float(below[1]) < 12
 
 
+def test_only_an_equation_wider_than_a_phone_is_long():
+    drawn = re.findall("<svg[^>]*>", page("a = b", "a" + " + b" * 60))
+    assert [" data-long" in opening for opening in drawn] == [False, True]
+
+
 def test_pieces_of_a_large_bracket_stand_one_above_the_other():
     """The bracket around four lines is as high as they are."""
     drawn = page(r"\begin{pmatrix} a \\ b \\ c \\ d \end{pmatrix}")
