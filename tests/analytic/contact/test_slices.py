@@ -81,7 +81,7 @@ def test_a_flat_rollers_approach_is_palmgrens_but_for_the_ends():
 
 def test_a_search_that_does_not_end_is_an_error(monkeypatch):
     monkeypatch.setattr(slice_pivoting, "PIVOTS", 1)
-    with pytest.raises(ArithmeticError, match="not found in 1 exchanges"):
+    with pytest.raises(ArithmeticError, match="not found in 1 pivot steps"):
         slices.press_slices(crowned(tilt=1e-3), load=300.0, **ROLLER)
     monkeypatch.undo()
     monkeypatch.setattr(slices, "ITERATIONS", 1)
