@@ -53,6 +53,8 @@ def test_an_engagement_that_is_not_solved_is_not_one_that_does_not_lock(monkeypa
 
     peaks._peak_fem.cache_clear()  # other tests have solved this engagement
     monkeypatch.setattr(peaks, "engaged_fem", fails)
-    with pytest.raises(ArithmeticError, match="could not be computed: ValueError: dt is too long") as error:
+    with pytest.raises(
+        ArithmeticError, match="could not be computed: ValueError: dt is too long"
+    ) as error:
         peaks_fem(Q, CROWNS[:1], [25.0])
     assert not isinstance(error.value, NoLockError)
