@@ -96,7 +96,7 @@ def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
     return list(found.items())
 
 
-def told(checks: Sequence[Crosscheck]) -> str:
+def counts_in_words(checks: Sequence[Crosscheck]) -> str:
     """Sentence with the numbers that agree, are not measured, and have no second solver."""
     agree = sum(check.state is CrossState.AGREES for check in checks)
     outside = sum(check.state is CrossState.OUTSIDE for check in checks)

@@ -101,7 +101,8 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
     """Result of each second solver for the row."""
     return [
-        [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.apart(c))] for c in checks
+        [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.difference(c))]
+        for c in checks
     ]
 
 
@@ -109,7 +110,12 @@ def _problem(problem: Problem) -> list[Run]:
     """Results of a second solver that belong to no single row, in a sentence."""
     said: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
     for i, check in enumerate(problem.lines):
-        said += [": " if i == 0 else "; ", *prose(check.quantity), " ", *runs(second.apart(check))]
+        said += [
+            ": " if i == 0 else "; ",
+            *prose(check.quantity),
+            " ",
+            *runs(second.difference(check)),
+        ]
     return [*said, "."]
 
 

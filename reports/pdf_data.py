@@ -7,7 +7,7 @@ from dataclasses import asdict
 from jinja2 import Template
 from markupsafe import Markup
 
-from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
+from reports.crosscheck import counts_in_words, crosscheck_data, left_out_data, of_cases
 from reports.environment import causes
 from reports.frames import Frame
 from reports.html import WORDS, anchors, drawn_by, title, warnings
@@ -55,7 +55,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "budgets": budget_data(report.budgets, {case.id for case in report.cases}),
         "crosschecks": crosscheck_data(checks),
         "crosschecks_left": left_out_data(checks),
-        "crosschecks_told": told(checks),
+        "crosschecks_told": counts_in_words(checks),
         "caught": caught_data(report.caught),
         "ledgers": ledgers(report, places) if report.has_ledgers else None,
     }

@@ -51,7 +51,7 @@ def value(check: Crosscheck, row: Row) -> Markup:
     return Markup("{}{}").format(formats.written(check.theirs), unit)
 
 
-def apart(check: Crosscheck) -> Markup:
+def difference(check: Crosscheck) -> Markup:
     """Difference of both solvers and the seconds of the other, for a line."""
     outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
     difference = formats.percents(check.difference, signed=True) if check.difference else "equal"

@@ -8,7 +8,7 @@ from dataclasses import replace
 import jsonschema
 import pytest
 
-from reports.crosscheck import crosscheck_data, left_out_data, told
+from reports.crosscheck import counts_in_words, crosscheck_data, left_out_data
 from reports.crosscheck_table import crosscheck_csv
 from reports.html import page
 from reports.pdf_data import document
@@ -69,7 +69,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     data = document(checked, {})
     (sentence,) = data["crosschecks_left"]
     assert said(sentence).startswith("Not measured for this code")
-    assert data["crosschecks_told"] == told(checked.crosschecks)
+    assert data["crosschecks_told"] == counts_in_words(checked.crosschecks)
 
 
 def test_several_numbers_that_agree_have_one_sentence_at_the_head_of_a_case(checked):

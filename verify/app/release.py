@@ -86,7 +86,7 @@ def _whole(root: Path, path: Path, texts: Mapping[Path, str], head: str) -> Iter
 
 
 def _git(root: Path, *words: str) -> str:
-    """Output of git in a folder; InputError with its first line where it fails."""
+    """Output of git in a folder; InputError with its first line if it fails."""
     run = ["git", "-C", str(root), *words]
     try:
         done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=False)  # noqa: S603
