@@ -48,7 +48,7 @@ def compose(field: Field, picture: Picture) -> Scene:
     turned = Body(points=view(field, whole.points), displacement=view(field, whole.displacement),
                   cells=whole.cells, values=whole.values)  # fmt: skip
     window = picture.window
-    seen, mean = (turned, np.zeros(3)) if window is None else _within(turned, window, field.name)
+    seen, mean = (turned, np.zeros(3)) if window is None else in_window(turned, window, field.name)
     factor = exaggeration(seen, window, picture.share or READABLE)
     moved = turned.points + factor * (turned.displacement - mean)
     width, height, rectangle = _layout(np.concatenate([turned.points, moved]), window)
@@ -110,8 +110,11 @@ def exaggeration(shown: Body, window: Box | None = None, readable: float = READA
     return float(f"{digit}e{exponent}")
 
 
-def _within(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
-    """Cells in the window without their mean displacement, and the mean displacement."""
+def in_window(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
+    """Cells that touch the window, displacements less their mean; and this mean displacement (3,).
+
+    ValueError if no cell of the field `name` touches the window.
+    """
     seen = _touches(turned.points[turned.cells][..., :2], window)
     if not seen.any():
         raise ValueError(f"field {name!r} has no cells in the window {window}")

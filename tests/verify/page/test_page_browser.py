@@ -267,6 +267,40 @@ def test_the_report_is_written_and_shown(page: Browser) -> None:
     page.driver.switch_to.default_content()
 
 
+def test_a_field_is_displayed_in_space_with_its_scale_and_view(page: Browser) -> None:
+    page.unfold("tool-shape")
+    page.press("fields")
+    page.until(lambda: page.all("#shape-figure canvas"), 300)
+    assert page.text("#shape-times") == "× 200"
+    largest = page.text("#shape-range")
+    page.one("#shape-scale").send_keys(Keys.HOME)
+    page.until(lambda: page.text("#shape-times") == "× 0")
+    figure = page.one("#shape-figure")
+    bore = "const d = arguments[0]._fullData[0]; return Math.hypot(d.x[0], d.y[0])"
+    page.until(lambda: page.driver.execute_script("return arguments[0].data.length", figure) == 2)
+    at_rest = page.driver.execute_script(bore, figure)
+    page.one("#shape-scale").send_keys(Keys.END)
+    page.until(lambda: page.driver.execute_script(bore, figure) > 1.01 * at_rest)
+    Select(page.one("#shape-view")).select_by_value("from above")
+    eye = "return arguments[0]._fullLayout.scene.camera.eye"
+    page.until(lambda: page.driver.execute_script(eye, figure)["y"] > 0.99)
+    Select(page.one("#shape-field")).select_by_value("1")
+    page.until(lambda: page.text("#shape-range") != largest)
+    forged = """const list = document.getElementById("shape-field");
+    list.add(new Option("x", "../x")); list.value = "../x";
+    list.dispatchEvent(new Event("change", { bubbles: true }))"""
+    page.driver.execute_script(forged)
+    page.type("p_i", "55 MPa")
+    page.until(lambda: "of earlier inputs" in page.text("#fields-old"))
+
+
+def test_a_case_without_fields_states_this(page: Browser) -> None:
+    page.choose("rotor-system")
+    page.unfold("tool-shape")
+    page.press("fields")
+    page.until(lambda: "no field to display" in page.text("#fields-progress"))
+
+
 def test_no_request_leaves_the_machine(page: Browser, server: Server) -> None:
     page.choose("sprag-clutch")
     found = [json.loads(e["message"])["message"] for e in page.driver.get_log("performance")]

@@ -22,8 +22,8 @@ pytestmark = pytest.mark.slow("a browser opens the page")
 def page(driver: Any, server: Server) -> Browser:
     found = Browser(driver, server.address)
     found.open("freewheel-clutch")
-    for name in ("tool-fem", "tool-sweep", "tool-compare", "tool-report", "tool-file"):
-        found.unfold(name)
+    for name in ("fem", "sweep", "compare", "shape", "report", "file"):
+        found.unfold(f"tool-{name}")
     return found
 
 

@@ -27,6 +27,7 @@ HOST = "127.0.0.1"
 STARTED = 60.0  # s in which the first page must be there, also on a slow machine
 LAST_PORT = 65535
 BROWSER_AFTER = 0.5  # s
+RECONNECTED = 30.0  # s in which a browser that was busy with a drawing finds its page unchanged
 
 
 def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int:
@@ -98,7 +99,8 @@ def application(place: Place) -> FastAPI:
     async def page(s: str = "") -> None:
         await Screen(place).build(s)
 
-    ui.run_with(served, title="freewheel app", dark=None, show_welcome_message=False)
+    ui.run_with(served, title="freewheel app", dark=None, show_welcome_message=False,
+                reconnect_timeout=RECONNECTED)  # fmt: skip
     return served
 
 

@@ -12,7 +12,9 @@ import numpy as np
 from verify.answers.parameter_file import ParameterFile, completed
 from verify.answers.registry import answer
 from verify.app.check_command import Options, check_part, in_system, run_check
+from verify.app.check_console import Checked
 from verify.app.page.answers import WHERE, Shown, of_checked
+from verify.app.page.shapes import Shape, shapes
 from verify.cases.registry import find
 from verify.core import units
 from verify.core.inputs import InputError
@@ -32,19 +34,31 @@ MARGIN, DESIGN = "margin", "design value"  # results of a sweep in addition to t
 def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:
     """The answer with judged rows; solved levels are stored and reported. InputError."""
     file = _file(case, name, raw)
+    return of_checked(in_system(_solved(file, tell), file.system))
+
+
+def fields(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> tuple[Shape, ...]:
+    """The fields of the finest mesh as bodies; InputError if the case has none."""
+    file = _file(case, name, raw)
+    if not file.case.pictures(file.inputs):
+        raise InputError("this case has no field to display: its reference has only numbers")
+    result = _solved(file, tell).result
+    return shapes(result.fields, result.pictures)
+
+
+def _solved(file: ParameterFile, tell: Tell) -> Checked:
+    """The check with finite elements, whose levels are solved first to report the progress."""
     if reason := file.case.too_large(file.inputs):
         raise InputError(f"these inputs cannot be solved by finite elements: {reason}")
 
     def show(state: Progress) -> None:
         tell((state.done, state.total, names(state.running)))
 
-    folder = cache.default_folder()
     tell((0, len(file.case.levels), ""))
     job = Job(file.case, file.inputs, values=file.values, drawn=False)
-    run([job], engine=ThisProcess().entered(), cache_folder=folder, show=show)
+    run([job], engine=ThisProcess().entered(), cache_folder=cache.default_folder(), show=show)
     tell((len(file.case.levels), len(file.case.levels), "judging"))
-    checked = check_part(file, WHERE, Options(fem=True, json=True), ThisProcess())
-    return of_checked(in_system(checked, file.system))
+    return check_part(file, WHERE, Options(fem=True, json=True), ThisProcess())
 
 
 def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:

@@ -15,13 +15,12 @@ from verify.app.page.compared import compared
 from verify.app.page.job_view import JobView
 from verify.app.page.jobs import Worker
 from verify.app.page.session import text_at
+from verify.app.page.shape_view import ShapeView
 from verify.app.page.sweep_figure import options
 from verify.app.page.toml_text import parameter_file
-from verify.app.page.widgets import Choice, Typed, button, enable, html, message, tool
+from verify.app.page.widgets import Choice, Typed, button, enable, html, is_dark, message, tool
 from verify.core.inputs import InputError
 
-IS_DARK = "matchMedia('(prefers-color-scheme: dark)').matches"
-ANSWERED = 10.0  # s within which a browser must answer
 OLD = "of earlier inputs: the form has changed since then"
 Tell = Callable[[Any], None]
 
@@ -45,7 +44,10 @@ class Tools:
             self.drop = button("Remove variant B", self._drop, name="drop")
         with ui.element("div"):
             self.compared = html().props('id="compared"')
-        with tool("Report: fields, deformed shapes, PDF, CSV", "tool-report"):
+        with tool("Fields and deformed shapes in 3-D", "tool-shape"):
+            self._job("Solve and display the fields", "fields", self._fields)
+            self.shape = ShapeView(screen)
+        with tool("Report: pictures of fields, PDF, CSV", "tool-report"):
             self.fem = Choice("Content", {"": "formulas", "fem": "with finite elements and fields"},
                               "report-content")  # fmt: skip
             self._job("Write the report", "report", self._report)
@@ -71,6 +73,11 @@ class Tools:
         found: Shown = await worker.ask(tasks.finite_elements, *asked, tell=tell)
         self.rows.set_content(evidence(found))
         self._is_made("fem", state.raw)
+
+    async def _fields(self, worker: Worker, tell: Tell) -> None:
+        raw = self.screen.session.state.raw
+        await self.shape.solve(worker, tell)
+        self._is_made("fields", raw)
 
     def _sweep_form(self) -> None:
         fields = [f for f in self.screen.case.fields if f.is_number]
@@ -107,10 +114,7 @@ class Tools:
             )
         except InputError as error:
             raise InputError(str(error).removeprefix("--vary ")) from error
-        try:
-            dark = bool(await ui.run_javascript(IS_DARK, timeout=ANSWERED))
-        except TimeoutError:  # a browser that is busy
-            dark = False
+        dark = await is_dark()
         self.figure.clear()
         with self.figure:
             ui.echart(options(found, dark=dark)).classes(f"figure {'dark' if dark else 'light'}")

@@ -7,6 +7,8 @@ from markupsafe import Markup, escape
 from nicegui import ui
 
 VALUE = "event => emit(event.target.value)"
+IS_DARK = "matchMedia('(prefers-color-scheme: dark)').matches"
+ANSWERED = 10.0  # s within which a browser must answer
 
 
 def button(text: str, on_click: Callable[[], Any], *, css: str = "", name: str = "") -> ui.html:
@@ -24,8 +26,12 @@ def enable(one: ui.html, on: bool) -> None:
 class Choice:
     """A labelled list of which one can be selected; `value` is its key."""
 
-    def __init__(self, label: str, options: Mapping[str, str], name: str, value: str = "") -> None:
+    def __init__(
+        self, label: str, options: Mapping[str, str], name: str, value: str = "",
+        on_change: Callable[[], Any] = lambda: None,
+    ) -> None:  # fmt: skip
         self.value = value or next(iter(options), "")
+        self.options, self.on_change = options, on_change
         items = Markup("").join(
             Markup('<option value="{}"{}>{}</option>').format(
                 key, Markup(" selected") if key == self.value else "", text
@@ -37,6 +43,13 @@ class Choice:
 
     def _take(self, event: Any) -> None:
         self.value = str(event.args)
+        if self.is_offered:
+            self.on_change()
+
+    @property
+    def is_offered(self) -> bool:
+        """Whether the value is an option; a forged message may contain any text."""
+        return self.value in self.options
 
 
 class Typed:
@@ -51,6 +64,14 @@ class Typed:
 
     def _take(self, event: Any) -> None:
         self.value = str(event.args)[:200]
+
+
+async def is_dark() -> bool:
+    """Whether the browser prefers dark pages; False if it is too busy to answer."""
+    try:
+        return bool(await ui.run_javascript(IS_DARK, timeout=ANSWERED))
+    except TimeoutError:
+        return False
 
 
 def tool(title: str, name: str) -> ui.element:
