@@ -70,6 +70,12 @@ def test_a_window_contains_its_cells_with_displacements_relative_to_their_mean()
     assert np.ptp(found.displacement[:, 0]) == pytest.approx(100)
 
 
+def test_the_proposed_scale_is_that_of_the_picture() -> None:
+    assert shape_of(SQUARES, share=0.5).factor == 1  # displacements are to scale
+    small = replace(SQUARES, point_data={"displacement": SQUARES.point_data["displacement"] / 100})
+    assert [shape_of(small).factor, shape_of(small, share=0.5).factor] == [100, 1000]
+
+
 def test_a_line_with_a_width_is_a_ribbon() -> None:
     found = shape_of(LINE, data="", width=0.5)
     assert found.points[found.cells[0]].tolist() == [

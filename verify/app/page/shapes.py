@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from reports import ramps
 from reports.bodies import Body, body
 from reports.outlines import edges
-from reports.scene import exaggeration, in_window
+from reports.scene import READABLE, exaggeration, in_window
 from verify.core.figures import Array, Field, Picture
 
 Indices = NDArray[np.int64]
@@ -56,7 +56,7 @@ def _shape(field: Field, picture: Picture) -> Shape:
     shown = body(field, picture)
     if picture.window is not None and field.points.shape[1] == 2:
         shown, _mean = in_window(shown, picture.window, field.name)
-    factor = exaggeration(shown, picture.window, *([picture.share] if picture.share else []))
+    factor = exaggeration(shown, picture.window, picture.share or READABLE)
     free = _free_edges(shown)
     if picture.width and shown.cells.shape[1] == 2:
         shown = _swept(shown, picture.width)
