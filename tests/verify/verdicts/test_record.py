@@ -86,14 +86,14 @@ def test_ranges_of_record_are_those_of_the_stored_studies():
 # Beginnings of what a formula gives, with the side on which an error leaves a margin. They are
 # written here again, because the declarations and the record could be changed together.
 ABOVE = (
-    "friction", "clamping angle", "contact angles", "contact pressure", "share of each slice",
-    "normal force of a sprag", "normal force per torque", "largest normal force", "torsion angle",
-    "hoop stress", "mean hoop stress", "pressure for that", "the same pressure", "correction for",
-    "blocking pressure needed", "centrifugal growth",
+    "friction", "clamping angle", "contact angles", "contact pressure", "contribution of each",
+    "normal force of a sprag", "normal force per torque", "largest normal force", "wind-up (angle",
+    "hoop stress", "mean hoop stress", "pressure that causes", "pressure that closes",
+    "correction factor", "blocking pressure required", "centrifugal growth",
 )  # fmt: skip
 BELOW = (
     "torque", "largest load", "force of the guided spring", "growth of the ring",
-    "force of the pressure", "normal force on a roller", "blocking pressure that remains",
+    "force of the pressure", "normal force on a roller", "blocking pressure: total",
 )  # fmt: skip
 
 
