@@ -4,7 +4,7 @@ from math import log
 
 import verify.case as vc
 
-SOURCE = "derived: Winkler-Bach over Golovin's exact solution (Timoshenko, Goodier: curved bars)"
+SOURCE = "derived: Winkler-Bach relative to Golovin's solution (Timoshenko, Goodier: curved bars)"
 
 
 class CurvedBar(vc.Case):
@@ -17,7 +17,7 @@ class CurvedBar(vc.Case):
     r_i: float = vc.given("50 mm", "mm", "r_i", "inner radius", gt=0)
     r_o: float = vc.given("100 mm", "mm", "r_o", "outer radius", gt=0)
     b: float = vc.given("20 mm", "mm", "b", "width", gt=0)
-    M: float = vc.given("1 kN m", "N m", "M", "bending moment that straightens", gt=0)
+    M: float = vc.given("1 kN m", "N m", "M", "bending moment that straightens the bar", gt=0)
 
     @vc.Quantity("r_n", "mm", "radius of the neutral axis", role="step")
     def r_n(self) -> float:
@@ -51,9 +51,9 @@ class CurvedBar(vc.Case):
         return vc.solved(1 / level, field, sigma_i=inner, sigma_o=outer)
 
     def comparisons(self) -> list[vc.Comparison]:
-        k, n = self.r_o / self.r_i, log(self.r_o / self.r_i)  # stresses over M/(b r_i²)
-        a, c = (k - 1) / n, ((k**2 - 1) ** 2 - (2 * k * n) ** 2) / 4  # does not read the formula:
-        b = (k - 1) * ((k + 1) / 2 - a)  # its errors would also change the interval
+        k, n = self.r_o / self.r_i, log(self.r_o / self.r_i)  # stresses relative to M/(b r_i²)
+        a, c = (k - 1) / n, ((k**2 - 1) ** 2 - (2 * k * n) ** 2) / 4  # without the formula, whose
+        b = (k - 1) * ((k + 1) / 2 - a)  # errors must not change the interval
         inside = vc.about((a - 1) / b * c / (2 * k**2 * n - k**2 + 1) - 1, 1e-3, SOURCE)
         outside = vc.about((a - k) / (b * k) * c / (2 * n - k**2 + 1) - 1, 1e-3, SOURCE)
         both = (CurvedBar.sigma_i, inside), (CurvedBar.sigma_o, outside)

@@ -6,7 +6,7 @@ import numpy as np
 
 import verify.case as vc
 
-SOURCE = "derived: Dunkerley's sum is never below, Rayleigh's quotient never above the true 1/ω²"
+SOURCE = "derived: Dunkerley's sum is an upper, Rayleigh's quotient a lower bound of the true 1/ω²"
 
 
 class Dunkerley(vc.Case):
@@ -18,8 +18,8 @@ class Dunkerley(vc.Case):
 
     L: float = vc.given("1 m", "mm", "L", "distance of the bearings", gt=0)
     d: float = vc.given("50 mm", "mm", "d", "diameter of the shaft", gt=0)
-    a_1: float = vc.given("450 mm", "mm", "a_1", "place of the first disc", gt=0)
-    a_2: float = vc.given("550 mm", "mm", "a_2", "place of the second disc", gt=0)
+    a_1: float = vc.given("450 mm", "mm", "a_1", "position of the first disc", gt=0)
+    a_2: float = vc.given("550 mm", "mm", "a_2", "position of the second disc", gt=0)
     m_1: float = vc.given("40 kg", "kg", "m_1", "mass of the first disc", gt=0)
     m_2: float = vc.given("60 kg", "kg", "m_2", "mass of the second disc", gt=0)
     k: float = vc.given("100 N/µm", "N/µm", "k", "stiffness of a bearing", gt=0)
@@ -50,7 +50,7 @@ class Dunkerley(vc.Case):
 
     def comparisons(self) -> list[vc.Comparison]:
         x, m = np.array([self.a_1, self.a_2]) / self.L, np.array([self.m_1, self.m_2])
-        soft = self.B / (self.k * self.L**3)  # flexibility of the bearings; all 1/ω² over L³/B
+        soft = self.B / (self.k * self.L**3)  # flexibility of bearings; 1/ω² relative to L³/B
         low = m @ ((x * (1 - x)) ** 2 / 3 + soft * (x**2 + (1 - x) ** 2))
         low += self.m_s * (1 / pi**4 + soft / 2)  # Dunkerley's sum
         c = pi**3 * soft  # Rayleigh's quotient of sin(πx) + c; c balances the bearing forces

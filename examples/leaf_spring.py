@@ -8,9 +8,9 @@ import numpy as np
 import verify.case as vc
 
 SOURCE = (
-    "derived: with the beam's stresses and a parabolic shear stress complementary energy bounds "
-    "the flexibility from above, with u = -y w', v = w + (1 - exp(-x/l)) ν y² w''/2 and the "
-    "best l potential energy bounds it from below"
+    "derived: the complementary energy of the beam's stresses and a parabolic shear stress bounds "
+    "the flexibility from above; the potential energy of u = -y w', v = w + (1 - exp(-x/l)) ν y² "
+    "w''/2 with the optimal l bounds it from below"
 )
 
 
@@ -52,8 +52,8 @@ class LeafSpring(vc.Case):
 
     def comparisons(self) -> Iterator[vc.Comparison]:
         s, q = self.t / self.L, 3 / (160 * (1 + self.nu))
-        more = 3 * self.nu**2 * s * (sqrt(q / (1 - self.nu**2)) + q * s)  # energy over the beam's
-        shear = 1 + 0.6 * (1 + self.nu) * s**2  # largest flexibility over the beam's
+        more = 3 * self.nu**2 * s * (sqrt(q / (1 - self.nu**2)) + q * s)  # energy, relative to beam
+        shear = 1 + 0.6 * (1 + self.nu) * s**2  # largest flexibility, relative to beam
         for rate, f in ((LeafSpring.R, 1.0), (LeafSpring.R_shear, shear)):
             expected = vc.Expected(1 / (1 + more) / f - 1, shear / f - 1, SOURCE)
             yield vc.approximation(rate, order=1.5, expected=expected)

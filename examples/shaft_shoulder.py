@@ -10,7 +10,7 @@ SOURCE = (
 
 
 class ShaftShoulder(vc.Case):
-    """A round shaft in tension has a shoulder with a fillet; the formula is a fit to the chart."""
+    """A round shaft in tension has a shoulder with a fillet; the formula is fitted to a chart."""
 
     title = "Stress concentration at a shoulder"
     source = "Pilkey, Peterson's Stress Concentration Factors"
@@ -47,12 +47,12 @@ class ShaftShoulder(vc.Case):
         mesh = mesh_blocks([Block(four, "shaft") for four in edges])
         shaft = solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="axisymmetric",
                             supports={"end": "y"}, tractions={"start": (0, -1.0)})  # fmt: skip
-        fillet = shaft.on_boundary("fillet")  # its hoop direction is along the surface
+        fillet = shaft.on_boundary("fillet")  # hoop stress about c acts along the surface
         angle = np.arctan2(*(fillet.x[::-1].T - c[::-1]).T)
         fit = np.polynomial.Polynomial.fit(angle, fillet.polar(c)[2], 8)
         peak = fit(np.linspace(angle.min(), angle.max(), 1000)).max()
         return vc.solved(1 / level, vc.plane_field(shaft, "von_mises"), K_t=float(peak))
 
     def comparisons(self) -> list[vc.Comparison]:
-        expected, wide = vc.Expected(-0.24, 0, SOURCE), (0.2, "the chart is known to be that wrong")
+        expected, wide = vc.Expected(-0.24, 0, SOURCE), (0.2, "known error of the chart")
         return [vc.approximation(ShaftShoulder.K_t, order=2, expected=expected, sensitivity=wide)]

@@ -4,7 +4,7 @@ import numpy as np
 
 import verify.case as vc
 
-SOURCE = "derived: from below by balanced stresses (Lamé's), from above by one displacement of all"
+SOURCE = "derived: Lamé's stresses bound the force from below, one displacement field from above"
 
 
 class SteppedHub(vc.Case):
@@ -55,6 +55,6 @@ class SteppedHub(vc.Case):
         A = sum(L * (r**2 / R**2 - 1) for L, r in sections) / (1 - self.nu)  # for u_r = r
         B = sum(L * (1 - R**2 / r**2) for L, r in sections) / (1 + self.nu)  # for u_r = 1/r
         soft = 1 / A + 1 / B + (1 - self.nu) / (self.L_1 + self.L_2)  # last term: the shaft
-        low = B * (1 + self.nu) / 2 * soft - 1  # Lamé's sum over the force of one displacement
+        low = B * (1 + self.nu) / 2 * soft - 1  # Lamé's sum relative to the upper bound
         expected = vc.Expected(low, 0, SOURCE)
         return [vc.approximation(SteppedHub.N, order=1.09, expected=expected)]

@@ -16,7 +16,7 @@ from verify.case import (
     solved,
 )
 
-ART_29 = "Timoshenko, Goodier, Theory of Elasticity, art. 29: hyperbolic against exact stresses"
+ART_29 = "Timoshenko, Goodier, Theory of Elasticity, art. 29: error of hyperbolic stresses"
 
 
 class CurvedBar(Case):

@@ -1,6 +1,7 @@
 """Campbell diagram: a rotor with two discs and its critical speeds by two independent models.
 
-The diagram is computed with beam elements, the critical speeds with exact transfer matrices.
+The diagram is computed with beam elements. The critical speeds are also computed with exact
+transfer matrices.
 """
 
 import matplotlib.pyplot as plt
@@ -33,14 +34,14 @@ r_min = 30 / np.pi
 print("forward critical speeds by transfer matrices", *(f"{n:.0f}" for n in reference), "r/min")
 crossings = diagram.crossings() * r_min
 nearest = [crossings[np.abs(crossings - n).argmin()] for n in reference]
-print("the same from the diagram of beam elements", *(f"{n:.0f}" for n in nearest), "r/min")
+print("forward critical speeds by beam elements", *(f"{n:.0f}" for n in nearest), "r/min")
 
 for branch, whirl in zip(diagram.frequencies.T, diagram.whirl[-1], strict=True):
     plt.plot(speeds * r_min, branch / (2 * np.pi), "-" if whirl > 0 else "--", color="C0")
 plt.plot(speeds * r_min, speeds / (2 * np.pi), color="0.5", label="excitation by unbalance")
 plt.plot(reference, reference / 60, "o", color="C3", label="critical speeds, transfer matrices")
 plt.xlabel("speed [r/min]")
-plt.ylabel("frequency [Hz], dashed: backward whirl")
+plt.ylabel("frequency [Hz] (dashed: backward whirl)")
 plt.ylim(0, 1.5 * speeds[-1] / (2 * np.pi))
 plt.legend()
 plt.savefig("campbell_diagram.png", dpi=110, bbox_inches="tight")

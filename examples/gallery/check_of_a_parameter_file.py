@@ -1,6 +1,7 @@
 """Check of a parameter file from Python: verdict, margin and every limit of a roller freewheel.
 
-Equivalent to `freewheel init freewheel-clutch > clutch.toml` and `freewheel check clutch.toml`.
+The commands `freewheel init freewheel-clutch > clutch.toml` and `freewheel check clutch.toml` give
+the same answer.
 """
 
 import tempfile
@@ -26,5 +27,5 @@ margins = {c.what: c.margin for c in part.criteria if isfinite(c.margin)}
 plt.figure(figsize=(7, 2.5))
 plt.barh([*margins], [*margins.values()])
 plt.axvline(1.0, color="C3")
-plt.xlabel("margin, at least 1 where the part holds")
+plt.xlabel("margin (the part holds if all are at least 1)")
 plt.savefig("check_of_a_parameter_file.png", dpi=110, bbox_inches="tight")

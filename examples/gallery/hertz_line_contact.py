@@ -1,4 +1,4 @@
-"""Hertz line contact of a roller on a race: pressure and the shear stress below the surface."""
+"""Hertz line contact of a roller on a race: pressure, and shear stress below the surface."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,4 @@
-"""Optimal crown of a roller: the logarithmic profile with the lowest pressure and unloaded ends.
+"""Optimal crown of a roller: the logarithmic profile with unloaded ends and the lowest pressure.
 
 A straight roller has pressure peaks at its ends. With the optimal crown, the largest pressure is
 within a few per cent of the pressure under a uniform line load.

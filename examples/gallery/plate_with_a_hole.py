@@ -1,8 +1,8 @@
 """Plate with a hole in tension: the stress concentration of Kirsch's solution.
 
 A quarter of a square plate is meshed with gmsh. The outer edges carry the tractions of Kirsch's
-solution, so that the finite plate has the stresses of the infinite plate: 3 times the nominal
-stress at the hole.
+solution, so that the finite plate has the stresses of the infinite plate. The stress at the
+hole is 3 times the nominal stress.
 """
 
 import gmsh

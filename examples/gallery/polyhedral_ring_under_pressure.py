@@ -1,4 +1,4 @@
-"""Polyhedral ring under pressure: growth of its outside by a series and by finite elements."""
+"""Polyhedral ring under pressure: radial growth by a series and by finite elements."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -7,7 +7,7 @@ from analytic.polyhedral import Sector, rim_displacement, stiffness_factors
 from fem.plane import solve_polygon_ring
 from meshes.polyhedral import polygon_half_sector
 
-z, d_e, d_i, rho = 6, 80.0, 72.0, 2.0  # flats, outside and corner diameters, fillets [mm]
+z, d_e, d_i, rho = 6, 80.0, 72.0, 2.0  # flats; outer and corner diameter, fillet radius [mm]
 E, nu, p = 210e3, 0.3, 10.0  # MPa, -, MPa
 
 ring = Sector(z=z, d_e=d_e, d_i=d_i, rho=rho)

@@ -1,4 +1,4 @@
-"""Engagement of a sprag clutch: the forces over time under a suddenly applied torque.
+"""Engagement of a sprag clutch: normal force over time under a suddenly applied torque.
 
 The largest normal force of a sprag is nearly twice the static force. For an undamped linear spring
 under a suddenly applied load, the factor would be 2. The first call compiles the time integration.

@@ -1,4 +1,4 @@
-"""Accordion spring: the two stages of its curve by formulas and by beams with self-contact."""
+"""Accordion spring: two-stage force curve by formulas and by beam elements with self-contact."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,4 @@
-"""Templates of new cases: the error of each formula on finer meshes, and the expected error.
+"""Templates of new cases: error of each formula on several meshes, and the expected error.
 
 `freewheel new-case FILE --kind KIND` writes these six files; docs/own_case.md explains them.
 """

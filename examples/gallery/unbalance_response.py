@@ -1,7 +1,7 @@
 """Unbalance response of a Jeffcott rotor: a disc in the middle of a light shaft.
 
-At the critical speed, only damping limits the amplitude: m e ω/c for a force m e ω² and dampers c
-that act at the disc.
+At the critical speed, only damping limits the amplitude. For an unbalance force m e ω² and a damper
+c at the disc, the amplitude is m e ω/c.
 """
 
 import matplotlib.pyplot as plt

@@ -6,10 +6,10 @@ import numpy as np
 
 import verify.case as vc
 
-# neither from the finite elements nor by reading the formula
+# source of the expected error, which uses neither the finite elements nor the formula
 SOURCE = (
     "derived: Timoshenko, Goodier, Theory of Elasticity: rotating disc as a three-dimensional "
-    "problem, exact but for edge stresses, which vanish within a thickness"
+    "problem, exact except for edge stresses, which vanish within a thickness"
 )
 
 
@@ -34,7 +34,7 @@ class Disc(vc.Case):
         return (3 + self.nu) / 8 * self.rho * (self.n * self.R) ** 2
 
     def reference(self, level: int) -> vc.Level:
-        """The same stress in a half-section of half the thickness, x being the radius."""
+        """Stress in the middle by finite elements, half of a half-section; x is the radius."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.revolution.section import section
@@ -50,7 +50,7 @@ class Disc(vc.Case):
         return vc.solved(1 / level, vc.plane_field(disc, "von_mises"), sigma=stress)
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         nu, thick = self.nu, (self.h / (2 * self.R)) ** 2
         more = nu * (1 + nu) / (6 * (1 - nu)) * thick  # stress over ρ ω² R²
         error = -more / ((3 + nu) / 8 + more)

@@ -1,12 +1,12 @@
-"""Two rollers pressed together: a formula against finite elements. Edit: freewheel verify FILE."""
+"""Two rollers in contact: formulas against finite elements. Edit, then: freewheel verify FILE."""
 
 from collections.abc import Iterator
 from math import pi, sqrt
 
 import verify.case as vc
 
-# neither from the finite elements nor by reading the formulas
-SOURCE = "derived: Hertz for ν = 0.3, constants of three digits; Hertz neglects (a/R)²"
+# source of the expected error, which uses neither the finite elements nor the formulas
+SOURCE = "derived: constants of Hertz for ν = 0.3, of three digits; Hertz's theory neglects (a/R)²"
 
 
 class Rollers(vc.Case):
@@ -32,12 +32,12 @@ class Rollers(vc.Case):
         return 2.15 * sqrt(self.P / self.E * self.D_1 * self.D_2 / (self.D_1 + self.D_2))
 
     def a(self) -> float:
-        """Half the width of contact [m] by Hertz: it places cells, and estimates (a/R)²."""
+        """Half the width of contact [m] by Hertz, for the size of cells and the error (a/R)²."""
         soft = 4 * (1 - self.nu**2) / (pi * self.E)
         return sqrt(soft * self.P * self.D_1 * self.D_2 / (self.D_1 + self.D_2))
 
     def reference(self, level: int) -> vc.Level:
-        """The right halves of both rollers in plane strain; `level` 1 is the coarsest mesh."""
+        """Finite elements: right halves of the rollers, plane strain; `level` 1 is the coarsest."""
         from fem.contact import pairs, problem
         from fem.plane.material import Elastic
         from meshes import join
@@ -54,7 +54,7 @@ class Rollers(vc.Case):
         return vc.solved(1 / level, p_0=touch.peak, b=2 * touch.half_width((0.0, 0.0)))
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         k, curved = sqrt((1 - self.nu**2) / 0.91), (2 * self.a() / min(self.D_1, self.D_2)) ** 2
         for q, e, digits in ((Rollers.p_0, k, 5e-4 / 0.591), (Rollers.b, 1 / k, 5e-3 / 2.15)):
             yield vc.approximation(q, order=2, expected=vc.about(e - 1, digits + curved, SOURCE))

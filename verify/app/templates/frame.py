@@ -7,15 +7,15 @@ import numpy as np
 
 import verify.case as vc
 
-# neither from the finite elements nor by reading the formula
+# source of the expected error, which uses neither the finite elements nor the formula
 SOURCE = (
     "derived by Castigliano: a force P at the end gives M = P R sin θ, N = P sin θ, V = P cos θ; "
-    "all three energies are those of M alone times 1 + I/(A R²) (1 + E/(κ G))"
+    "the sum of their energies is the energy of M times 1 + I/(A R²) (1 + E/(κ G))"
 )
 
 
 class CurvedCantilever(vc.Case):
-    """The rate of a strip bent to a quarter circle, by the energy of the bending moment alone."""
+    """The rate of a strip bent to a quarter circle, from the energy of the bending moment only."""
 
     title = "Rate of a curved cantilever"
     source = "Wahl, Mechanical Springs"
@@ -38,7 +38,7 @@ class CurvedCantilever(vc.Case):
         return 4 * self.E * self.I / (pi * self.R**3)
 
     def reference(self, level: int) -> vc.Level:
-        """The same rate by curved Timoshenko elements, more of them by level."""
+        """Rate by curved Timoshenko elements; their number increases with the level."""
         from fem.beam.curved import solve_curved_frame
         from fem.beam.section import Section
 
@@ -55,6 +55,6 @@ class CurvedCantilever(vc.Case):
         return vc.solved(1 / level, k=1 / float(frame.u[0, 0]))
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         error = (self.t / self.R) ** 2 / 12 * (1 + 2.4 * (1 + self.nu))  # κ = 5/6
         yield vc.approximation(CurvedCantilever.k, order=4, expected=vc.about(error, 1e-3, SOURCE))

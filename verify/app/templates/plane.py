@@ -31,7 +31,7 @@ class Pipe(vc.Case):
         return self.p * (self.r_i + self.r_o) / (2 * self.s)
 
     def reference(self, level: int) -> vc.Level:
-        """The same stress by finite elements, finer by level; it may not read a formula."""
+        """Hoop stress by finite elements, finer at each level; it must not read a formula."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring
@@ -42,13 +42,13 @@ class Pipe(vc.Case):
             supports={"x=0": "x", "y=0": "y"}, pressures={"bore": self.p},
         )  # fmt: skip
         bore = pipe.on_boundary("bore")
-        force = pipe.reaction("x=0")[0] + self.p * self.r_i  # of a wall, and of the pressure on it
+        force = pipe.reaction("x=0")[0] + self.p * self.r_i  # on a wall, and pressure on it
         # mesh size, fields for pictures, then numbers by the names of the quantities
         field, stress = vc.plane_field(pipe, "von_mises"), bore.mean(bore.polar()[2])
         return vc.solved(1 / level, field, sigma=stress, rest=force)
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         k = self.r_i / self.r_o
         error = (1 + k) ** 2 / (2 * (1 + k**2)) - 1  # (formula - exact)/exact
         expected = vc.Expected(error - 1e-3, error + 1e-3, SOURCE)

@@ -5,13 +5,13 @@ from math import cos, pi, sin
 
 import verify.case as vc
 
-# neither from the finite elements nor by reading the formulas
-MEAN = "derived: by Betti the mean growth is Lamé's, however the radial load is distributed"
+# source of the expected error, which uses neither the finite elements nor the formulas
+MEAN = "derived: by Betti's theorem, the mean growth is Lamé's for any distribution of the load"
 FORCE = "derived: half a pitch is in equilibrium, N sin(π/n) = F/2"
 
 
 class RingOnRollers(vc.Case):
-    """A ring is pushed outwards by n rollers; thin-ring theory takes them as a pressure."""
+    """Rollers push a ring outwards; thin-ring theory replaces them by a uniform pressure."""
 
     title = "Ring on rollers"
     source = "Roark's Formulas for Stress and Strain"
@@ -35,7 +35,7 @@ class RingOnRollers(vc.Case):
         return self.N * (self.r_i + self.r_o) / (2 * self.E * self.w * (self.r_o - self.r_i))
 
     def reference(self, level: int) -> vc.Level:
-        """Half a pitch in plane stress, between two planes of symmetry."""
+        """Finite elements: half a pitch in plane stress, between two planes of symmetry."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.ring.sector import half_sector
@@ -52,7 +52,7 @@ class RingOnRollers(vc.Case):
         return vc.solved(1 / level, vc.plane_field(ring, "stress"), N=hoop, u=u.mean(u.polar()[0]))
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         q, k, (o, i) = RingOnRollers, pi / self.n, (self.r_o, self.r_i)
         lame = (o**2 + i**2) / (o**2 - i**2) + self.nu  # u E/(p r_i) at the bore
         growth = (i + o) / (2 * (o - i)) / lame - 1

@@ -5,9 +5,9 @@ from math import pi, sqrt
 
 import verify.case as vc
 
-# neither from the finite elements nor by reading the formula
+# source of the expected error, which uses neither the finite elements nor the formula
 SOURCE = (
-    "derived: Timoshenko's beam bends as sin(πx/L), too; its ω² is the smaller root of "
+    "derived: Timoshenko's beam also bends as sin(πx/L); its ω² is the smaller root of "
     "(κ G k² - ρ ω²)(E I k² + κ G A - ρ I ω²) = (κ G k)² A with k = π/L, κ by Hutchinson (2001)"
 )
 
@@ -33,7 +33,7 @@ class Shaft(vc.Case):
         return pi * self.d_o / (8 * self.L**2) * sqrt(self.E / self.rho)
 
     def reference(self, level: int) -> vc.Level:
-        """The same frequency by Timoshenko elements, more of them by level."""
+        """First bending frequency by Timoshenko elements; their number increases with the level."""
         from fem.rotor import model, modes
 
         steel = model.Material(self.E, self.nu, self.rho)
@@ -47,7 +47,7 @@ class Shaft(vc.Case):
         return vc.solved(1 / level, f_1=omega / (2 * pi))
 
     def comparisons(self) -> Iterator[vc.Comparison]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons; expected errors are stated before the reference is solved."""
         nu, s = self.nu, (pi * self.d_o / (4 * self.L)) ** 2  # k² I/A
         kappa = 6 * (1 + nu) ** 2 / (7 + 12 * nu + 4 * nu**2)
         g = 2 * (1 + nu) / kappa  # E/(κ G); with x = ρ ω²/(E k²) it is x² g s - x (1 + s + g s) + s
