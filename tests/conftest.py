@@ -1,4 +1,4 @@
-"""Run cases through the shared cache; each process computes missing results once."""
+"""Fixtures that run cases with the shared cache; each process computes missing results once."""
 
 import ctypes
 import gc
@@ -36,21 +36,21 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Files that solve whole cases come first, so that short ones fill up the end."""
+    """Sort the tests: files that solve whole cases first, so that short files fill up the end."""
     items.sort(key=lambda item: not item.nodeid.startswith("tests/verify/"))
 
 
 @pytest.fixture(autouse=True)
 def without_judged(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Commands neither read nor store judged cases: their keys don't follow what a test patches."""
+    """Disable stored judged cases, because their keys do not include what a test patches."""
     monkeypatch.setattr("verify.jobs.judged.keys", lambda _modules: {})
 
 
 @pytest.fixture(autouse=True, scope="module")
 def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
-    """What the functions of a module store for its tests is removed after its last one.
+    """Empty the caches of a test module after its last test.
 
-    Solved problems with their factors are large, and the tests many.
+    Solved problems with their factors are large, and there are many tests.
     """
     yield
     for kept in vars(request.module).values():
@@ -62,7 +62,7 @@ def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 def resident() -> int:
-    """Bytes of memory that this process occupies; 0 where the system does not report it."""
+    """Memory of this process [bytes]; 0 if the system does not report it."""
     pages = Path("/proc/self/statm")
     return int(pages.read_text().split()[1]) * resource.getpagesize() if pages.exists() else 0
 
@@ -85,7 +85,7 @@ def solved(case: Case, inputs: Inputs):
 
 @pytest.fixture(scope="session")
 def judged() -> Callable[..., CaseResult]:
-    """Judge a case on inputs (the paper's by default), with its finite elements from the cache."""
+    """Function: judged case for inputs (default: of the paper), with cached finite elements."""
 
     def judge(case: Case, inputs: Inputs | None = None, *, drawn: bool = True) -> CaseResult:
         q = case.inputs() if inputs is None else inputs
@@ -96,11 +96,11 @@ def judged() -> Callable[..., CaseResult]:
 
 @pytest.fixture(scope="session")
 def of_paper(judged) -> Callable[[Case], CaseResult]:
-    """The same on the paper's inputs, judged once: for tests that break nothing."""
+    """Function: case judged once on the inputs of the paper, for tests that change nothing."""
     return cache(judged)
 
 
 @pytest.fixture(scope="session")
 def red() -> Callable[[CaseResult], list[Row]]:
-    """The rows of a result that failed."""
+    """Function: failed rows of a judged case."""
     return lambda result: [row for row in result.rows if row.status is Status.FAIL]

@@ -1,4 +1,4 @@
-"""The directive `console`: runs commands of `freewheel` when the pages are built, prints output.
+"""The directive `console`: runs commands of `freewheel` during the build and prints the output.
 
     ```{console}
     :lines: 4
@@ -6,8 +6,8 @@
     freewheel check sprag.toml
     ```
 
-The commands of a page run in a common folder, which is empty first. `lines` limits the number of
-lines of each output.
+All commands of a page run in one folder, which is empty at the beginning. `lines` limits the
+number of lines of each output.
 """
 
 import contextlib

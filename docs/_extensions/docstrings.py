@@ -1,4 +1,4 @@
-"""Converts docstrings for Sphinx: types in signatures as in the source, and plain text marked up.
+"""Converts docstrings for Sphinx: marks up plain text, and keeps the types of signatures.
 
 The docstrings are written for `help()`. Parts that reStructuredText would misread are marked up
 here: absolute values |x|, indented lines of code or tables, a plural ending after a code word.
@@ -76,7 +76,7 @@ def with_items(lines: list[str]) -> list[str]:
 
 
 def with_examples(lines: list[str]) -> list[str]:
-    """Adds a heading before a doctest that follows sections, so that it is not part of the last."""
+    """Adds a heading before a doctest that follows sections; it separates doctest and section."""
     first = next((n for n, line in enumerate(lines) if line.startswith(">>>")), None)
     before = lines[:first]
     sections = any(set(line) == {"-"} for line in before if line)

@@ -1,4 +1,4 @@
-"""Equations drawn by the typesetter of the reports when the pages are built: no script, no font.
+"""Draws equations during the build with the typesetter of the reports, without script or font.
 
 `reports.equations` draws an equation as SVG in the colour of the text.
 """
@@ -26,13 +26,13 @@ def setup(app: Any) -> dict[str, bool]:
 
 
 def inline(translator: Any, node: Any) -> None:
-    """An equation in a line of text."""
+    """Write an equation within a line of text."""
     translator.body.append(_asked(translator, node))
     raise SkipNode
 
 
 def display(translator: Any, node: Any) -> None:
-    """An equation on a separate line; on a narrow page, it can be scrolled."""
+    """Write an equation on a separate line; on a narrow page, it can be scrolled."""
     translator.body.append(f'<div class="equation" tabindex="0">{_asked(translator, node)}</div>')
     raise SkipNode
 

@@ -57,7 +57,7 @@ def hoop_stresses() -> list[float]:
 
 
 def kinds() -> plt.Figure:
-    """Permitted intervals of the difference of formula and reference for three kinds of checks."""
+    """Figure: intervals for the difference between formula and reference, for three checks."""
     figure, axes = plt.subplots(3, 1, figsize=(7, 3.6), layout="constrained")
     rows = (
         ("identity: within the expanded uncertainty", (-0.4, 0.4), 0.15, 0.0),
@@ -75,7 +75,7 @@ def kinds() -> plt.Figure:
 
 
 def tolerances() -> plt.Figure:
-    """A value over the mesh size with the numerical uncertainty from its three finest meshes."""
+    """Figure: a value over the mesh size, with its numerical uncertainty."""
     values, sizes = hoop_stresses(), [1 / refine for refine in REFINE]
     exact = float(stresses(RING["r_i"], **RING, p_i=PRESSURE)[1])
     figure, axis = plt.subplots(figsize=(7, 3.4), layout="constrained")
@@ -94,7 +94,7 @@ def tolerances() -> plt.Figure:
 
 
 def detection() -> plt.Figure:
-    """Status of a row over the error put into its formula, and its detection limit."""
+    """Figure: status of a row over the error of its formula, and the detection limit."""
     values = hoop_stresses()
     exact = float(stresses(RING["r_i"], **RING, p_i=PRESSURE)[1])
     found = grid_convergence([1 / r for r in REFINE], values, formal=ORDER, scale=exact)
@@ -122,7 +122,7 @@ def detection() -> plt.Figure:
 
 
 def verdicts() -> plt.Figure:
-    """Number of formulas with each verdict of record."""
+    """Figure: number of formulas with each verdict of record."""
     record = json.loads((ROOT / "verify" / "measured" / "verdicts.json").read_text("utf-8"))
     counts = Counter(entry["verdict"] for entry in record).most_common()[::-1]
     figure, axis = plt.subplots(figsize=(7, 3.2), layout="constrained")

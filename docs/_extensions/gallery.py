@@ -1,4 +1,4 @@
-"""The gallery: runs each script of examples/gallery; its page has code, output and picture."""
+"""The gallery: runs each script of examples/gallery, and writes code, output and picture."""
 
 import ast
 import os
@@ -59,7 +59,7 @@ def run(script: Path) -> str:
 
 
 def page(script: Path, printed: str) -> str:
-    """Write the page of a script; returns its card."""
+    """Write the page of a script; returns the card of the script for the first page."""
     source = script.read_text("utf-8")
     node = ast.parse(source)
     text = ast.get_docstring(node) or ""

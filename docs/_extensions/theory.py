@@ -1,6 +1,6 @@
 """Equations of the theory pages, from the ledgers of the papers and the code of the cases.
 
-Each equation is stated as printed, with its errata, the corrected form and the verdict of record.
+Each equation is stated as printed, with its errata, its corrected form and its verdict.
 The equations of a case are those that its formulas compute.
 """
 

@@ -1,4 +1,4 @@
-"""A judged run of one case of each subject for the report tests, with special texts; and of all."""
+"""Reports for the tests: one case of each subject, all cases, and reports with special texts."""
 
 import json
 import re
@@ -32,20 +32,20 @@ PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.9
 
 @pytest.fixture(scope="session")
 def report(of_paper) -> Report:
-    """A case of each subject and a map; tests of every case take `whole`."""
+    """Report with a case of each subject and a map; tests of every case use `whole`."""
     cases = [find(name) for name in SOME]
     return make_report([of_paper(c) for c in cases], cases, 1.0)
 
 
 @pytest.fixture(scope="session")
 def whole(of_paper) -> Report:
-    """Every case of the suite."""
+    """Report with every case of the suite."""
     return make_report([of_paper(c) for c in CASES], CASES, 1.0)
 
 
 @pytest.fixture(scope="session")
 def hostile(report) -> Report:
-    """The same report with markup in every text that a user may bring, and one row per status."""
+    """Report with markup in every text that a user can write, and with one row for each status."""
     first, *others = report.cases
     rows = tuple(
         Row(case=first.id, quantity=f"{status} {HOSTILE}", symbol="<b>_x", unit="mm",
@@ -62,25 +62,25 @@ def hostile(report) -> Report:
 
 @pytest.fixture(scope="session")
 def recorded(report) -> Report:
-    """The report with the verdicts of record."""
+    """Report with the verdicts of record."""
     return replace(report, verdicts=kept())
 
 
 @pytest.fixture(scope="session")
 def drawn(report) -> dict:
-    """The pictures of its cases."""
+    """Pictures of the cases of `report`."""
     return frames(report.cases, default_folder())
 
 
 @pytest.fixture(scope="session")
 def text(report, drawn) -> str:
-    """It on one page."""
+    """HTML of `report` on one page."""
     return page(report, drawn)
 
 
 @pytest.fixture(scope="session")
 def explored(recorded) -> Report:
-    """It with one stored point that has no answer."""
+    """Report with the verdicts of record and one stored point without an answer."""
     case, quantity, n = LOST
 
     def without(values, lost):
@@ -99,13 +99,13 @@ def explored(recorded) -> Report:
 
 @pytest.fixture(scope="session")
 def made(explored) -> dict[str, str]:
-    """Its pages by their paths."""
+    """HTML pages of `explored` by their paths."""
     return pages(explored, {})
 
 
 @pytest.fixture(scope="session")
 def folder(made, tmp_path_factory) -> Path:
-    """The pages as files, as a report has them."""
+    """Folder with the pages of `explored` as files."""
     place = tmp_path_factory.mktemp("pages")
     for name, html in made.items():
         (place / name).parent.mkdir(exist_ok=True)
@@ -115,7 +115,7 @@ def folder(made, tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="session")
 def wordy(of_paper) -> Report:
-    """One case with long names, values of another method, every status and printed powers."""
+    """Report of one case: long names, values of a second method, every status, printed powers."""
     result = of_paper(CASES[0])
     row = next(row for row in result.rows if row.grid is not None)
     other = replace(
@@ -136,12 +136,12 @@ def alone(wordy) -> Report:
 
 @pytest.fixture(scope="session")
 def schema() -> dict:
-    """That of results.json."""
+    """JSON schema of results.json."""
     return json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
 
 
 def first_of(report: Report, count: int) -> Report:
-    """A report of its first cases alone."""
+    """Report with the first `count` cases only."""
     cases = report.cases[:count]
     names = {case.id for case in cases}
     return replace(
@@ -152,15 +152,15 @@ def first_of(report: Report, count: int) -> Report:
 
 
 def section(report: Report, name: str) -> str:
-    """The section of the report's page with this id."""
+    """HTML of the section with the id `name` on the page of the report."""
     return page(report, {}).partition(f'<section id="{name}">')[2].partition("</section>")[0]
 
 
 def sheets_of(paper: bytes) -> int:
-    """How many pages a PDF has."""
+    """Number of pages of a PDF."""
     return int(re.search(rb"/Type/Pages/Count (\d+)", paper)[1])
 
 
 def said(runs) -> str:
-    """The words of a cell of the PDF, without its marks."""
+    """Words in a cell of the PDF, without markup."""
     return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)

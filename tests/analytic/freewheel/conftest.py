@@ -12,14 +12,14 @@ PARTS = {"roller": STEEL, "inner": STEEL, "outer": STEEL}
 
 @pytest.fixture
 def star():
-    """R = 16.5, r = 2.5 mm, alpha_0 = 3.5 deg, eight rollers of 10 mm."""
+    """Clutch with R = 16.5 mm, r = 2.5 mm, alpha_0 = 3.5 deg and eight rollers, 10 mm long."""
     cam = InnerCam(R=16.5e-3, r=2.5e-3, X=11.39565e-3, z=8)
     return RollerClutch(cam=cam, L=10e-3, r_b=7.5e-3, R_a=21e-3, **PARTS)
 
 
 @pytest.fixture
 def cup():
-    """Shaft of 10 mm, rollers of 2 mm, alpha_0 = 4 deg, in a cup of 20 mm."""
+    """Cup clutch [mm]: shaft of 10, rollers of 2, cup of 20; alpha_0 = 4 deg."""
     cam = OuterCam(R_s=10e-3, r=2e-3, X_o=12e-3 * np.cos(np.radians(8)) + 2e-3, z=8)
     return RollerClutch(cam=cam, L=10e-3, r_b=0.0, R_a=20e-3, **PARTS)
 

@@ -1,4 +1,4 @@
-"""The clutch of Huang 2018, Table 1; values missing in the paper are set to round numbers."""
+"""Clutch of Huang 2018, Table 1; values that the paper does not print are set to round numbers."""
 
 from dataclasses import replace
 
@@ -39,7 +39,7 @@ def plane_clutch(parts):
 
 @pytest.fixture
 def motion():
-    """Inertias, energizing springs, damping of Table 1; k_out, friction and alpha_max assumed."""
+    """Motion: inertias, springs, damping of Table 1; k_out, friction, alpha_max are assumed."""
     return Motion(
         m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
         k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,
@@ -53,7 +53,7 @@ def table(clutch):
 
 @pytest.fixture
 def engaged(table, motion):
-    """An engagement under a torque [N m], with another motion where keywords give one."""
+    """Function: engagement under a torque [N m]; keywords change the motion."""
 
     def run(torque, *, duration=0.01, dt=1e-5, D_V=None, speeds=None, guard=True, **other):
         return engage(
@@ -67,7 +67,7 @@ def engaged(table, motion):
 
 @pytest.fixture
 def by_events(clutch, motion):
-    """The same by events, to 40 kN."""
+    """Engagement integrated with event location, for forces up to 40 kN."""
 
     def run(torque, *, duration=0.009, speeds=None, unlimited=False, **other):
         states = wedged(clutch, 40e3 * np.linspace(0, 1, 4001) ** 2)

@@ -1,4 +1,4 @@
-"""Cases judged with their stored references while a formula has another reading."""
+"""Fixtures that judge cases with stored references while a formula is changed."""
 
 import pytest
 
@@ -9,7 +9,7 @@ from verify.form.memoised import forget_memoised
 
 @pytest.fixture
 def broken(monkeypatch):
-    """Replace an attribute by what `fault` makes of it; functions forget what they have found."""
+    """Function: replace an attribute by the result of `fault`, and empty the caches."""
 
     def replace(owner, name, fault):
         monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
@@ -22,7 +22,7 @@ def broken(monkeypatch):
 
 @pytest.fixture
 def fails(broken):
-    """Rows of a case that fail where an attribute is read in another sense."""
+    """Function: rows of a case that fail after an attribute is replaced."""
 
     def found(case, owner, name, fault, row):
         solved(case, case.inputs())  # with the right one: levels are stored

@@ -1,4 +1,4 @@
-"""A server of the page in a separate process, and a browser without a window."""
+"""Fixtures: server of the local page in a separate process, and a browser without a window."""
 
 import os
 import re
@@ -21,14 +21,14 @@ STARTED = 90.0  # s, on a machine that is busy
 
 
 def missing() -> str:
-    """Why there are no browser tests; "" where there are."""
+    """Reason why browser tests cannot run; "" if they can."""
     absent = [name for name in ("nicegui", "selenium") if find_spec(name) is None]
     absent += [str(path) for path in (CHROMIUM, DRIVER) if not path.exists()]
     return f"not installed: {', '.join(absent)}" if absent else ""
 
 
 class Server:
-    """`freewheel app` on a folder; `port` 0 is any that is free."""
+    """A process of `freewheel app` on a folder; `port` 0 selects a free port."""
 
     def __init__(self, folder: Path, port: int = 0) -> None:
         self.folder, self.log = folder, folder / ".log"
@@ -51,11 +51,11 @@ class Server:
 
     @property
     def text(self) -> str:
-        """What it has printed."""
+        """Text that the server has printed."""
         return self.log.read_text("utf-8")
 
     def end(self) -> int:
-        """Its exit status after Ctrl-C."""
+        """Exit status of the server after Ctrl-C."""
         self.process.send_signal(signal.SIGINT)
         return self.process.wait(30)
 

@@ -1,4 +1,4 @@
-"""Rows as evidence."""
+"""Fixture: rows that are evidence for verdicts."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from verify.core.results import Kind, Row, Status
 
 @pytest.fixture
 def row():
-    """A row of a case with an error and its expanded uncertainty, relative."""
+    """Function: row of a case with a relative error and its relative expanded uncertainty."""
 
     def made(quantity, error, U=0.0, *, case="ring-lame", **changes):
         given = {
