@@ -34,7 +34,7 @@ r_min = 30 / np.pi
 print("forward critical speeds by transfer matrices", *(f"{n:.0f}" for n in reference), "r/min")
 crossings = diagram.crossings() * r_min
 nearest = [crossings[np.abs(crossings - n).argmin()] for n in reference]
-print("forward critical speeds by beam elements", *(f"{n:.0f}" for n in nearest), "r/min")
+print("critical speeds from the diagram of beam elements", *(f"{n:.0f}" for n in nearest), "r/min")
 
 for branch, whirl in zip(diagram.frequencies.T, diagram.whirl[-1], strict=True):
     plt.plot(speeds * r_min, branch / (2 * np.pi), "-" if whirl > 0 else "--", color="C0")
