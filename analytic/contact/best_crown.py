@@ -1,13 +1,13 @@
-r"""The logarithmic crown with the lowest pressure under a load, among those with unloaded ends.
+r"""Optimal logarithmic crown: the lowest peak pressure among crowns with unloaded ends.
 
 At an end that carries load, the pressure has no maximum (`strips`), although few strips give one.
 Therefore, a crown is admissible only if the last strip at each end, whose width is about the
-half-width b, carries no load. (Contacts that end nearer to the end of the roller can have a peak
-that is lower by some per cent, but the least overload or tilt loads the end.) Differential
-evolution searches these crowns for the lowest peak; all contacts of a generation are solved at
-once. K_1, K_2 and z_m, in :math:`A_1 = W/(\pi l E^*)`, the unit of Lundberg's crown, have three
-digits. The optimum is flat: crowns that differ by tens of per cent in a parameter may differ by a
-tenth of a per cent in peak pressure.
+half-width b, carries no load. (A contact that ends nearer to the end of the roller can have a peak
+pressure that is lower by some per cent. But then, the slightest overload or tilt loads the end.)
+Differential evolution searches the admissible crowns for the lowest peak pressure; all contacts of
+a generation are solved at once. K_1, K_2 and z_m are rounded to three digits; z_m is in units of
+:math:`A_1 = W/(\pi l E^*)`, the factor of Lundberg's crown. The optimum is flat: a change of a
+parameter by tens of per cent may change the peak pressure by only a tenth of a per cent.
 """
 
 from dataclasses import dataclass
@@ -34,10 +34,10 @@ LOADED = 1e3  # beyond every peak over Hertz's pressure of a uniform load
 
 @dataclass(frozen=True)
 class BestCrown:
-    """K_1, K_2, z_m [length] of a crown designed for the load, and its peak pressure [stress].
+    """Parameters K_1, K_2, z_m [length] of an optimal crown, and its peak pressure [stress].
 
-    `free` states whether its ends are unloaded; if no crown has unloaded ends, it is the crown with
-    the least end load.
+    `free` states whether the ends are unloaded. If no crown has unloaded ends, the crown with the
+    lowest end load is given.
     """
 
     K_1: float
@@ -50,11 +50,12 @@ class BestCrown:
 def best_crown(
     *, load: float, length: float, R: float, E_star: float, tilt: ArrayLike = 0.0
 ) -> BestCrown:
-    """The crown for `load` of a roller of this length.
+    """Optimal crown of a roller for `load` [force].
 
-    `tilt` [rad] may be several angles: the highest peak of all counts, and every end. The range is
-    K_1 from 0.5 to 100, K_2 from 0.2, z_m from 2 to 300 A_1. ValueError for impossible inputs,
-    ArithmeticError if the strips fail.
+    If `tilt` [rad] contains several angles, the highest peak pressure of all angles is minimised,
+    and the ends must be unloaded at every angle. Search range: K_1 from 0.5 to 100, K_2 from 0.2 to
+    1, z_m from 2 to 300 A_1. Raises ValueError for invalid inputs and ArithmeticError if the strips
+    do not converge.
 
     >>> straight = best_crown(load=3407.0, length=9e-3, R=2.95e-3, E_star=113e9)
     >>> straight.free, bool(1.0 < straight.peak / 2.149e9 < 1.06)  # Hertz's of a uniform load
@@ -64,7 +65,7 @@ def best_crown(
     E_star = float(positive(E_star, "contact modulus", "Pa"))
     angles = finite(tilt, "tilt", "rad").ravel()
     if not angles.size:
-        raise ValueError("tilt must be one or more angles [rad], got none")
+        raise ValueError("tilt must contain at least one angle [rad], got none")
     b = np.sqrt(4 * load * float(positive(R, "relative radius", "m")) / (np.pi * E_star * length))
     y = slice_centres(length=length, slices=int(np.clip(round(length / b), *STRIPS)))
     lean = np.unique(np.abs(angles))[:, None] * y  # the crown is the same at both ends
@@ -97,12 +98,12 @@ def best_crown(
 
 
 def _hopeless(intermediate_result: OptimizeResult) -> bool:
-    """Whether no crown has unloaded ends yet: the search for the least end load stops early."""
+    """True if no crown has unloaded ends after PATIENCE generations: the search then stops."""
     return bool(intermediate_result.nit >= PATIENCE and intermediate_result.fun >= LOADED)
 
 
 def _rounded(values: Array) -> Array:
-    """To DIGITS significant digits, K_2 at most 1."""
+    """`values` rounded to DIGITS significant digits, with K_2 at most 1."""
     step = 10.0 ** (np.floor(np.log10(values)) - DIGITS + 1)
     found = np.round(values / step) * step
     found[1] = np.minimum(found[1], 1.0)

@@ -1,7 +1,7 @@
-r"""Bore of a ring under a line load, with a fixed rim: displacement of the bore.
+r"""Displacement of the bore of a ring with a fixed rim under a line load on the bore.
 
-A pressure cos(n theta) on the bore moves it outwards by U_n cos(n theta). In polar coordinates
-Navier's equations have for each n four solutions of powers of r, with
+A pressure cos(n theta) on the bore moves it outwards by U_n cos(n theta). In polar coordinates,
+Navier's equations have four solutions for each n, which are powers of r, with
 :math:`\kappa = (3 - \nu')/(1 + \nu')` (Kolosov's constant):
 
 .. math::
@@ -9,15 +9,16 @@ Navier's equations have for each n four solutions of powers of r, with
     (\kappa - n - 1,\ \kappa + n + 1)\, r^{n+1}, \quad (\kappa + n - 1,\ n - 1 - \kappa)\, r^{1-n}
 
 times cos and sin of n theta; for n = 1 the last is :math:`(2\kappa \ln r - 1, -2\kappa \ln r - 1)`.
-They meet the pressure and no shear at the bore, and no displacement at the rim. A line load P then
-presses the bore outwards, at the arc theta from it, by
+Their sum satisfies four conditions: the given pressure and zero shear at the bore, zero
+displacements at the rim. A line load P presses the bore outwards, at the angle theta from the load,
+by
 
 .. math:: u(\theta) = \frac{2P}{\pi E'}\left[-\ln\left(2 \sin\frac{\theta}{2}\right)
           + \sum_{n=0} \delta_n \cos n\theta\right], \qquad
           \delta_n = \frac{E' U_n}{2 r_i} - \frac{1}{n},
 
-half of U_0 counting for n = 0. The logarithm is the half plane's; under an elliptic pressure its
-mean over the contact is ln(2 r_i/a) + 1/2.
+where delta_0 contains half of U_0. The logarithm is the solution of the half plane; its mean over
+an elliptic pressure is ln(2 r_i/a) + 1/2.
 
 References
 ----------
@@ -36,27 +37,33 @@ TERMS = 4000  # the omitted part of the sum of delta_n, of the order 1/n², is b
 def approach_to_rim(
     *, P: float, a: float, r_i: float, r_o: float, E: float, nu: float, assumption: Assumption
 ) -> float:
-    r"""Approach [length] of the contact's middle on the bore and the ring's fixed rim.
+    r"""Approach [length] of the middle of the contact on the bore and the fixed rim of the ring.
 
     .. math:: \delta = \frac{2P}{\pi E'}\left[\ln\frac{2 r_i}{a} + \frac{1}{2}
               + \sum_n \delta_n\right]
 
-    for an elliptic pressure over the half-width a; what it leaves out is of (a/r_i)² and of
-    (a/(r_o - r_i))² against the bracket, and of a/r_i times what curvature couples.
+    for an elliptic pressure over the half-width a. The relative errors are of the order of (a/r_i)²
+    and (a/(r_o - r_i))². The coupling of normal and tangential displacements by the curvature
+    causes an error of the order a/r_i.
     """
     for value, what in ((P, "load per length"), (a, "half-width")):
         positive(value, what, "N/m" if what.startswith("load") else "m")
     E_plane, nu_plane = (float(v) for v in in_plane(positive(E, "modulus", "Pa"), nu, assumption))
     if not 0 < r_i < r_o < np.inf:
-        raise ValueError(f"a race needs 0 < r_i < r_o, got r_i={r_i} m, r_o={r_o} m")
+        raise ValueError(
+            f"radii of a race must satisfy 0 < r_i < r_o, got r_i={r_i} m, r_o={r_o} m"
+        )
     if not a < min(r_i, r_o - r_i):
-        raise ValueError(f"the half-width must be below bore and wall, got a={a} m, r_i={r_i} m")
+        raise ValueError(
+            f"the half-width must be below the bore radius and the wall thickness, got a={a} m, "
+            f"r_i={r_i} m"
+        )
     bracket = np.log(2 * r_i / a) + 0.5 + _constant(r_o / r_i, nu_plane)
     return float(2 * P / (np.pi * E_plane) * bracket)
 
 
 def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -> float:
-    """The sum of delta_n (no unit), the effect of the fixed rim on the approach.
+    """Sum of delta_n (no unit): effect of the fixed rim on the approach.
 
     >>> round(rim_constant(r_i=1.0, r_o=1.4, nu=0.3, assumption="plane strain"), 3)
     -1.493
@@ -67,7 +74,7 @@ def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -
 
 @cache
 def _constant(ratio: float, nu: float) -> float:
-    """The sum of delta_n, with a remainder that decreases as 1/n²."""
+    """Sum of delta_n; the remainder of the series decreases as 1/n² and is estimated."""
     n = np.arange(2, TERMS + 1, dtype=np.float64)
     delta = np.concatenate([[_first(ratio, nu) - 1], _higher(n, ratio, nu) - 1 / n])
     tail = delta[-1] * TERMS  # sum of c/n² beyond n is c/n
@@ -75,14 +82,14 @@ def _constant(ratio: float, nu: float) -> float:
 
 
 def _uniform(ratio: float, nu: float) -> float:
-    """E' U_0/(2 r_i): Lamé's bore under uniform pressure."""
+    """Dimensionless displacement E' U_0/(2 r_i) of the bore under uniform pressure (Lamé)."""
     # u = A (r - ratio²/r), without movement at the rim, in units of r_i
     A = -(1 - nu**2) / ((1 + nu) + (1 - nu) * ratio**2)
     return float((A - A * ratio**2) / 2)
 
 
 def _first(ratio: float, nu: float) -> float:
-    """E' U_1/(2 r_i); one of the solutions contains the logarithm of r."""
+    """Dimensionless displacement E' U_1/(2 r_i); one of the four solutions contains ln r."""
     k = (3 - nu) / (1 + nu)
 
     def solutions(r: float) -> tuple[Array, Array, Array, Array]:
@@ -102,7 +109,7 @@ def _first(ratio: float, nu: float) -> float:
 
 
 def _higher(n: Array, ratio: float, nu: float) -> Array:
-    """E' U_n/(2 r_i) for n >= 2; growing powers are scaled to 1 at the rim."""
+    """Dimensionless displacements E' U_n/(2 r_i), n >= 2; growing powers are 1 at the rim."""
     k, one = (3 - nu) / (1 + nu), np.ones(n.size)
     # solution by solution: U, V at r = 1 and exponents
     U = np.array([one, one, k - n - 1, k + n - 1])

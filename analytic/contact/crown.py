@@ -1,4 +1,4 @@
-r"""Crowns of rollers: drop of the profile towards the ends.
+r"""Crowns of rollers: drop of the profile from mid-length towards the ends.
 
 A long contact under a uniform load per length W/l indents, away from its ends, by
 :math:`\frac{W}{\pi l E^*}\ln[1 - (2y/l)^2]` more than in the middle. A crown of that shape
@@ -12,8 +12,8 @@ and a drop z_m at the end:
     t = \max\left(0,\ \frac{|y| - l/2}{K_2\, l/2} + 1\right)
 
 y runs along the axis from mid-length, |y| <= l/2. Any consistent units. E* is the contact modulus
-of `hertz_line`; for steel on steel the paper's E' is 2 E*. The paper's Eq. 1 prints t without its
-maximum and y without its bars: beyond the straight part the two ends then differ.
+of `hertz_line`; for steel on steel the paper's E' is 2 E*. Eq. 1 of the paper prints t without the
+maximum and y without the absolute value: the profiles of the two ends then differ.
 
 References
 ----------
@@ -35,9 +35,9 @@ END = np.exp(-0.5) / 2  # Johns and Gohar print 0.3033
 
 
 def slice_centres(*, length: float, slices: int) -> Array:
-    """Axial positions (slices,) [length] of the centres of equal slices, from mid-length.
+    """Axial positions [length] of the centres of equal slices from mid-length, shape (slices,).
 
-    ValueError without a slice, or unless length > 0.
+    Raises ValueError if slices < 1 or length <= 0.
 
     >>> slice_centres(length=8.0, slices=4).tolist()
     [-3.0, -1.0, 1.0, 3.0]
@@ -48,7 +48,7 @@ def slice_centres(*, length: float, slices: int) -> Array:
 
 
 def lundberg(y: ArrayLike, *, load: ArrayLike, length: ArrayLike, E_star: ArrayLike) -> Array:
-    r"""Drop [length] for a uniform pressure under `load`; infinite at the ends.
+    r"""Drop [length] of Lundberg's crown, for uniform pressure under `load`; infinite at the ends.
 
     .. math:: z = \frac{W}{\pi l E^*} \ln\frac{1}{1 - (2y/l)^2}
 
@@ -68,15 +68,15 @@ def johns_gohar(
     half_width: ArrayLike,
     E_star: ArrayLike,
 ) -> Array:
-    r"""Lundberg's drop [length], finite at the ends; `half_width` b is Hertz's under `load`.
+    r"""Drop [length] of Johns and Gohar's crown; `half_width` b is Hertz's under `load`.
 
     .. math:: z = \frac{W}{\pi l E^*}
         \ln\frac{1}{1 - \left(1 - \frac{0.3033\, b}{l/2}\right)(2y/l)^2}
 
-    The constant is :math:`1/(2\sqrt e)`: under a uniform load with Hertz's ellipse across, the
-    middle of a long contact sinks by :math:`2\ln(2l/b) + 1` and its end by
-    :math:`\ln(4l/b) + 1/2`, in units of :math:`W/(\pi l E^*)`. At the end z is that difference,
-    :math:`\ln(l/b) + 1/2`. ValueError unless b < l.
+    The constant is :math:`1/(2\sqrt e)`: under a uniform line load with Hertz's ellipse across, the
+    indentation of a long contact is :math:`2\ln(2l/b) + 1` in the middle and
+    :math:`\ln(4l/b) + 1/2` at the end, in units of :math:`W/(\pi l E^*)`. The drop at the end is
+    the difference of both, :math:`\ln(l/b) + 1/2`. Raises ValueError unless b < l.
 
     >>> middle, end = johns_gohar([0.0, 1.0], load=np.pi, length=2.0, half_width=0.1, E_star=0.5)
     >>> abs(float(middle)), round(float(end - np.log(20)), 12)
@@ -84,7 +84,7 @@ def johns_gohar(
     """
     b, length = positive(half_width, "half-width", "m"), positive(length, "length", "m")
     if not np.all(b < length):
-        raise ValueError(f"half-width must be below the length, got b={b} m, l={length} m")
+        raise ValueError(f"half-width must be less than the length, got b={b} m, l={length} m")
     t, A = _position(y, length), _scale(load, length, E_star)
     return np.asarray(-A * np.log1p(-(1 - END * 2 * b / length) * t**2))
 
@@ -99,11 +99,11 @@ def logarithmic(
     length: ArrayLike,
     E_star: ArrayLike,
 ) -> Array:
-    r"""Drop [length] of the crown with three parameters (Eq. 1, corrected); z_m at the ends.
+    r"""Drop [length] of the crown with three parameters (Eq. 1, corrected).
 
-    K_1 multiplies the design load Q = `load`, K_2 in (0, 1] is the crowned part of the length, z_m
-    [length] the drop at the ends. With K_1 = K_2 = 1 and infinite z_m it is Lundberg's crown; with
-    z_m much below A it is the parabola :math:`z_m t^2`.
+    K_1 multiplies the design load Q = `load`, K_2 in (0, 1] is the crowned fraction of the length,
+    z_m [length] is the drop at the ends. K_1 = K_2 = 1 and infinite z_m give Lundberg's crown; if
+    z_m is much smaller than A, the crown is the parabola :math:`z_m t^2`.
 
     >>> A = {"K_1": 1.0, "load": np.pi, "length": 2.0, "E_star": 0.5}  # A = 1
     >>> z = logarithmic([0.25, -0.75, 1.0], K_2=0.5, z_m=np.log(2), **A)  # t = 0, 1/2, 1
@@ -123,7 +123,7 @@ def logarithmic(
 
 
 def straight_length(*, K_2: ArrayLike, length: ArrayLike) -> Array:
-    """Length of the straight middle of `logarithmic`: (1 - K_2) l, independent of z_m.
+    """Length of the straight middle part of the `logarithmic` crown: (1 - K_2) l for every z_m.
 
     >>> float(straight_length(K_2=0.75, length=8.0))
     2.0
@@ -132,7 +132,7 @@ def straight_length(*, K_2: ArrayLike, length: ArrayLike) -> Array:
 
 
 def _position(y: ArrayLike, length: ArrayLike) -> Array:
-    """2|y|/l; ValueError beyond the ends, except for rounding."""
+    """Dimensionless position 2|y|/l; raises ValueError beyond the ends, except for rounding."""
     y, length = finite(y, "position", "m"), positive(length, "length", "m")
     t = 2 * np.abs(y) / length
     if not np.all(t <= 1 + 1e-12):
@@ -148,5 +148,5 @@ def _scale(load: ArrayLike, length: ArrayLike, E_star: ArrayLike) -> Array:
 def _crowned_part(K_2: ArrayLike) -> Array:
     K_2 = np.asarray(K_2, dtype=np.float64)
     if not np.all((K_2 > 0) & (K_2 <= 1)):
-        raise ValueError(f"K_2, the crowned part of the length, must lie in (0, 1], got {K_2}")
+        raise ValueError(f"K_2, the crowned fraction of the length, must lie in (0, 1], got {K_2}")
     return K_2

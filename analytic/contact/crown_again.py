@@ -1,7 +1,7 @@
-"""Crowns of rollers in a second implementation, for references that are independent.
+"""Crowns of rollers: second implementation, for references that are independent of `crown`.
 
-Same as in `crown`, with other symbols: E' for 2 E*, the half-length as a
-unit, and logarithms of products. Any consistent units.
+The formulas are those of `crown` with other symbols: E' = 2 E*, the half-length as the unit of
+length, and logarithms of products. Any consistent units.
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ Gap = Callable[[Array], Array]  # height over the race at places y from mid-leng
 def logarithmic(
     *, K_1: float, K_2: float, z_m: float, load: float, length: float, E_star: float
 ) -> Gap:
-    """Fujiwara's crown with its bracket cut off at zero, for both ends: A = 2 K_1 Q/(pi l E')."""
+    """Fujiwara's crown with A = 2 K_1 Q/(pi l E'); its bracket is limited to [0, 1]."""
     A = 2 * K_1 * load / (np.pi * length * 2 * E_star)
 
     def drop(y: Array) -> Array:
@@ -28,7 +28,7 @@ def logarithmic(
 
 
 def lundberg(*, load: float, length: float, E_star: float) -> Gap:
-    """Lundberg's crown, for a uniform load: (F/(pi l E*)) ln 1/((1 - s)(1 + s))."""
+    """Lundberg's crown (F/(pi l E*)) ln 1/((1 - s)(1 + s)), for a uniform line load."""
 
     def drop(y: Array) -> Array:
         s = y / (length / 2)
@@ -38,7 +38,7 @@ def lundberg(*, load: float, length: float, E_star: float) -> Gap:
 
 
 def johns_gohar(*, load: float, length: float, half_width: float, E_star: float) -> Gap:
-    """Johns and Gohar's crown with the constant that they print, 0.3033 of 2b/l."""
+    """Johns and Gohar's crown with their printed constant 0.3033, the factor of 2b/l."""
     left = 1 - 0.3033 * 2 * half_width / length
 
     def drop(y: Array) -> Array:

@@ -1,14 +1,14 @@
-"""Mean of the logarithmic crown (Eq. 1) over a length, and its sensitivity to the drop at the ends.
+"""Mean of the logarithmic crown (Eq. 1) over the length, and its sensitivity to the end drop.
 
-A is the depth 2 K_1 Q/(pi l E') [length], K_2 the crowned share of the length, z_m the drop at the
-ends; lengths in any one unit.
+A is the depth 2 K_1 Q/(pi l E') [length], K_2 the crowned fraction of the length, z_m the drop at
+the ends. All lengths have the same unit.
 """
 
 import numpy as np
 
 
 def mean_drop(A: float, K_2: float, z_m: float) -> float:
-    r"""Mean of Eq. 1 over the length [m]: all that is taken off, over length and width.
+    r"""Mean drop [length] of Eq. 1 over the length of the roller.
 
     .. math:: \bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}\right],
         \qquad c = 1 - e^{-z_m/A}
@@ -21,7 +21,7 @@ def mean_drop(A: float, K_2: float, z_m: float) -> float:
 
 
 def z_m_share(A: float, z_m: float) -> float:
-    r"""Relative increase of the mean drop per relative increase of z_m; K_1 causes the rest.
+    r"""Relative increase of the mean drop per relative increase of z_m (no unit).
 
     .. math:: \frac{z_m}{\bar z}\frac{\partial\bar z}{\partial z_m}, \qquad
         \frac{\partial\bar z}{\partial z_m}
@@ -36,6 +36,6 @@ def z_m_share(A: float, z_m: float) -> float:
 
 
 def _around(c: float, m: float) -> float:
-    """artanh(√c)/√c of c = 1 - exp(-m), which is 1 in floats long before the artanh is infinite."""
+    """artanh(√c)/√c of c = 1 - exp(-m), accurate also where c rounds to 1."""
     root = np.sqrt(c)
     return float((np.log1p(root) + m / 2) / root)  # 1 - c = exp(-m)

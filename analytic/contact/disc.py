@@ -1,27 +1,30 @@
 r"""Disc pressed between two rigid, frictionless, parallel flats, without Hertz's simplifications.
 
-Two unit forces that press the ends of the vertical chord at x' move the upper rim, by the complex
-potentials of a disc under boundary forces (Muskhelishvili), upwards by 2/(pi E') times the
-logarithm of the distances from the forces, nearer over farther, plus yy'/R². Shared with the mirror
-chord at -x', the half plane's kernel comes out and an analytic rest:
+Two unit forces press the ends of the vertical chord at x'. By the complex potentials of a disc
+under boundary forces (Muskhelishvili), the upper rim moves upwards by 2/(pi E') times the sum of
+yy'/R² and ln(d_1/d_2); d_1 and d_2 are the distances from the nearer and the more distant force.
+The mean of this and of the displacement by the mirror chord at -x' is the kernel of the half plane
+plus an analytic remainder:
 
 .. math::
     k(x, x') = \frac{2}{\pi E'}\left[\ln|x - x'| - \ln(y + y') + \frac{y y'}{R^2}\right],
     \qquad y = \sqrt{R^2 - x^2}
 
 Poisson's ratio has an effect only through E'. The flats act along y only: the rim is in contact
-where its height after loading equals that of the flat; with the pressure q per unit length of the
-flat
+where its height after loading equals the height of the flat. With the pressure q per unit length of
+the flat, this condition is
 
 .. math:: y(x) + \int_{-a}^{a} k(x, x')\, q(x')\, dx' = R - \delta, \qquad |x| \le a.
 
-q = sqrt(1 - s²) sum b_k U_2k(s), s = x/a, vanishes at the edges and makes the logarithm's part
-algebraic; the rest of the kernel is analytic, so the series converges geometrically, with the ratio
-:math:`(R/a + \sqrt{R^2/a^2 - 1})^{-2}`. Exact within linear elasticity on the undeformed circle.
+The series q = sqrt(1 - s²) sum b_k U_2k(s), s = x/a, vanishes at the edges, and the integral of the
+logarithm becomes algebraic. The remainder of the kernel is analytic. Therefore, the series
+converges geometrically with the ratio :math:`(R/a + \sqrt{R^2/a^2 - 1})^{-2}`. The solution is
+exact within linear elasticity on the undeformed circle.
 
-The solution is also valid for a column of equal discs, whose common planes are flats by symmetry.
-It is not valid for a disc with another support than an opposite contact (a rigid core, a support
-distributed over the opposite side), which changes the leading order of the correction to Hertz.
+The solution is also valid for a column of equal discs, which touch along flat planes by symmetry.
+It is not valid for a disc with a support other than an opposite contact (a rigid core, a support
+distributed over the opposite side). Such a support changes the leading order of the correction to
+Hertz.
 
 References
 ----------
@@ -43,7 +46,7 @@ WIDEST = 0.9  # a/R up to which the last of 40 terms is round-off
 
 @dataclass(frozen=True)
 class PressedDisc:
-    """Solution for one load: lengths, load per length and stresses in the caller's units."""
+    """Solution for a disc between flats under one load, in the caller's units."""
 
     R: float
     a: float
@@ -56,14 +59,16 @@ class PressedDisc:
     def moment_width(self) -> float:
         """Half-width [length] 2 sqrt(int q x² / int q) from the moments of the pressure.
 
-        It is a for Hertz's pressure; here it exceeds a by 1/16 (a/R)² of it, as q is flatter.
+        For Hertz's pressure it equals a. For the disc it is larger by the fraction 1/16 (a/R)², as
+        the pressure distribution is flatter.
         """
         return float(self.a * np.sqrt(1 + self.coefficients[1] / self.coefficients[0]))
 
     def pressure(self, x: ArrayLike) -> Array:
-        """Force on the flat per its unit length [stress]; 0 beyond the contact.
+        """Contact pressure [stress]: force per unit length of the flat; 0 outside the contact.
 
-        Per unit length of the circle it is sqrt(1 - x²/R²) times that, the same at the middle.
+        The force per unit length of the circle is sqrt(1 - x²/R²) times this pressure; both are
+        equal in the middle.
         """
         s = finite(x, "position", "m") / self.a
         turn = np.arccos(np.clip(s, -1, 1))[..., None]
@@ -72,7 +77,7 @@ class PressedDisc:
 
 
 def disc_in_contact(*, a: float, R: float, E_plane: float) -> PressedDisc:
-    """Disc of radius R and modulus E' flattened over the half-width a, at most 0.9 R.
+    """Disc of radius R and modulus E' with a contact of half-width a, at most 0.9 R.
 
     E' = `E_plane` is E in plane stress, E/(1 - nu²) in plane strain.
 
@@ -129,7 +134,7 @@ def _check(R: float, E_plane: float) -> None:
 
 
 def _solve(ratio: float) -> tuple[Array, float]:
-    """Coefficients over E' a/R and approach over a²/R, by collocation at Chebyshev points."""
+    """Coefficients divided by E' a/R and approach divided by a²/R, by Chebyshev collocation."""
     s = np.cos((2 * np.arange(TERMS + 1) + 1) * np.pi / (4 * (TERMS + 1)))
     y = np.sqrt(1 - (ratio * s) ** 2)
     rows = np.ones((TERMS + 1, TERMS + 1))  # the last column: the flat's approach
@@ -139,7 +144,7 @@ def _solve(ratio: float) -> tuple[Array, float]:
 
 
 def _logarithm(s: Array, ratio: float) -> Array:
-    """Integrals of ln(a/R |s - t|) sqrt(1 - t²) U_2k(t) over (-1, 1); shaped (points, terms)."""
+    """Integrals of ln(a/R |s - t|) sqrt(1 - t²) U_2k(t) over (-1, 1), shape (points, terms)."""
     n = 2 * np.arange(1, TERMS)
     turn = np.arccos(s)[:, None]
     first = np.pi / 2 * (np.log(ratio) - np.log(2) + np.cos(2 * turn) / 2)
@@ -147,7 +152,7 @@ def _logarithm(s: Array, ratio: float) -> Array:
 
 
 def _smooth(y: Array, ratio: float) -> Array:
-    """Integrals of the analytic rest of the kernel, by Gauss-Chebyshev points of second kind."""
+    """Integrals of the analytic remainder of the kernel, by Gauss-Chebyshev quadrature."""
     count = 4 * TERMS
     turn = np.arange(1, count + 1) * np.pi / (count + 1)
     y_t = np.sqrt(1 - (ratio * np.cos(turn)) ** 2)

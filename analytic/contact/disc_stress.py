@@ -1,8 +1,9 @@
 r"""Stresses on the axis of a disc pressed between two rigid flats.
 
-Two opposite forces at the ends of a chord of half-length y' leave in the disc their two radial
-(Flamant) fields and a uniform tension that frees the rim; integrated over the pressure of `disc`,
-with h the heights below the upper and above the lower contact, on the axis x = 0
+Two opposite forces at the ends of a chord of half-length y' cause two radial (Flamant) stress
+fields and a uniform tension, so that the rim is free of stress. These stresses are integrated over
+the pressure of `disc`. With the heights h below the upper and above the lower contact, the stresses
+on the axis x = 0 are
 
 .. math::
     \sigma_x = \int\left[\frac{y'}{\pi R^2} - \frac{2}{\pi}\sum_h
@@ -27,10 +28,11 @@ POINTS = 600
 
 
 def axis_stresses(z: ArrayLike, *, disc: PressedDisc) -> tuple[Array, Array]:
-    """sigma_x across and sigma_y along the load [stress] at depths z below the contact's middle.
+    """Stresses [stress] sigma_x across and sigma_y along the load at depths z on the axis.
 
-    z from 0.1 a to the centre R; tension is positive. Depths nearer to the surface need more
-    points than are taken, and are refused.
+    z is measured from the middle of the contact and must lie between 0.1 a and R (the centre).
+    Tension is positive. Depths below 0.1 a raise ValueError, because the fixed number of points is
+    not sufficient there.
 
     >>> from analytic.contact.disc import disc_in_contact
     >>> disc = disc_in_contact(a=1e-3, R=1.0, E_plane=1.0)
@@ -41,7 +43,7 @@ def axis_stresses(z: ArrayLike, *, disc: PressedDisc) -> tuple[Array, Array]:
     z = positive(z, "depth", "m")
     if not np.all((z >= 0.1 * disc.a) & (z <= disc.R)):
         raise ValueError(
-            f"depths may reach from 0.1 a to R, got z={z} m with a={disc.a:g} m, R={disc.R:g} m"
+            f"depth z must lie between 0.1 a and R, got z={z} m with a={disc.a:g} m, R={disc.R:g} m"
         )
     turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
     x = disc.a * np.cos(turn)

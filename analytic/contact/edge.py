@@ -1,11 +1,12 @@
 r"""Singularity of the pressure at a free edge that presses on a flat of the same material.
 
-Near the end face of a roller without crown, on a race that goes on, the section along the axis is
-a right angle on a half-plane, without friction. Stresses go as :math:`r^{\lambda-1}` with the
-lambda in (0, 1) for which both bodies, free of tractions but for equal pressures, open by equal
-amounts (Williams' eigenfunctions). For the right angle :math:`\lambda - 1 = -0.226`; a half-space
-that goes on beyond the end, too, has :math:`-1/2`. Only the angle is relevant: both bodies being of
-one material, their moduli cancel.
+Consider the axial section at the end face of a roller without crown, on a race that continues
+beyond the end: a right-angled corner on a half-plane, without friction. The stresses are
+proportional to :math:`r^{\lambda-1}`. The exponent lambda in (0, 1) follows from the condition that
+both faces have equal pressures and equal displacements (Williams' eigenfunctions). For the right
+angle, :math:`\lambda - 1 = -0.226`; if the roller also continues as a half-space, it is
+:math:`-1/2`. The exponent depends only on the angle: the moduli cancel, because both bodies have
+the same material.
 
 References
 ----------
@@ -24,15 +25,15 @@ HALF_PLANE = np.pi
 
 
 def edge_exponent(angle: float) -> float:
-    """Exponent lambda - 1 of r in the pressure of an edge of this `angle` [rad], pi/2 or more.
+    """Exponent lambda - 1 of r in the pressure near an edge with this `angle` [rad], at least pi/2.
 
-    ValueError outside [pi/2, pi).
+    Raises ValueError outside [pi/2, pi).
 
     >>> round(edge_exponent(np.pi / 2), 3)
     -0.226
     """
     if not np.pi / 2 <= angle < HALF_PLANE:
-        raise ValueError(f"the edge's angle must lie in [pi/2, pi), got {angle} rad")
+        raise ValueError(f"the angle of the edge must lie in [pi/2, pi), got {angle} rad")
 
     def gap(p: float) -> float:
         return _opening(p, angle) + _opening(p, HALF_PLANE)
@@ -41,11 +42,11 @@ def edge_exponent(angle: float) -> float:
 
 
 def _opening(p: float, angle: float) -> float:
-    r"""Displacement of a wedge's loaded face, away from it, for r^(p - 1) of unit pressure.
+    r"""Outward displacement of the loaded face of a wedge under the pressure r^(p - 1).
 
-    Airy's function :math:`r^{p+1}[c_1\cos(p+1)t + c_2\sin(p+1)t + c_3\cos(p-1)t +
-    c_4\sin(p-1)t]`, loaded at t = 0 and free at t = angle. On the face only the parts with
-    :math:`\kappa + 1` move it along its normal: :math:`c_4` alone, the shear being zero.
+    Airy's function :math:`r^{p+1}[c_1\cos(p+1)t + c_2\sin(p+1)t + c_3\cos(p-1)t + c_4\sin(p-1)t]`,
+    is loaded at t = 0 and free at t = angle. Only the terms with :math:`\kappa + 1` cause a normal
+    displacement of the face. As the shear stress is zero, only :math:`c_4` remains.
     """
     rows: list[Array] = []
     for t in (0.0, angle):

@@ -1,15 +1,16 @@
 r"""Frictionless normal contact of half-spaces with any gap between them, by boundary elements.
 
-Pressure is uniform in each of nx by ny equal cells; the displacement of their centres is Love's
-(`love`), summed by fast transforms (`half_space_convolution`); the unilateral conditions hold to
-the tolerance (`half_space_cg`). E* is the contact modulus of both bodies together. Any consistent
-units.
+The pressure is uniform in each of nx by ny equal cells. The displacements of the cell centres are
+Love's (`love`), summed by fast transforms (`half_space_convolution`). The unilateral contact
+conditions are met to the tolerance (`half_space_cg`). E* is the contact modulus of both bodies. Any
+consistent units.
 
-Range: small strain, contact much smaller than the bodies, no free edge near it. Each cell is either
-inside or outside of the contact, so that its rim is stepped. The mean-square error of pressures is
-of the order of the cell's relative size; the error of peak and approach of a round contact is of
-the order of its square. A singular pressure (the rim of a punch, the end of a roller without crown)
-has no finite peak: the computed value increases as 1/sqrt(cell).
+Range: small strain, contact area much smaller than the bodies, no free edge near the contact. Each
+cell is either inside or outside of the contact, so that the boundary of the contact is stepped. The
+mean-square error of the pressures is of the order of the relative cell size; the errors of the peak
+pressure and the approach of a circular contact are of the order of its square. A singular pressure
+(the rim of a punch, the end of a roller without crown) has no finite peak: the computed value
+increases as 1/sqrt(cell).
 
 References
 ----------
@@ -33,11 +34,11 @@ MIRROR = 1e-13  # share of the gap's range: allowed difference of its halves as 
 
 
 class HalfSpace:
-    """Grid of `shape` = (nx, ny) cells `cell` = (hx, hy) and its influence, for many contacts."""
+    """Grid of `shape` = (nx, ny) cells `cell` = (hx, hy), with influence coefficients for reuse."""
 
     def __init__(self, shape: tuple[int, int], *, cell: tuple[float, float], E_star: float) -> None:
         if np.shape(cell) != (2,):
-            raise ValueError(f"a cell has two sides hx, hy, got {cell} m")
+            raise ValueError(f"a cell must have two sides hx, hy, got {cell} m")
         sides = positive(cell, "sides of a cell", "m")
         self.shape = whole_counts(shape)
         self.cell = float(sides[0]), float(sides[1])
@@ -54,12 +55,12 @@ class HalfSpace:
         tolerance: float = TOLERANCE,
         limit: int = LIMIT,
     ) -> HalfSpaceContact:
-        """Contact under either `load` or `approach`, with the `gap` (nx, ny) before it.
+        """Contact of the initial `gap` (nx, ny) under either `load` or `approach`.
 
-        `start` is an estimate of the pressure. If the gap is symmetric about the middle of an even
-        number of cells, so is the pressure, and half of the grid is solved. An approach without
-        contact gives zero load. Raises ArithmeticError if `limit` iterations leave a residual above
-        `tolerance`.
+        `start` is an estimate of the pressures. If the gap is symmetric about the middle of an even
+        number of cells, the pressure is symmetric, too, and only half of the grid is solved. If the
+        bodies do not touch at the given approach, the load is zero. Raises ArithmeticError if the
+        residual exceeds `tolerance` after `limit` iterations.
         """
         gap = _field(gap, self.shape, "gap", "m")
         load, approach = _one_of(load, approach)
@@ -87,7 +88,7 @@ class HalfSpace:
     def press_each(
         self, gap: ArrayLike, loads: Iterable[float], **how: Any
     ) -> list[HalfSpaceContact]:
-        """A contact for each of `loads`, each starting from the one before."""
+        """Contacts for all `loads`; the initial pressures are those of the previous load."""
         found: list[HalfSpaceContact] = []
         for load in loads:
             start = found[-1].pressure if found else None
@@ -95,7 +96,7 @@ class HalfSpace:
         return found
 
     def influence(self, gap: Array) -> Convolution:
-        """The influence, on half of the grid if `gap` is symmetric; computed once."""
+        """Influence coefficients, on half of the grid if `gap` is symmetric; computed once."""
         near = MIRROR * np.ptp(gap)
         mirrored = tuple(
             n % 2 == 0 and bool(np.abs(gap - np.flip(gap, axis)).max() <= near)
@@ -118,7 +119,7 @@ def press_half_space(
     approach: float | None = None,
     **how: Any,
 ) -> HalfSpaceContact:
-    """One contact with the `gap` (nx, ny) before it; see `HalfSpace.press` for the result.
+    """Contact of the initial `gap` (nx, ny); `HalfSpace.press` describes arguments and result.
 
     >>> one = press_half_space([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
     >>> bool(np.isclose(one.approach, np.log(1 + np.sqrt(2))))  # Love's 4 h asinh(1) / (pi E*)
@@ -136,28 +137,35 @@ press = press_half_space  # its name in version 0.1
 
 
 def whole_counts(shape: tuple[int, int]) -> tuple[int, int]:
-    """`shape` of a grid; ValueError unless two whole numbers from 1."""
+    """`shape` of a grid as two integers; raises ValueError unless both are integers >= 1."""
     if len(shape) != 2 or not all(isinstance(n, int | np.integer) and n > 0 for n in shape):
-        raise ValueError(f"a grid has nx by ny cells, whole numbers from 1, got {shape}")
+        raise ValueError(
+            f"a grid must have nx by ny cells, two integers of at least 1, got {shape}"
+        )
     return int(shape[0]), int(shape[1])
 
 
 def _field(values: ArrayLike, shape: tuple[int, int], what: str, unit: str) -> Array:
     if np.shape(values) != shape:
-        raise ValueError(f"{what} needs one value per cell, {shape}, got shape {np.shape(values)}")
+        raise ValueError(
+            f"{what} must have one value per cell, {shape}, got shape {np.shape(values)}"
+        )
     return finite(values, what, unit)
 
 
 def _one_of(load: float | None, approach: float | None) -> tuple[float | None, float | None]:
     if (load is None) == (approach is None):
-        raise ValueError(f"give either load or approach, got load={load} N, approach={approach} m")
+        raise ValueError(
+            f"exactly one of load and approach must be given, got load={load} N, "
+            f"approach={approach} m"
+        )
     if load is not None:
         return float(positive(load, "load", "N")), None
     return None, float(finite(approach if approach is not None else 0.0, "approach", "m"))
 
 
 def _first(K: Convolution, gap: Array, approach: float | None) -> Array:
-    """Initial pressures: uniform, or those of independent cells with this overlap."""
+    """Initial pressures: uniform, or the pressures of independent cells with this overlap."""
     if approach is None:
         return np.ones_like(gap)
     return np.asarray(np.maximum(K.precondition(np.maximum(approach - gap, 0.0)), 0.0))

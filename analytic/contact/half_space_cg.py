@@ -1,12 +1,12 @@
-r"""Pressures that are never negative and leave no overlap, by preconditioned conjugate gradients.
+r"""Contact pressures without tension and overlap, by preconditioned conjugate gradients.
 
 .. math::
     p \ge 0, \qquad g = Kp + z - \delta \ge 0, \qquad p\,g = 0
 
-with K from `half_space_convolution`; either the approach δ or the sum of p is given. Cells carry
-where p > 0; others join as soon as they overlap. Steps run to the minimum along their direction
-and what would pull there is cut to zero; with the sum given, everything stays on the plane of that
-sum and δ is the mean of Kp + z over the cells that carry.
+with K from `half_space_convolution`. Either the approach δ or the sum of p is given. Cells with
+p > 0 carry load; other cells are added as soon as they overlap. Each step moves to the minimum
+along the search direction; negative pressures are then set to zero. If the sum of p is given,
+every step conserves the sum, and δ is the mean of Kp + z over the loaded cells.
 
 References
 ----------
@@ -27,7 +27,10 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, kw_only=True)
 class Pressed:
-    """Pressures and displacements of the solved part; residual: the largest wrong gap over u."""
+    """Pressures and displacements of the solved part of the grid.
+
+    `residual` is the largest violation of the gap condition, relative to the largest displacement.
+    """
 
     pressure: Array
     displacement: Array
@@ -38,7 +41,7 @@ class Pressed:
 
 @dataclass
 class _State:
-    """Fields between two steps."""
+    """Fields of the iteration between two steps."""
 
     pressure: Array
     displacement: Array
@@ -58,9 +61,9 @@ def solve(
     tolerance: float,
     limit: int,
 ) -> Pressed:
-    """Pressures for the `gap` with a given `total`, the sum of the pressures, or `approach`.
+    """Pressures for the `gap`, with a given sum of the pressures (`total`) or a given `approach`.
 
-    Raises ArithmeticError if `limit` iterations leave more than the `tolerance`.
+    Raises ArithmeticError if the residual exceeds `tolerance` after `limit` iterations.
     """
     pressure = _kept(start, total)
     now = _State(pressure, K.displacement(pressure), pressure > 0, np.zeros_like(gap))
@@ -81,13 +84,13 @@ def solve(
             )  # fmt: skip
         _step(K, now, overlap, free, total)
     raise ArithmeticError(
-        f"half-space contact does not converge: residual {residual:.1e} of the displacement "
+        f"the half-space contact did not converge: residual {residual:.1e} of the displacement "
         f"after {limit} iterations, required {tolerance:.1e}"
     )
 
 
 def _step(K: Convolution, now: _State, overlap: Array, free: Mask, total: float | None) -> None:
-    """One step of `now` towards less overlap on the cells that are `free`."""
+    """Change `now` by one step that reduces the overlap on the cells that are `free`."""
     downhill = _balanced(overlap, free, total)
     conditioned = _balanced(K.precondition(downhill), free, total)
     direction = conditioned
@@ -110,7 +113,7 @@ def _step(K: Convolution, now: _State, overlap: Array, free: Mask, total: float 
 
 
 def _balanced(values: Array, free: Mask, total: float | None) -> Array:
-    """`values` on the free cells; with the total given, so that they add up to nothing."""
+    """`values` on the free cells; if `total` is given, reduced by their mean to a zero sum."""
     values = values * free
     if total is not None:
         values -= free * (values.sum() / np.count_nonzero(free))
@@ -118,6 +121,6 @@ def _balanced(values: Array, free: Mask, total: float | None) -> Array:
 
 
 def _kept(pressure: Array, total: float | None) -> Array:
-    """`pressure` without tension, scaled to the given total."""
+    """`pressure` without negative values, scaled to the given total."""
     pressure = np.maximum(pressure, 0.0)
     return pressure if total is None else pressure * (total / pressure.sum())

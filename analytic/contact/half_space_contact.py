@@ -10,10 +10,11 @@ from analytic.contact.checks import Array
 
 @dataclass(frozen=True, kw_only=True)
 class HalfSpaceContact:
-    """Fields (nx, ny) over the cells; x and y from the middle of the grid.
+    """Fields (nx, ny) over the cells of a solved contact; x, y from the middle of the grid.
 
-    `displacement` is the sum for both bodies, `gap` the remaining distance; residual: the largest
-    gap at cells with pressure or overlap at cells without pressure, over the largest displacement.
+    `displacement` is the sum of the displacements of both bodies, `gap` the remaining distance.
+    `residual` is the largest violation of the contact conditions, relative to the largest
+    displacement: a gap in a loaded cell or an overlap in an unloaded cell.
     """
 
     pressure: Array
@@ -26,17 +27,17 @@ class HalfSpaceContact:
 
     @property
     def x(self) -> Array:
-        """Centres (nx,) of the cells [length]."""
+        """Positions x [length] of the cell centres, shape (nx,)."""
         return centres(self.pressure.shape[0], self.cell[0])
 
     @property
     def y(self) -> Array:
-        """Centres (ny,) of the cells [length]."""
+        """Positions y [length] of the cell centres, shape (ny,)."""
         return centres(self.pressure.shape[1], self.cell[1])
 
     @property
     def carries(self) -> NDArray[np.bool_]:
-        """Cells (nx, ny) in contact."""
+        """True for cells in contact, shape (nx, ny)."""
         return self.pressure > 0
 
     @property
@@ -62,12 +63,12 @@ class HalfSpaceContact:
 
     @property
     def complementarity(self) -> float:
-        """Integral of pressure times the remaining gap, over load times displacement."""
+        """Integral of pressure times remaining gap, divided by load times largest displacement."""
         scale = self.load * float(self.displacement.max())
         work = float(np.vdot(self.pressure, np.abs(self.gap)) * self.area)
         return work / scale if scale > 0 else 0.0
 
 
 def centres(n: int, side: float) -> Array:
-    """Centres (n,) of equal cells in a row, from the middle of the row."""
+    """Positions of the centres of n equal cells in a row, from the middle of the row."""
     return np.asarray((np.arange(n) - (n - 1) / 2) * side, dtype=np.float64)

@@ -1,14 +1,16 @@
-"""Displacements of a half-space's cells from their pressures, and an approximate inverse of that.
+"""Displacements of the cells of a half-space under given pressures, and an approximate inverse.
 
-On a grid of equal cells, the influence depends on the distance only: it is a convolution, computed
-by fast transforms over a grid padded with as many zeros, so that it is not periodic. If pressures
-are symmetric about the middle of an even number of cells, cosines over one half replace
-exponentials over the whole. Workers of the transforms: `scipy.fft.set_workers`.
+On a grid of equal cells, the influence depends only on the distance between cells. The
+displacements are a convolution, computed by fast Fourier transforms. Zeros double the size of the
+grid, so that the result is not periodic. If the pressures are symmetric about the middle of an even
+number of cells, cosine transforms of one half replace Fourier transforms of the whole.
+`scipy.fft.set_workers` sets the number of threads.
 
 References
 ----------
 .. [1] S. Liu, Q. Wang, G. Liu, Wear 243 (2000) 101-111: convolution by padded transforms.
-.. [2] E. A. H. Vollebregt, J. Optim. Theory Appl. 162 (2014) 931-953: transforms to precondition.
+.. [2] E. A. H. Vollebregt, J. Optim. Theory Appl. 162 (2014) 931-953: preconditioning by
+transforms.
 """
 
 import numpy as np
@@ -23,7 +25,10 @@ Spectrum = NDArray[np.float64] | NDArray[np.complex128]
 
 
 class Convolution:
-    """Cells `shape`, half of them along an axis that is `mirrored` (True: even count needed)."""
+    """Influence of a grid of `shape` cells; half of the cells along each `mirrored` axis.
+
+    A mirrored axis must have an even number of cells.
+    """
 
     def __init__(
         self,
@@ -45,15 +50,15 @@ class Convolution:
         return self._filter(pressure, 2, self._symbol)
 
     def precondition(self, displacement: Array) -> Array:
-        """Approximate pressures [stress] for `displacement`, as if both were periodic; definite."""
+        """Approximate pressures [stress] for a periodic `displacement`; positive definite."""
         return self._filter(displacement, 1, self._inverse)
 
     def half(self, field: Array) -> Array:
-        """The solved part of a complete field."""
+        """Solved part of a field that covers the whole grid."""
         return field[tuple(np.s_[n // 2 :] if m else np.s_[:] for n, m in self._axes())]
 
     def whole(self, field: Array) -> Array:
-        """The complete field from its solved part."""
+        """Field on the whole grid, from its solved part."""
         for axis, (_, mirrored) in enumerate(self._axes()):
             if mirrored:
                 field = np.concatenate([np.flip(field, axis), field], axis)
@@ -63,7 +68,7 @@ class Convolution:
         return list(zip(self.shape, self.mirrored, strict=True))
 
     def _arranged(self, kernel: Array) -> Array:
-        """Transform of a kernel at frequencies 0 to half a period, in the order of the fields."""
+        """Transform of a kernel, with its frequencies in the order of the transformed fields."""
         x, y = (n - 1 for n in kernel.shape)
         if self.mirrored[1]:
             kernel = kernel[:, :y]
@@ -74,7 +79,7 @@ class Convolution:
         return np.ascontiguousarray(kernel)
 
     def _filter(self, field: Array, periods: int, symbol: Array) -> Array:
-        """`field`, padded to `periods`, with each frequency times its `symbol`."""
+        """`field` after padding to `periods`, transform, product with `symbol`, inverse."""
         order = sorted((1, 0), key=lambda axis: not self.mirrored[axis])
         now: Spectrum = field
         for axis in order:  # zeros are padded axis by axis: what is nothing is not transformed
@@ -97,5 +102,5 @@ class Convolution:
 
 
 def _fast(n: int) -> int:
-    """The next even size with fast transforms."""
+    """Smallest even size of at least n with fast transforms."""
     return 2 * int(fft.next_fast_len(-(-n // 2), real=True))

@@ -1,7 +1,7 @@
-"""Evaluation of a roller on a half-space independent of its cells, and a grid for this.
+"""Cell-independent results of a roller on a half-space, and a suitable grid.
 
-The pressure of a loaded end has no limit. Therefore, the largest pressure outside the end zones d
-is evaluated, and the load of the end zones.
+The pressure at a loaded end is unbounded. Therefore, the results are the largest pressure outside
+the end zones of length d and the load of the end zones.
 """
 
 import math
@@ -21,7 +21,7 @@ NEAR = 0.7  # part of the half-width for the fit of p² over x², which gives p 
 
 @dataclass(frozen=True, kw_only=True)
 class Ridge:
-    """A roller of relative radius R pressed on a half-space by `load`; d: length of end zones.
+    """Roller of relative radius R pressed on a half-space by `load`, with end zones of length d.
 
     Any consistent units.
     """
@@ -34,7 +34,7 @@ class Ridge:
 
     @property
     def pressure(self) -> Array:
-        """Pressure at x = 0 along the roller (ny,) [stress]: p² is a line over x² there."""
+        """Pressure [stress] at x = 0 along the roller, (ny,), from a fit of p² linear in x²."""
         field, x = self.contact.contact.pressure, self.contact.contact.x
         b = np.maximum(self.contact.half_width, 4 * self.contact.contact.cell[0])
         w = np.abs(x)[:, None] < NEAR * b
@@ -45,11 +45,12 @@ class Ridge:
 
     @property
     def values(self) -> dict[str, float]:
-        """Values independent of the cells, and "p_largest", which depends on them.
+        """Results that do not depend on the cells, and "p_largest", which depends on them.
 
-        Pressures p_max beyond d, p_mid, p_top and p_d of the mean load within d of the more loaded
-        end; line load q_mid, half-width b_mid; approach delta, loads F_low, F_high, F_d of the
-        ends, tilting moment M, and the load's `balance`.
+        Pressures: p_max outside the end zones d, p_mid at mid-length, p_top anywhere, p_d for the
+        mean load within d of the more loaded end. Line load q_mid and half-width b_mid at
+        mid-length, approach delta, loads F_low, F_high, F_d of the end zones (both together),
+        tilting moment M, and `balance`, the error of the load.
         """
         found, ridge = self.contact, self.pressure
         limits = np.array([-1.0, 1.0]) * self.inner(self.d)
@@ -74,19 +75,19 @@ class Ridge:
 
     @property
     def unevenness(self) -> float:
-        """Share of the load that would have to move for the line load to be even.
+        """Fraction of the load that must be redistributed to make the line load uniform.
 
-        It has neither a peak nor an effect of the mesh.
+        It depends neither on a peak value nor on the mesh.
         """
         line = self.contact.line_load
         return float(np.abs(line / line.mean() - 1).mean() / 2)
 
     def inner(self, end: float) -> float:
-        """Position [length] at the distance `end` from the end of the roller."""
+        """Position y [length] at the distance `end` from the end of the roller."""
         return self.contact.length / 2 - end
 
     def beyond(self, end: float) -> Array:
-        """Pressures at x = 0 of all positions outside the end zones `end`."""
+        """Pressures at x = 0 at all positions outside end zones of length `end`."""
         return np.asarray(self.pressure[np.abs(self.contact.y) <= self.inner(end)])
 
 
@@ -94,10 +95,11 @@ def press_ridge(
     crown: Callable[[Array], Array], *, across: int, along: int, load: float, R: float,
     length: float, E_star: float, d: float,
 ) -> Ridge:  # fmt: skip
-    """The contact on a grid with a line of cells along each edge of the contact at its middle.
+    """Contact on a grid with a line of cells along each edge of the contact at mid-length.
 
-    `across` is the number of cells on the half-width, `along` that on the roller, whose profile is
-    `crown`. A coarse solution gives the width of the contact.
+    `across` is the number of cells on the half-width, `along` the number of cells on the length of
+    the roller, `crown` the function of its profile. A coarse solution gives the width of the
+    contact.
     """
     roller: dict[str, Any] = {"crown": crown, "load": load, "R": R, "length": length,
                               "E_star": E_star}  # fmt: skip
@@ -115,7 +117,7 @@ def _middle(values: Array) -> Any:
 
 
 def _top(values: Array) -> float:
-    """Largest value, of the parabola through it and its neighbours."""
+    """Largest value, from the parabola through the largest element and its two neighbours."""
     i = int(np.argmax(values))
     if not 0 < i < len(values) - 1 or min(values[i - 1], values[i + 1]) <= 0:
         return float(values[i])

@@ -1,12 +1,12 @@
 r"""A roller of finite length on a half-space, by boundary elements (`half_space`).
 
-The gap is :math:`x^2/2R + z(y) + \theta y` with R the relative radius, z the crown and y from
-mid-length; pressure acts on |y| < l/2 alone, whereas the half-space goes on beyond the roller's
-ends. Any consistent units.
+The gap is :math:`x^2/2R + z(y) + \theta y` with the relative radius R, the crown z and y from
+mid-length. Pressure acts only on |y| < l/2, but the half-space continues beyond the ends of the
+roller. Any consistent units.
 
-Range: see `half_space`. Without a crown the pressure is singular at the ends: the largest one
-grows as 1/sqrt(cell) and means nothing without its cells; mid pressure, approach and the load in
-the last stretch (`end_load`) converge.
+Range: see `half_space`. Without a crown, the pressure is singular at the ends: the largest computed
+pressure increases as 1/sqrt(cell) and has no meaning without the cell size. The pressure at
+mid-length, the approach and the load of an end zone (`end_load`) converge.
 """
 
 from collections.abc import Callable
@@ -29,29 +29,29 @@ MOST = 40  # times that a patch is made wider
 
 @dataclass(frozen=True, kw_only=True)
 class RollerContact:
-    """Contact of a roller of `length` l; arrays are (ny,), a value a cell along the roller."""
+    """Contact of a roller of `length` l; arrays have one value per cell along the roller, (ny,)."""
 
     contact: HalfSpaceContact
     length: float
 
     @property
     def y(self) -> Array:
-        """Centres of the cells along the roller [length]."""
+        """Positions y [length] of the cell centres along the roller."""
         return self.contact.y
 
     @property
     def line_load(self) -> Array:
-        """Load per length q [force/length]."""
+        """Line load q [force/length] along the roller."""
         return np.asarray(self.contact.pressure.sum(axis=0) * self.contact.cell[0])
 
     @property
     def centre_pressure(self) -> Array:
-        """Pressure at x = 0; for an even number of cells, interpolated by an even parabola."""
+        """Pressure at x = 0; for an even number of cells, interpolated by an even parabola in x."""
         return _middle(self.contact.pressure)
 
     @property
     def half_width(self) -> Array:
-        """Half-width b [length] of the ellipse with the pressure's second moment across; or 0."""
+        """Half-width b [length] of the ellipse with equal second moment; 0 without load."""
         p, x = self.contact.pressure, self.contact.x[:, None]
         total = p.sum(axis=0)
         share = p / np.where(total > 0, total, 1.0)
@@ -69,10 +69,10 @@ class RollerContact:
         return float(self.centre_pressure.max())
 
     def end_load(self, stretch: float) -> tuple[float, float]:
-        """Loads [force] within `stretch` of the ends at -l/2 and l/2, of a cut cell its share."""
+        """Loads [force] within `stretch` of the ends -l/2, l/2; a cut cell counts partly."""
         stretch = float(positive(stretch, "stretch", "m"))
         if stretch > self.length:
-            raise ValueError(f"stretch must be at most the length {self.length} m, got {stretch} m")
+            raise ValueError(f"stretch must not exceed the length {self.length} m, got {stretch} m")
         force = self.line_load * self.contact.cell[1]
         cells = stretch / self.contact.cell[1]
         share = np.clip(cells - np.arange(force.size), 0.0, 1.0)
@@ -92,14 +92,13 @@ def press_roller(
     width: float | None = None,
     **how: Any,
 ) -> RollerContact:
-    """Contact of the roller under either `load` [force] or `approach` [length].
+    """Contact of a roller under either `load` [force] or `approach` [length].
 
-    `crown` is the profile z(y) [length], a function or its values at the cells (ny,) or a number;
-    `tilt` the angle θ [rad] about x. `width` [length] is the full width of the patch; without it a
-    coarse solution
-    finds it, so that a study of refinement should give one. A patch whose sides the contact
-    reaches is made wider. Further arguments: see `HalfSpace.press`.
-    ValueError unless R, length, E_star and load are positive.
+    `crown` is the profile z(y) [length]: a function, its values at the cells (ny,) or a number.
+    `tilt` is the angle θ [rad] about x. `width` [length] is the full width of the grid across the
+    roller. If it is omitted, a coarse solution gives it; a study of mesh refinement should set it.
+    A grid is widened if the contact reaches its sides. Other arguments: see `HalfSpace.press`.
+    Raises ValueError unless R, length, E_star and load are positive.
 
     >>> found = press_roller(R=1.0, length=100.0, E_star=np.pi, load=100.0, cells=(32, 64))
     >>> hertz = np.sqrt(found.line_load[32])  # sqrt(P E* / (pi R)) of the load in the middle
@@ -133,25 +132,30 @@ def press_roller(
 def _within(
     pressed: Callable[[int, float], HalfSpaceContact], across: int, patch: float
 ) -> HalfSpaceContact:
-    """The contact in a `patch`, which is widened until the contact does not reach its sides."""
+    """Contact on a grid of width `patch`, widened until the contact does not reach its sides."""
     patch = float(positive(patch, "width of the patch", "m"))
     for _ in range(MOST):
         found = pressed(across, patch)
         if across < 3 or not found.carries[[0, -1]].any():
             return found
         patch *= WIDER
-    raise ArithmeticError(f"contact reaches the sides of a patch {patch:.3g} m wide")
+    raise ArithmeticError(
+        f"the contact still reaches the sides of the grid at a width of {patch:.3g} m"
+    )
 
 
 def _profile(crown: Crown, y: Array, tilt: float) -> Array:
     heights = finite(crown(y) if callable(crown) else crown, "crown", "m")
     if heights.shape not in ((), y.shape):
-        raise ValueError(f"the crown needs a height a cell along, {y.shape}, got {heights.shape}")
+        raise ValueError(
+            f"the crown must have one height per cell along the roller, {y.shape}, got "
+            f"{heights.shape}"
+        )
     return np.asarray(np.broadcast_to(heights, y.shape) + tilt * y)
 
 
 def _middle(values: Array) -> Array:
-    """`values` (n, ...) halfway along their first axis; to fourth order in the cells."""
+    """Values (n, ...) interpolated to the middle of their first axis; error of fourth order."""
     n = len(values)
     if n % 2:
         return np.asarray(values[n // 2])

@@ -7,9 +7,9 @@ r"""Line contact of cylinders with parallel axes (Hertz).
 P is the load per unit length, R the relative radius, E* the contact modulus, which alone depends on
 whether the bodies are in plane strain (long) or plane stress (thin sheets). Any consistent units.
 
-Range: frictionless, small strain, a much smaller than every radius and than the bodies: each body
-is replaced by a half plane, each circle by a parabola. For a disc between flats `disc_series` says
-what that costs: 3/16 (a/R)² of p_0.
+Range: frictionless, small strain, a much smaller than every radius and than the bodies. Each body
+is replaced by a half plane, each circle by a parabola. For a disc between flats, the resulting
+error of p_0 is 3/16 (a/R)² (`disc_series`).
 
 References
 ----------
@@ -47,7 +47,7 @@ def peak_pressure(*, P: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Array:
 
 
 def pressure(x: ArrayLike, *, a: ArrayLike, p_0: ArrayLike) -> Array:
-    """Contact pressure [stress] at the distance x from the middle; 0 beyond the contact."""
+    """Contact pressure [stress] at the distance x from the middle; 0 outside the contact."""
     a, p_0 = positive(a, "half-width", "m"), positive(p_0, "peak pressure", "Pa")
     s = finite(x, "position", "m") / a
     return np.asarray(p_0 * np.sqrt(np.maximum(1 - s**2, 0.0)))

@@ -1,16 +1,17 @@
 r"""Approach of bodies in line contact.
 
-In the plane the displacement under a load grows with the logarithm of the distance, so that an
-approach is always one between the contact and a point that has to be named. Approaches are
-positive, of one body of modulus E and load P per unit length; approaches of two bodies add up.
+In plane problems, the displacement under a load increases with the logarithm of the distance.
+Therefore, an approach is defined only between the contact and a stated point. All approaches are
+positive and apply to one body with the modulus E under the load P per unit length. The approaches
+of two bodies are added.
 
 On the axis below an elliptic pressure, with S = sqrt(a² + z²),
 
 .. math:: \sigma_z = -\frac{p_0 a}{S}, \qquad
           \sigma_x = -\frac{p_0}{a}\left(S + \frac{z^2}{S} - 2z\right),
 
-whose strain :math:`(\sigma_z - \nu'\sigma_x)/E'` integrates in closed form. E' and nu' are E and nu
-in plane stress, :math:`E/(1-\nu^2)` and :math:`\nu/(1-\nu)` in plane strain.
+The integral of the strain :math:`(\sigma_z - \nu'\sigma_x)/E'` has a closed form. E' and nu' are E
+and nu in plane stress, :math:`E/(1-\nu^2)` and :math:`\nu/(1-\nu)` in plane strain.
 
 References
 ----------
@@ -32,9 +33,9 @@ def approach_to_depth(
     nu: ArrayLike,
     assumption: Assumption,
 ) -> Array:
-    r"""Approach [length] of the contact's middle and the point at the depth d below it.
+    r"""Approach [length] of the middle of the contact and the point at the depth d below it.
 
-    Of a half plane, exact for every d under an elliptic pressure:
+    The formula is exact for a half plane under an elliptic pressure at every d:
 
     .. math:: \delta = \frac{2P}{\pi E'}\left[\operatorname{arsinh}\frac{d}{a}
               - \nu'\,\frac{d}{d + \sqrt{a^2 + d^2}}\right]
@@ -58,7 +59,7 @@ def approach_to_far_depth(
     nu: ArrayLike,
     assumption: Assumption,
 ) -> Array:
-    r"""Limit of `approach_to_depth` for d much larger than a; its error is of (a/d)².
+    r"""Limit of `approach_to_depth` for d much larger than a; its error is of the order (a/d)².
 
     .. math:: \delta \to \frac{P}{\pi E'}\left[2\ln\frac{2d}{a} - \nu'\right]
     """
@@ -67,17 +68,17 @@ def approach_to_far_depth(
 
 
 def approach_to_centre(*, P: ArrayLike, a: ArrayLike, R: ArrayLike, E_plane: ArrayLike) -> Array:
-    r"""Approach [length] of contact and centre of a disc loaded at two opposite points.
+    r"""Approach [length] of the contact and the centre of a disc loaded at two opposite points.
 
     .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{4R}{a} - 1\right]
 
-    with E' = `E_plane`. Poisson's ratio enters through E' alone. What it leaves out is of (a/R)²
-    against the bracket: `disc_series.approach` has the next term, `disc` all of them.
+    with E' = `E_plane`. Poisson's ratio has an effect only through E'. The relative error is of the
+    order (a/R)²: `disc_series.approach` contains the next term, `disc` all terms.
     """
     P, E_plane = positive(P, "load per length", "N/m"), positive(E_plane, "modulus", "Pa")
     a, R = positive(a, "half-width", "m"), positive(R, "radius", "m")
     if not np.all(a < R):
-        raise ValueError(f"the half-width must be below the radius, got a={a} m, R={R} m")
+        raise ValueError(f"the half-width must be less than the radius, got a={a} m, R={R} m")
     return np.asarray(P / (np.pi * E_plane) * (2 * np.log(4 * R / a) - 1))
 
 

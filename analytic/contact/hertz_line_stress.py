@@ -12,8 +12,9 @@ the stresses are
     \sigma_z - \sigma_x + 2 i \tau_{xz} = -\frac{2 p_0 z}{a}
     \left(\mathrm{Im}\,\Phi' - i\,\mathrm{Re}\,\Phi'\right),
 
-which is McEwen's form (Johnson sec. 4.2, Eq. 4.49) without its cancellation far from the contact.
-x runs along the surface from the middle of the contact, z into the body; tension is positive.
+This is McEwen's solution (Johnson sec. 4.2, Eq. 4.49) without the cancellation error far from the
+contact. x runs along the surface from the middle of the contact, z into the body; tension is
+positive.
 
 References
 ----------
@@ -33,7 +34,7 @@ GOLDEN = (1 + np.sqrt(5)) / 2
 def stresses(
     x: ArrayLike, z: ArrayLike, *, a: ArrayLike, p_0: ArrayLike
 ) -> tuple[Array, Array, Array]:
-    """sigma_x, sigma_z and tau_xz [stress] at x and at the depth z; the same for both assumptions.
+    """Stresses sigma_x, sigma_z, tau_xz [stress] at x and depth z, in plane stress or plane strain.
 
     >>> sx, sz, _ = stresses(0.0, 0.75, a=1.0, p_0=1.0)  # sqrt(1 + z²) = 5/4
     >>> round(float(sx), 12), round(float(sz), 12)  # -(5/4 + 9/20 - 3/2), -1/(5/4)
@@ -59,7 +60,7 @@ def transverse_stress(
     nu: ArrayLike,
     assumption: Assumption,
 ) -> Array:
-    """sigma_y [stress] across the plane: nu (sigma_x + sigma_z) in plane strain, else 0."""
+    """Normal stress sigma_y out of the plane: nu (sigma_x + sigma_z) in plane strain, else 0."""
     in_plane(1.0, nu, assumption)
     sigma_x, sigma_z, _ = stresses(x, z, a=a, p_0=p_0)
     share = np.asarray(nu) if assumption == "plane strain" else 0.0
@@ -67,11 +68,11 @@ def transverse_stress(
 
 
 def largest_shear_stress(*, a: ArrayLike, p_0: ArrayLike) -> tuple[Array, Array]:
-    r"""Largest shear stress in the plane [stress] and its depth below the middle [length].
+    r"""Largest shear stress [stress] in the plane and its depth [length] below the middle.
 
-    On the axis :math:`\tau/p_0 = t - t^2/\sqrt{1 + t^2}` with t = z/a is stationary where
-    :math:`t^4 + t^2 = 1`, that is :math:`t = g^{-1/2}, \tau = g^{-5/2} p_0` with the golden ratio
-    g = 1.618...: 0.300 p_0 at 0.786 a.
+    On the axis, :math:`\tau/p_0 = t - t^2/\sqrt{1 + t^2}` with t = z/a. The maximum is at
+    :math:`t^4 + t^2 = 1`: :math:`t = g^{-1/2}, \tau = g^{-5/2} p_0` with the golden ratio g =
+    1.618, that is 0.300 p_0 at 0.786 a.
     """
     a, p_0 = positive(a, "half-width", "m"), positive(p_0, "peak pressure", "Pa")
     return p_0 * GOLDEN**-2.5, a * GOLDEN**-0.5

@@ -39,7 +39,7 @@ def peak_pressure(*, P: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Array:
 
 
 def approach(*, P: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Array:
-    """Approach delta [length] of points far from the contact (Eq. 4.23).
+    """Approach delta [length] of two points of the bodies far from the contact (Eq. 4.23).
 
     >>> float(approach(P=4.0, R=2.0, E_star=6.0))  # a²/R with a = 1
     0.5
@@ -60,7 +60,7 @@ def load(*, delta: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Array:
 
 
 def pressure(r: ArrayLike, *, a: ArrayLike, p_0: ArrayLike) -> Array:
-    """Contact pressure [stress] at the radius r; 0 beyond the contact."""
+    """Contact pressure [stress] at the radius r; 0 outside the contact."""
     a, p_0 = _contact(a, p_0)
     s = finite(r, "radius", "m") / a
     return np.asarray(p_0 * np.sqrt(np.maximum(1 - s**2, 0.0)))
@@ -90,7 +90,7 @@ def surface_displacement(
 def axis_stresses(
     z: ArrayLike, *, a: ArrayLike, p_0: ArrayLike, nu: ArrayLike
 ) -> tuple[Array, Array]:
-    """sigma_r (which is sigma_theta) and sigma_z [stress] on the axis at the depth z (sec. 3.4).
+    """Stresses sigma_r = sigma_theta and sigma_z [stress] on the axis at the depth z (sec. 3.4).
 
     >>> sigma_r, sigma_z = axis_stresses(0.0, a=1.0, p_0=1.0, nu=0.25)  # -(1 + 2 nu)/2, -1
     >>> float(sigma_r), float(sigma_z)
@@ -104,9 +104,9 @@ def axis_stresses(
 
 
 def largest_shear_stress(*, a: ArrayLike, p_0: ArrayLike, nu: float) -> tuple[Array, Array]:
-    """Largest shear stress on the axis [stress] and its depth [length].
+    """Largest shear stress [stress] on the axis and its depth [length], by numerical maximisation.
 
-    Found by maximisation; for nu = 0.3 it is 0.310 p_0 at 0.481 a. The depth is good to 1e-7 a.
+    For nu = 0.3, it is 0.310 p_0 at 0.481 a. The error of the depth is below 1e-7 a.
     """
     a, p_0 = _contact(a, p_0)
 

@@ -2,17 +2,18 @@ r"""Finite line contact as independent slices (Winkler), each with Palmgren's la
 
 .. math:: s\, q_k = \max(0,\ \delta - z_k)^{10/9}, \qquad \sum_k q_k = W
 
-z is the gap at the centre of each of n equal slices (crown, tilt and others, without the
-parabola across), q the slices' forces. Slices do not interact: the ends of a flat roller carry the
-same load as its middle, which is wrong; for a crowned roller the model is good and fast.
+z is the gap at the centre of each of n equal slices (from crown, tilt and form errors, without the
+parabola across), q is the force of each slice. The slices do not interact. For a roller without
+crown, the ends carry the same load as the middle, which is wrong; for a crowned roller, the model
+is accurate and fast.
 
-SI with the default compliance s, `palmgren.compliance`, under which a flat roller has Palmgren's
-approach; any consistent units with another s.
+The default compliance s, `palmgren.compliance`, gives Palmgren's approach for a roller without
+crown and requires SI units. With another s, any consistent units are valid.
 
 References
 ----------
 .. [1] T. A. Harris, M. N. Kotzalas, Rolling Bearing Analysis, 5th ed., CRC Press 2006, for this
-   model; second-hand.
+   model; cited from secondary sources.
 """
 
 import numpy as np
@@ -36,11 +37,12 @@ def press_laminae(
     approach: ArrayLike | None = None,
     compliance: ArrayLike | None = None,
 ) -> SlicedContact:
-    """A roller with `gap` [m], (..., n), pressed by `load` [N] or to `approach` [m], each (...).
+    """Contact of a roller with `gap` [m], (..., n), under `load` [N] or at `approach` [m].
 
-    `length` [m], relative radius R [m], contact modulus [Pa] and the slices' `compliance`
-    [m^(10/9)/N] are (...), too; the default, Palmgren's, requires SI units. An approach that
-    reaches nothing gives no force. ValueError for what makes no sense.
+    All other arguments have the shape (...): `length` [m], relative radius R [m], contact modulus
+    E_star [Pa] and the `compliance` of a slice [m^(10/9)/N]. The default compliance is Palmgren's
+    and requires SI units. If no slice touches at the given approach, all forces are zero. Raises
+    ValueError for invalid arguments.
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.0}
     >>> contact = press_laminae([0.0, 511.0, 600.0], approach=512.0, **roller)  # 2^9 - 511 = 1^9
@@ -68,10 +70,10 @@ press = press_laminae  # its name in version 0.1
 
 
 def _carry(gap: Array, total: Array) -> tuple[Array, Array]:
-    """max(0, delta - z)^(10/9) of each slice and the delta at which they sum up to `total`.
+    """max(0, delta - z)^(10/9) of each slice, and the delta for which their sum is `total`.
 
-    The norm h = (sum ...)^0.9 is convex and grows with delta, so Newton's steps from above never
-    pass the root; it is linear where all gaps are equal.
+    The function h = (sum ...)^0.9 is convex and increases with delta. Therefore, Newton's steps
+    from above never pass the root. If all gaps are equal, h is linear.
     """
     lowest = gap.min(axis=1)
     z, goal = gap - lowest[:, None], total**0.9
@@ -84,9 +86,11 @@ def _carry(gap: Array, total: Array) -> tuple[Array, Array]:
         if np.all(np.abs(step) <= TOLERANCE * delta):
             return under * root, lowest + delta
         delta -= step
-    raise ArithmeticError(f"the iteration for the approach did not converge in {ITERATIONS} steps")
+    raise ArithmeticError(
+        f"the approach for the given load did not converge in {ITERATIONS} iterations"
+    )
 
 
 def _root(u: Array) -> Array:
-    """u^(1/9), several times as fast as a power where u may be zero."""
+    """u^(1/9), computed several times faster than by a general power."""
     return np.asarray(np.cbrt(np.cbrt(u)))

@@ -10,7 +10,7 @@ from analytic.contact.press_fit import Wall
 
 @dataclass(frozen=True, kw_only=True)
 class LoadedWall:
-    """A `wall` under pressures [stress] in its bore and on its rim.
+    """A `wall` under pressures [stress] p_i in the bore and p_o on the rim.
 
     >>> shaft = Wall(r_i=0.0, r_o=1.0, E=2.0, nu=0.25)
     >>> loaded = LoadedWall(wall=shaft, p_i=0.0, p_o=1.0, assumption="plane stress")
@@ -25,7 +25,7 @@ class LoadedWall:
 
     @property
     def hoop_bore(self) -> float:
-        """Hoop stress [stress] at the bore; in the middle of a shaft."""
+        """Hoop stress [stress] at the bore; for a solid shaft, in its centre."""
         return float(self.stresses(self.wall.r_i)[1])
 
     @property
@@ -45,11 +45,11 @@ class LoadedWall:
 
     @property
     def strain_energy(self) -> float:
-        """Strain energy per length [stress x length²]."""
+        """Strain energy [stress x length²] per unit axial length."""
         return self.wall.strain_energy(p_i=self.p_i, p_o=self.p_o, assumption=self.assumption)
 
     def stresses(self, r: ArrayLike) -> tuple[Array, Array]:
-        """Radial and hoop stress [stress] at radii r."""
+        """Radial and hoop stress [stress] at the radii r."""
         return self.wall.stresses(r, p_i=self.p_i, p_o=self.p_o)
 
     def _displacement(self, r: float) -> float:

@@ -1,4 +1,4 @@
-r"""Influence of a uniformly loaded rectangle on the surface of a half-space (Love).
+r"""Displacement of the surface of a half-space by a uniformly loaded rectangle (Love).
 
 .. math::
     u(x, y) = \frac{1}{\pi E^*} \sum_{s, t = \pm 1} s\,t\,f(x + s a, y + t b), \qquad
@@ -25,7 +25,7 @@ GAUSS = ((-np.sqrt(0.6), 5 / 18), (0.0, 8 / 18), (np.sqrt(0.6), 5 / 18))
 def displacement(
     x: ArrayLike, y: ArrayLike, *, a: ArrayLike, b: ArrayLike, E_star: ArrayLike
 ) -> Array:
-    """Displacement [length] at (x, y) under unit pressure on the rectangle 2a by 2b at the origin.
+    """Displacement [length] at (x, y) under unit pressure on a rectangle 2a by 2b at the origin.
 
     >>> u = displacement(0.0, 0.0, a=1.0, b=1.0, E_star=8 / np.pi)  # 8 a asinh(1) / (pi E*)
     >>> bool(np.isclose(u, np.log(1 + np.sqrt(2))))
@@ -39,10 +39,11 @@ def displacement(
 
 
 def table(shape: tuple[int, int], *, cell: tuple[float, float], E_star: float) -> Array:
-    """Displacements `shape` of cell centres (i, j) cells away from a cell under unit pressure.
+    """Displacements at distances of (i, j) cells from a cell under unit pressure, shape `shape`.
 
-    The corners of neighbours are shared. Far away they cancel to `eps (distance / cell)²`, so that
-    Gauss' quadrature of 1/r takes over, 3 by 3 points, whose error falls with the distance.
+    Neighbouring cells share the values at their corners. At large distances, the difference of the
+    corner values has a rounding error of `eps (distance / cell)²`. Beyond FAR cells, Gauss'
+    quadrature of 1/r with 3 by 3 points is used, whose error decreases with the distance.
     """
     hx, hy = cell
     x, y = (np.arange(n) * h for n, h in zip(shape, cell, strict=True))

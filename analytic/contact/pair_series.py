@@ -1,36 +1,39 @@
-r"""First corrections to Hertz for two discs, each pressed from both sides, by asymptotic expansion.
+r"""First corrections to Hertz for two discs, each pressed from both sides (asymptotic expansion).
 
 Disc 1 lies above the contact, disc 2 below; R is the relative radius, s_i = E*/E_i' the share of
-each in the compliance. The deformed surfaces meet on a parabola of curvature
+disc i in the compliance. The deformed surfaces meet on a parabola of curvature
 
 .. math:: \kappa = \frac{s_2}{R_1} - \frac{s_1}{R_2},
 
-to which the pressure is normal. Each addition to the kernel :math:`2/(\pi E^*) \ln|x - x'|` or to
-the gap changes the profile :math:`x^2/(2R)` that Hertz's half planes see, to
-:math:`(1 + \alpha)\,x^2/(2R) + \gamma x^4`, which presses by
+to which the pressure is normal. Each correction of the kernel :math:`2/(\pi E^*) \ln|x - x'|` or of
+the gap changes the effective profile of Hertz's half planes from :math:`x^2/(2R)` to
+:math:`(1 + \alpha)\,x^2/(2R) + \gamma x^4`. The resulting peak pressure and half-width are
 
 .. math:: \frac{p_0}{p_H} = 1 + \frac{\alpha + \gamma R a^2}{2}, \qquad
           \frac{w}{a_H} = 1 - \frac{\alpha}{2} - \gamma R a^2,
 
-w being the half-width of the moments, 2 sqrt(int q x² / int q). Contributions to alpha, gamma R:
+where w = 2 sqrt(int q x² / int q) is the half-width from the moments of the pressure. Contributions
+to alpha and gamma R:
 
 - the discs, as in `disc_series`: :math:`a^2/4 \sum s_i/R_i^2` and :math:`R/8 \sum R_i^{-3}`;
-- along the inclined normal the gap is longer by kappa² x²: :math:`\kappa^2/2` to gamma R;
+- the gap along the inclined normal is longer by the fraction kappa² x²: it adds :math:`\kappa^2/2`
+  to gamma R;
 - the pressure's component along x, kappa x' q, moves the surfaces along x, which closes the gap
   by kappa x: kernel :math:`\kappa^2 x x' \ln|x - x'|`, hence :math:`\kappa^2 a^2`, -kappa²/3;
-- the load stretches disc i along x by :math:`2 P x/(\pi E_i' R_i)`, half by the curvature of its
-  rim, half by the load from the other side: :math:`-\kappa a^2 (s_1/R_1 - s_2/R_2)`;
-- normals link points at x_1 and :math:`x_2 = x_1 + \kappa x_1^3/(2R)`: with x halfway,
-  :math:`-\kappa^2/4` to the sum for p_0.
+- the load extends disc i along x by :math:`2 P x/(\pi E_i' R_i)`, one half by the curvature of its
+  rim, one half by the opposite load: :math:`-\kappa a^2 (s_1/R_1 - s_2/R_2)`;
+- normals connect points at x_1 and :math:`x_2 = x_1 + \kappa x_1^3/(2R)`: with x in the middle of
+  both, this adds :math:`-\kappa^2/4` to the sum for p_0.
 
-If the materials differ (Dundurs' beta), half planes couple both directions, too: the kernel
-:math:`\beta\kappa|x - x'|/E^*` acts at the first order,
+If the materials differ (Dundurs' beta), normal and tangential displacements are coupled already for
+half planes. The kernel :math:`\beta\kappa|x - x'|/E^*` then has effects of first order,
 
 .. math:: -\beta\kappa a\,\frac{2G - 1/3}{\pi} \text{ in } p_0, \qquad
           +\beta\kappa a\,\frac{64}{45\pi} \text{ in } w,
 
-with Catalan's constant G. Left out: (a/R)⁴ (of equal discs -0.057 in p_0 and 0.129 in w, by
-`disc`), (beta kappa a)² (the same kernel taken twice: 0.108 and 0.103), and beta kappa a (a/R)².
+with Catalan's constant G. Neglected terms: (a/R)⁴ (for equal discs with the factors -0.057 in p_0
+and 0.129 in w, from `disc`), (beta kappa a)² (second order of the same kernel, factors 0.108 and
+0.103), and beta kappa a (a/R)².
 """
 
 from dataclasses import dataclass
@@ -46,14 +49,14 @@ CATALAN = 0.915965594177219
 
 @dataclass(frozen=True, kw_only=True)
 class Excess:
-    """Relative excess of the true value over Hertz's under the same load, term by term."""
+    """Relative excess of the true value over Hertz's value under the same load, by order."""
 
     first: float  # of the order beta a/R
     second: float  # of the order (a/R)²
 
     @property
     def total(self) -> float:
-        """Both orders."""
+        """Sum of both orders."""
         return self.first + self.second
 
 
@@ -68,9 +71,9 @@ def excess(
     nu_2: float,
     assumption: Assumption,
 ) -> tuple[Excess, Excess]:
-    """Excess of the peak pressure and of the moments' half-width (no unit).
+    """Relative excess of the peak pressure and of the half-width from moments (no unit).
 
-    `a` is Hertz's half-width; R_2 may be infinite, a flat.
+    `a` is Hertz's half-width; an infinite R_2 is a flat.
 
     >>> steel = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3, "assumption": "plane strain"}
     >>> p, w = excess(a=0.1, R_1=1.0, R_2=1.0, **steel)  # as on a rigid flat: 3/16, -1/4
@@ -109,12 +112,13 @@ def left_out(
     nu_2: float,
     assumption: Assumption,
 ) -> float:
-    r"""Bound (no unit) of the remainder of both excesses, with e = a over the smaller radius.
+    r"""Bound (no unit) of the neglected terms of both excesses; e is a over the smaller radius.
 
     .. math:: \frac{e^4}{8} + \frac{(\beta\kappa a)^2}{4} + \frac{|\beta\kappa a|\, e^2}{2}
 
-    The first factor is the largest known one, the second twice that for what else couples at its
-    order, the third is argued: the discs change the first order as they change the pressure.
+    The first factor is the largest known one. The second factor is twice the known one, to cover
+    other coupling terms of this order. The third factor is not computed: it assumes that the discs
+    change the first-order term as they change the pressure.
 
     >>> steel = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3, "assumption": "plane strain"}
     >>> round(left_out(a=0.1, R_1=1.0, R_2=1.0, **steel), 12)
@@ -147,7 +151,7 @@ def meeting_curvature(
     nu_2: float,
     assumption: Assumption,
 ) -> float:
-    """Curvature kappa [1/length] of the line on which the bodies meet, positive around body 1.
+    """Curvature kappa [1/length] of the deformed contact line, positive if concave towards body 1.
 
     R_2 is negative for a bore.
 

@@ -1,19 +1,20 @@
 r"""Line contact under a tangential force below the limit of friction (Cattaneo, Mindlin).
 
-The normal load P is held, the force Q per unit length rises from nothing to less than mu P. The
-contact sticks over |x| < c and slips in the strips outside:
+The normal load P is constant; the tangential force Q per unit length increases from zero to less
+than mu P. The contact sticks over |x| < c and slips in the strips outside:
 
 .. math::
     \frac{c}{a} = \sqrt{1 - \frac{Q}{\mu P}}, \qquad
     q(x) = \mu p_0\left[\sqrt{1 - \frac{x^2}{a^2}}
            - \frac{c}{a}\sqrt{1 - \frac{x^2}{c^2}}\,\right],
 
-the second root only where it is real. `E_star` is the contact modulus of `hertz_line`. Any
+where the second root counts only for |x| < c. `E_star` is the contact modulus of `hertz_line`. Any
 consistent units.
 
-Range: as for Hertz, and tangential tractions must not change the pressure: Dundurs' constant beta
-(`dundurs_beta`) is zero. It is for equal bodies, and not for a compressible body on a rigid one,
-where the formulas are an approximation with an error that grows with |beta|.
+Range: as for Hertz. In addition, tangential tractions must not change the pressure: Dundurs'
+constant beta (`dundurs_beta`) must be zero. It is zero for bodies of equal material, but not for a
+compressible body on a rigid one. Then, the formulas are an approximation with an error that
+increases with |beta|.
 
 References
 ----------
@@ -30,7 +31,7 @@ from analytic.contact.checks import Array, Assumption, finite, not_negative, pai
 
 
 def stick_half_width(*, Q: ArrayLike, P: ArrayLike, mu: ArrayLike, a: ArrayLike) -> Array:
-    """Half-width c [length] of the part that sticks.
+    """Half-width c [length] of the stick zone.
 
     >>> float(stick_half_width(Q=0.75, P=1.0, mu=1.0, a=2.0))  # sqrt(1 - 3/4) = 1/2
     1.0
@@ -40,7 +41,7 @@ def stick_half_width(*, Q: ArrayLike, P: ArrayLike, mu: ArrayLike, a: ArrayLike)
 
 
 def traction(x: ArrayLike, *, Q: ArrayLike, P: ArrayLike, mu: ArrayLike, a: ArrayLike) -> Array:
-    """Shear traction q [stress] at x under the first loading; its integral over x is Q.
+    """Shear traction q [stress] at x in the first loading; its integral over x is Q.
 
     >>> load = {"Q": 0.75 * np.pi / 2, "P": np.pi / 2, "mu": 1.0, "a": 1.0}  # p_0 = 1, c = 1/2
     >>> traction([0.0, 0.8, 1.5], **load).round(12).tolist()
@@ -62,18 +63,18 @@ def slip(
     a: ArrayLike,
     E_star: ArrayLike,
 ) -> Array:
-    r"""Relative slip [length] of the surfaces at x under the first loading; 0 where they stick.
+    r"""Relative slip [length] of the surfaces at x in the first loading; 0 in the stick zone.
 
     .. math:: s(x) = \frac{\mu p_0}{a E^*}\left[|x|\sqrt{x^2 - c^2} - c^2
               \operatorname{arcosh}\frac{|x|}{c}\right], \qquad c \le |x| \le a,
 
-    the integral from c of :math:`\frac{2\mu p_0}{aE^*}\sqrt{x^2 - c^2}`, by which the surfaces'
-    tangential strains differ there.
+    the integral from c of :math:`\frac{2\mu p_0}{aE^*}\sqrt{x^2 - c^2}`, the difference of the
+    tangential strains of both surfaces.
     """
     c, x = stick_half_width(Q=Q, P=P, mu=mu, a=a), np.abs(finite(x, "position", "m"))
     a = np.asarray(a, dtype=np.float64)
     if not np.all(x <= a):
-        raise ValueError(f"x must lie in the contact, |x| <= {a} m, got {x} m")
+        raise ValueError(f"x must lie in the contact, |x| <= a = {a} m, got {x} m")
     t = np.maximum(x / c, 1.0)
     scale = 2 * np.asarray(mu) * np.asarray(P) / (np.pi * a**2)  # mu p_0 / a
     growth = c**2 * (t * np.sqrt(t**2 - 1) - np.arccosh(t))
@@ -85,13 +86,14 @@ def rigid_displacement_beyond_stick(
 ) -> Array:
     r"""Tangential displacement [length] of the bodies, minus the value for complete stick.
 
-    The whole displacement is known up to a logarithm of the bodies' size; what slipping adds to
-    it is not, as it is local. With k = Q/(mu P)
+    The total displacement contains an undetermined logarithm of the size of the bodies. The part
+    caused by slip is local and does not contain it. With k = Q/(mu P), it is
 
     .. math:: \frac{\mu P}{\pi E^*}\left[k + (1-k)\ln(1-k)\right],
 
-    from the displacement in the middle, -2/(pi E*) times the integral of q ln|x|, once for the
-    traction above and once for :math:`Q/(\pi\sqrt{a^2 - x^2})`.
+    the difference of two displacements in the middle of the contact, -2/(pi E*) times the integral
+    of q ln|x|: for the traction above and for the traction of complete stick,
+    :math:`Q/(\pi\sqrt{a^2 - x^2})`.
     """
     k = _share(Q, P, mu)
     bracket = k**2 / 2 * hyp2f1(1, 1, 3, k)  # the same without cancellation at small k
@@ -106,7 +108,7 @@ def dundurs_beta(
 
     .. math:: \beta = \frac{(1-\nu_2')/E_2' - (1-\nu_1')/E_1'}{2\,(1/E_1' + 1/E_2')}
 
-    with E' and nu' of the plane; one body may be rigid.
+    with E' and nu' of plane stress or plane strain; one body may be rigid.
 
     >>> one = {"E_1": 1.0, "nu_1": 0.3, "assumption": "plane strain"}
     >>> float(dundurs_beta(**one, E_2=1.0, nu_2=0.3))
@@ -121,5 +123,8 @@ def _share(Q: ArrayLike, P: ArrayLike, mu: ArrayLike) -> Array:
     P, mu = positive(P, "load per length", "N/m"), positive(mu, "coefficient of friction", "")
     Q = not_negative(Q, "tangential force per length", "N/m")
     if not np.all(mu * P > Q):
-        raise ValueError(f"the contact slides: Q must be below mu P = {mu * P} N/m, got {Q} N/m")
+        raise ValueError(
+            f"Q must be below the friction limit mu P = {mu * P} N/m, got {Q} N/m: the contact "
+            "slides"
+        )
     return np.asarray(Q / (mu * P))

@@ -5,13 +5,13 @@ interference before assembly, get one common radius:
 
 .. math:: u_{j+1}(r_j) - u_j(r_j) = \delta_j,
 
-with Lamé's displacements of each wall under the contact pressures on its two sides, a linear
-system with three diagonals. A solid shaft is a wall with r_i = 0. Pressures count positive when
-they push, interferences (radial, half the difference of diameters) when the parts overlap. Any
-consistent units.
+with Lamé's displacements of each wall under the contact pressures on both sides. This is a
+tridiagonal linear system. A solid shaft is a wall with r_i = 0. Pressures are positive in
+compression. Interferences are radial (half the difference of diameters) and positive if the parts
+overlap. Any consistent units.
 
-Range: linear elasticity, small strain, radii of an interface equal but for the interference,
-ends of the walls free to slide on each other (plane stress) or held (plane strain).
+Range: linear elasticity, small strain, radii of an interface equal except for the interference; end
+faces free to move axially (plane stress) or axially fixed (plane strain).
 
 References
 ----------
@@ -31,9 +31,9 @@ from analytic.contact.checks import Array, Assumption, finite, in_plane, not_neg
 
 @dataclass(frozen=True)
 class Wall:
-    """A ring (or, with r_i = 0, a solid shaft): radii [length], E [stress], nu [1].
+    """Ring (or, with r_i = 0, solid shaft) with its radii [length], E [stress] and nu [1].
 
-    ValueError unless 0 <= r_i < r_o and E > 0.
+    Raises ValueError unless 0 <= r_i < r_o and E > 0.
     """
 
     r_i: float
@@ -45,10 +45,13 @@ class Wall:
         positive(self.E, "Young's modulus", "Pa")
         in_plane(self.E, self.nu, "plane stress")
         if not 0 <= self.r_i < self.r_o < np.inf:
-            raise ValueError(f"a wall needs 0 <= r_i < r_o, got r_i={self.r_i} m, r_o={self.r_o} m")
+            raise ValueError(
+                f"radii of a wall must satisfy 0 <= r_i < r_o, got r_i={self.r_i} m, "
+                f"r_o={self.r_o} m"
+            )
 
     def stresses(self, r: ArrayLike, *, p_i: float, p_o: float) -> tuple[Array, Array]:
-        """Radial and hoop stress [stress] at the radii r under pressures at bore and rim."""
+        """Radial and hoop stress [stress] at the radii r under the pressures at bore and rim."""
         r = self._inside(r)
         A, B = self._constants(p_i, p_o)
         bend = B / np.where(r > 0, r, 1.0) ** 2  # B = 0 where r may be 0
@@ -64,9 +67,9 @@ class Wall:
         return np.asarray(((1 - nu) * A * r + (1 + nu) * B / np.where(r > 0, r, 1.0)) / E)
 
     def strain_energy(self, *, p_i: float, p_o: float, assumption: Assumption) -> float:
-        """Strain energy of the whole wall per length [stress x length²].
+        """Strain energy [stress x length²] of the wall per unit axial length.
 
-        Half the work of its pressures.
+        It is half the work of the pressures.
         """
         bore, rim = self.displacement([self.r_i, self.r_o], p_i=p_i, p_o=p_o, assumption=assumption)
         return float(np.pi * (p_i * self.r_i * bore - p_o * self.r_o * rim))
@@ -80,7 +83,7 @@ class Wall:
         r = not_negative(r, "radius", "m")
         slack = 1e-12 * self.r_o
         if not np.all((r >= self.r_i - slack) & (r <= self.r_o + slack)):
-            raise ValueError(f"r must lie in the wall [{self.r_i}, {self.r_o}] m, got {r} m")
+            raise ValueError(f"radius r must lie in the wall [{self.r_i}, {self.r_o}] m, got {r} m")
         return r
 
 
@@ -92,10 +95,10 @@ def contact_pressures(
     p_o: float = 0.0,
     assumption: Assumption,
 ) -> Array:
-    """Pressures [stress] at the interfaces from the innermost outward; shaped (walls - 1,).
+    """Pressures [stress] at the interfaces from the innermost outward, shape (walls - 1,).
 
-    p_i and p_o act on the innermost bore and on the outermost rim. Raises ValueError if an
-    interface would have to pull: it opens.
+    p_i acts on the innermost bore, p_o on the outermost rim. Raises ValueError if an interface
+    opens (negative pressure).
 
     >>> steel = {"E": 2.0, "nu": 0.25}
     >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1.0, r_o=2.0, **steel)
@@ -111,8 +114,9 @@ def contact_pressures(
         j = int(np.argmin(pressures))
         least = delta[j] - pressures[j] / stiffness[j, j]
         raise ValueError(
-            f"interface {j} (from 0, innermost) at r={walls[j].r_o:g} m opens: its interference "
-            f"{delta[j]:g} m must exceed {least:g} m with the given pressures and others"
+            f"interface {j} (0 is the innermost) at r={walls[j].r_o:g} m opens: its interference "
+            f"{delta[j]:g} m must exceed {least:g} m for the given pressures and other "
+            "interferences"
         )
     return pressures
 
@@ -120,11 +124,12 @@ def contact_pressures(
 def pressure_of_overlap(
     inner: Wall, outer: Wall, *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
 ) -> float:
-    """Pressure [stress] on the rim of `inner`, whose r_o exceeds the r_i of `outer` as drawn.
+    """Pressure [stress] on the rim of `inner`; before assembly, its r_o exceeds r_i of `outer`.
 
-    Each wall retains its radius and the force between them is one, so that the pressure on the
-    outer wall is r_o/r_i times that. `contact_pressures`, with one radius for both, omits terms
-    of overlap over radius. Raises ValueError if the walls do not overlap or lose contact.
+    Each wall has its initial radius. Both surfaces transmit the same force, so that the pressure on
+    the outer wall is r_o/r_i times the pressure on the inner wall. `contact_pressures` uses one
+    radius for both and neglects terms of the order of overlap over radius. Raises ValueError if the
+    walls do not overlap or lose contact.
 
     >>> steel = {"E": 2.0, "nu": 0.25}
     >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1 - 1e-6, r_o=2.0, **steel)
@@ -135,7 +140,10 @@ def pressure_of_overlap(
     finite([p_i, p_o], "pressures", "Pa")
     overlap = inner.r_o - outer.r_i
     if not 0 < overlap < 0.1 * inner.r_o:
-        raise ValueError(f"walls must overlap by less than a tenth of r_o, got {overlap} m")
+        raise ValueError(
+            "the overlap of the walls must be positive and less than a tenth of r_o, got "
+            f"{overlap} m"
+        )
 
     def gap(p: float, p_i: float, p_o: float) -> float:
         bore = outer.displacement(
@@ -153,11 +161,11 @@ def pressure_of_overlap(
 def interferences_lost(
     walls: Sequence[Wall], *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
 ) -> Array:
-    """Decrease of interference [length] by p_i and p_o at each interface; shaped (walls - 1,).
+    """Decrease of interference [length] by p_i and p_o at each interface, shape (walls - 1,).
 
-    It is the gap that they open between walls without contact. For two walls, it is the
-    interference at which the contact opens; it is negative if the pressures increase the contact
-    pressure.
+    It is the gap that p_i and p_o would open between walls without contact pressure. For two walls,
+    it is the interference at which the contact opens. It is negative if p_i and p_o increase the
+    contact pressure.
     """
     finite([p_i, p_o], "pressures", "Pa")
     _check_stack(walls)
@@ -173,23 +181,28 @@ def opening_interference(
     p_o: float = 0.0,
     assumption: Assumption,
 ) -> float:
-    """Interference [length] below which one interface (from 0, innermost) opens, others given."""
+    """Interference [length] at which one interface opens; all other interferences are given.
+
+    Interface 0 is the innermost.
+    """
     delta = _interferences(walls, interferences)
     if not 0 <= interface < len(delta):
-        raise ValueError(f"interface must be 0 to {len(delta) - 1} (no unit), got {interface}")
+        raise ValueError(
+            f"interface must be an integer from 0 to {len(delta) - 1}, got {interface}"
+        )
     row = _stiffness(walls, assumption)[interface]
     lost = interferences_lost(walls, p_i=p_i, p_o=p_o, assumption=assumption)
     return float(delta[interface] - row @ (delta - lost) / row[interface])
 
 
 def _stiffness(walls: Sequence[Wall], assumption: Assumption) -> Array:
-    """Contact pressures per interference: the inverse of the gaps under unit pressures."""
+    """Matrix of contact pressures per interference: inverse of the gaps under unit pressures."""
     units = np.eye(len(walls) + 1)[1:-1]
     return np.asarray(np.linalg.inv(np.array([_gaps(walls, u, assumption) for u in units]).T))
 
 
 def _gaps(walls: Sequence[Wall], pressures: ArrayLike, assumption: Assumption) -> Array:
-    """u_(j+1) - u_j at every interface under pressures on all bores and rims, inside first."""
+    """Gaps u_(j+1) - u_j at all interfaces under `pressures`, listed from the bore to the rim."""
     p = np.asarray(pressures)
     bore, rim = np.array(
         [
@@ -204,15 +217,18 @@ def _interferences(walls: Sequence[Wall], interferences: ArrayLike) -> Array:
     _check_stack(walls)
     delta = np.atleast_1d(finite(interferences, "interferences", "m"))
     if delta.shape != (len(walls) - 1,):
-        raise ValueError(f"{len(walls)} walls need {len(walls) - 1} interferences, got {delta} m")
+        raise ValueError(
+            f"{len(walls)} walls must have {len(walls) - 1} interferences, got {delta} m"
+        )
     return delta
 
 
 def _check_stack(walls: Sequence[Wall]) -> None:
     if len(walls) < 2:
-        raise ValueError(f"a press fit needs at least two walls, got {len(walls)}")
+        raise ValueError(f"a press fit must have at least two walls, got {len(walls)}")
     for inner, outer in pairwise(walls):
         if abs(inner.r_o - outer.r_i) > 1e-6 * inner.r_o:
             raise ValueError(
-                f"neighbours share a nominal radius, got r_o={inner.r_o} m, r_i={outer.r_i} m"
+                "neighbouring walls must have the same nominal radius at their interface, got "
+                f"r_o={inner.r_o} m, r_i={outer.r_i} m"
             )

@@ -1,4 +1,4 @@
-"""Evaluation of pressures along a roller that a model gives in equal parts of the roller."""
+"""Evaluation of pressures and line loads given in equal parts of a roller."""
 
 from dataclasses import dataclass
 
@@ -9,9 +9,10 @@ from analytic.contact.checks import Array
 
 @dataclass(frozen=True, kw_only=True)
 class RollerParts:
-    """Pressure at x = 0 and line load at the centres y of equal parts (n,) of a roller.
+    """Pressure at x = 0 and line load at the centres y of equal parts of a roller, shape (n,).
 
-    `length` of the roller, y from its middle, d [length] of an end zone.
+    `length` is the length of the roller, d [length] that of an end zone; y is measured from
+    mid-length.
     """
 
     y: Array
@@ -23,41 +24,41 @@ class RollerParts:
 
     @property
     def width(self) -> float:
-        """Length of a part."""
+        """Length of one part."""
         return self.length / len(self.y)
 
     @property
     def p_max(self) -> float:
-        """Largest pressure at least d away from the ends, of the parabola through three parts."""
+        """Largest pressure outside the end zones, from the parabola through three parts."""
         limit = self.length / 2 - self.d
         at = self.place
         return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))
 
     @property
     def place(self) -> int:
-        """The part with the largest pressure at least d away from the ends."""
+        """Index of the part with the largest pressure outside the end zones."""
         inner = np.abs(self.y) <= self.length / 2 - self.d
         return int(np.argmax(np.where(inner, self.p, -1.0)))
 
     @property
     def p_mid(self) -> float:
-        """Pressure at mid-length; between two parts the mean of their squares, which are loads."""
+        """Pressure at mid-length; between two parts, the root mean square of their pressures."""
         n = len(self.p)
         return float(np.sqrt((self.p[(n - 1) // 2] ** 2 + self.p[n // 2] ** 2) / 2))
 
     @property
     def q_mid(self) -> float:
-        """Line load at mid-length."""
+        """Line load [force/length] at mid-length."""
         return float(np.mean(self.line[[(len(self.y) - 1) // 2, len(self.y) // 2]]))
 
     @property
     def p_top(self) -> float:
-        """Largest pressure, ends included."""
+        """Largest pressure of the whole roller, ends included."""
         return vertex(self.p, int(np.argmax(self.p)))
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Loads within d of the ends at -l/2 and l/2, of a cut part its share.
+        """Loads [force] of the end zones at -l/2 and l/2; a cut part counts in proportion.
 
         >>> y, load = np.array([-1.5, -0.5, 0.5, 1.5]), np.array([1.0, 2.0, 3.0, 4.0])
         >>> RollerParts(y=y, p=load, line=load, delta=0.0, length=4.0, d=1.5).ends
@@ -72,7 +73,7 @@ Parts = RollerParts  # its name in version 0.1
 
 
 def vertex(p: Array, at: int) -> float:
-    """Vertex of the parabola through p at `at` and both neighbours; p itself without a vertex."""
+    """Vertex of the parabola through p[at] and its two neighbours; p[at] if there is no maximum."""
     below, top, above = np.pad(p, 1)[at : at + 3]
     bend = below - 2 * top + above
     if min(below, above) <= 0 or top < max(below, above) or bend >= 0:  # it may go on rising
@@ -81,10 +82,10 @@ def vertex(p: Array, at: int) -> float:
 
 
 def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
-    """Share of the load that `line` (n,) places differently from `other` (m,), and error in L2.
+    """Misplaced share of the load of `line` (n,) against `other` (m,), and relative L2 error.
 
-    Both are line loads of equal parts of the roller. The share does not depend on their
-    number; the error in L2 is mostly due to the parts at the end of contact.
+    Both are line loads of equal parts of the roller. The share hardly depends on the number of
+    parts; the L2 error is mostly due to the parts at the end of contact.
 
     >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)
     (0.5, 1.0)

@@ -2,11 +2,11 @@ r"""Mutual deflections of the slices of a line contact: weights w and the matrix
 
 .. math:: S_{jk} = \frac{n s\, w_{jk}}{\sum_{jk} w_{jk}}
 
-The sum of S is n s whatever w is: w only redistributes the load over the slices, s, the compliance
-of one slice, alone sets the law of the whole.
+The sum of all elements of S is n s for every w. The weights w only redistribute the load over the
+slices; the compliance s of one slice determines the law of the whole contact.
 
-The paper does not define w, and the work cited for it was not available. `love` is the displacement
-of a half-space under a uniform load on the rectangle D x 2b,
+The paper does not define w, and the reference that it cites was not available. `love` is the
+displacement of a half-space under a uniform load on the rectangle D x 2b,
 
 .. math::
     w(d) = G(d + D/2) - G(d - D/2), \qquad
@@ -14,10 +14,11 @@ of a half-space under a uniform load on the rectangle D x 2b,
 
 d being the distance along the centre line, D the length of a slice, b the half-width.
 
-Other kernels of the same width (Hertz's ellipse across, the mean over the slice that sinks) change
-the peak of the paper's crowned roller by 0.2 % or less from 41 slices on, as long as it is not in
-the end slices. Twice or half the width moves it by up to 1.3 % with 41 slices and, where it takes
-the peak to the ends, by 6 % with 101: the width is no free choice.
+Other kernels of the same width (Hertz's ellipse across, the mean over the displaced slice) change
+the peak pressure of the paper's crowned roller by 0.2 % or less with at least 41 slices, as long as
+the peak is not in the end slices. Twice or half the width changes it by up to 1.3 % with 41 slices,
+and by 6 % with 101 slices if the peak moves to the ends. Therefore, the width cannot be chosen
+freely.
 
 References
 ----------
@@ -36,7 +37,7 @@ Kernel = Callable[[Array, Array, Array], Array]  # distance, length of a slice, 
 
 
 def love(distance: ArrayLike, width: ArrayLike, half_width: ArrayLike) -> Array:
-    """Love's w [length] at `distance` from the middle of a rectangle `width` along, 2b across.
+    """Love's weight w [length] at `distance` from the centre of a rectangle of `width` by 2b.
 
     >>> corner = np.log(1 + np.sqrt(2))  # a square of side 2: w(0) = 2 G(1) = 4 asinh 1
     >>> round(float(love(0.0, 2.0, 1.0) / corner), 12)
@@ -53,9 +54,9 @@ def love(distance: ArrayLike, width: ArrayLike, half_width: ArrayLike) -> Array:
 
 
 def compliance_matrix(weights: ArrayLike, *, compliance: ArrayLike) -> Array:
-    """S of symmetric `weights` (..., n, n) and the slices' compliance s, (...).
+    """Matrix S for symmetric `weights` (..., n, n) and the compliance s of a slice, (...).
 
-    ValueError unless the weights are positive definite; otherwise, S has no unique solution.
+    Raises ValueError unless the weights are positive definite; otherwise, S has no unique solution.
 
     >>> compliance_matrix([[2.0, 1.0], [1.0, 2.0]], compliance=6.0).tolist()  # the sum is 2 times 6
     [[4.0, 2.0], [2.0, 4.0]]
@@ -64,11 +65,13 @@ def compliance_matrix(weights: ArrayLike, *, compliance: ArrayLike) -> Array:
     if w.ndim < 2 or w.shape[-1] != w.shape[-2]:
         raise ValueError(f"weights must be a matrix (n, n), got shape {w.shape}")
     if not np.allclose(w, np.swapaxes(w, -1, -2), rtol=1e-10, atol=0):
-        raise ValueError("weights must be symmetric, w_jk = w_kj (reciprocity of work)")
+        raise ValueError("weights must be symmetric, w_jk = w_kj (reciprocal theorem)")
     total = w.sum(axis=(-2, -1))
     try:
         np.linalg.cholesky(w)
     except np.linalg.LinAlgError:
-        raise ValueError("weights must be positive definite: a load may not lift itself") from None
+        raise ValueError(
+            "weights must be positive definite: the work of a load must be positive"
+        ) from None
     scale = w.shape[-1] * positive(compliance, "compliance of a slice", "m^(10/9)/N") / total
     return np.asarray(w * scale[..., None, None])

@@ -1,12 +1,14 @@
-r"""Unilateral contact of coupled slices: loaded slices and their forces, many cases at once.
+r"""Unilateral contact of coupled slices: set of loaded slices and their forces, for many cases.
 
-With the matrix S of compliances and f the required deflections (to the power 10/9) the forces obey
+With the matrix S of compliances and the required deflections f (to the power 10/9), the forces
+satisfy
 
 .. math:: q \ge 0, \qquad S q - f \ge 0, \qquad q^T (S q - f) = 0.
 
-S being positive definite there is one solution. Slices that would pull leave and slices that would
-interpenetrate come back, all at once as long as fewer and fewer do so, and otherwise one at a time,
-the last one first, which ends for any S of that kind (block principal pivoting with Murty's rule).
+As S is positive definite, there is one solution. Slices with tension are unloaded, and slices that
+interpenetrate are loaded again: all at once as long as their number decreases, otherwise one at a
+time, the last one first. This terminates for any positive definite S (block principal pivoting with
+Murty's rule).
 
 References
 ----------
@@ -25,10 +27,10 @@ ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps co
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Forces for S (cases, n, n), f (cases, n), and their derivative if f increases by `rate`.
+    """Forces for S (cases, n, n) and f (cases, n), and their derivatives if f increases by `rate`.
 
-    `carries` is the start of the search and, changed in place, its result. ArithmeticError if the
-    search does not end.
+    `carries` is the initial set of loaded slices; it is changed in place to the final set. Raises
+    ArithmeticError if the search does not terminate.
     """
     q, growth = np.zeros_like(f), np.zeros_like(f)
     best = np.full(len(f), f.shape[1] + 1)
@@ -53,7 +55,7 @@ def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tupl
 
 
 def _solve(S: Array, right: Array, on: NDArray[np.bool_]) -> Array:
-    """Solution on the slices that carry; 0 on the others."""
+    """Solution on the loaded slices; 0 on the others."""
     both = on[:, :, None] & on[:, None, :]
     matrix = np.where(both, S, 0.0)
     diagonal = np.arange(S.shape[1])
@@ -69,6 +71,6 @@ def _wrong(S: Array, q: Array, f: Array, on: NDArray[np.bool_]) -> NDArray[np.bo
 
 
 def _last(wrong: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Only the last of the wrong slices of each case."""
+    """Mask of the last wrong slice of each case."""
     after = np.cumsum(wrong[:, ::-1], axis=1)[:, ::-1]
     return np.asarray(wrong & (after == 1))

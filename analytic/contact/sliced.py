@@ -1,4 +1,4 @@
-"""A line contact cut across into equal slices: input and results of its models."""
+"""A line contact of equal slices along the roller: input and results of the models."""
 
 from dataclasses import dataclass, replace
 from typing import Self
@@ -12,7 +12,7 @@ from analytic.contact.checks import Array, finite, positive
 
 @dataclass(frozen=True, kw_only=True)
 class SlicedContact:
-    """A roller pressed on its race, slice by slice; `force` is (..., n), the rest (...)."""
+    """Contact of a roller and its race in slices; `force` is (..., n), other arrays (...)."""
 
     force: Array  # q of each slice [N]
     approach: Array  # [m]
@@ -22,33 +22,33 @@ class SlicedContact:
 
     @property
     def load(self) -> Array:
-        """Sum of the forces [N], (...)."""
+        """Total load [N], the sum of the forces, shape (...)."""
         return np.asarray(self.force.sum(axis=-1))
 
     @property
     def carries(self) -> NDArray[np.bool_]:
-        """True for slices in contact, (..., n)."""
+        """True for slices in contact, shape (..., n)."""
         return np.asarray(self.force > 0)
 
     @property
     def line_load(self) -> Array:
-        """Force per length [N/m] of each slice, (..., n)."""
+        """Line load [N/m] of each slice, shape (..., n)."""
         return np.asarray(self.force * (self.force.shape[-1] / self.length[..., None]))
 
     @property
     def half_width(self) -> Array:
-        """Half-width [m] by Hertz for the line load of each slice, (..., n)."""
+        """Half-width [m] by Hertz for the line load of each slice, shape (..., n)."""
         return np.asarray(np.sqrt(4 / np.pi * self.line_load * (self.R / self.E_star)[..., None]))
 
     @property
     def peak_pressure(self) -> Array:
-        """Peak pressure [Pa] by Hertz for the line load of each slice, (..., n)."""
+        """Peak pressure [Pa] by Hertz for the line load of each slice, shape (..., n)."""
         return np.asarray(np.sqrt(self.line_load * (self.E_star / (np.pi * self.R))[..., None]))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Cases:
-    """Many contacts in a row: `gap` is (cases, n), the others (cases,)."""
+    """Many contacts, flattened to one axis: `gap` is (cases, n), the other arrays (cases,)."""
 
     gap: Array
     length: Array
@@ -71,10 +71,12 @@ class Cases:
         approach: ArrayLike | None,
         compliance: ArrayLike | None,
     ) -> Self:
-        """Arguments checked and broadcast over all cases; ValueError if they do not fit."""
+        """Checked arguments, broadcast over all cases; raises ValueError if shapes do not fit."""
         gap = finite(gap, "gap", "m")
         if gap.ndim == 0 or gap.shape[-1] == 0:
-            raise ValueError(f"gap must have a height [m] for each slice, got shape {gap.shape}")
+            raise ValueError(
+                f"gap must have one height [m] per slice along its last axis, got shape {gap.shape}"
+            )
         if compliance is None:
             compliance = palmgren.compliance(length=length, slices=gap.shape[-1])
         parameters = (
@@ -96,7 +98,7 @@ class Cases:
         )  # fmt: skip
 
     def some(self, part: NDArray[np.intp]) -> Self:
-        """The cases of these numbers, in a row."""
+        """Cases with the indices `part`."""
         return replace(
             self, gap=self.gap[part], length=self.length[part], R=self.R[part],
             E_star=self.E_star[part], compliance=self.compliance[part],
@@ -106,7 +108,7 @@ class Cases:
         )  # fmt: skip
 
     def contact(self, force: Array, approach: Array) -> SlicedContact:
-        """The result, in the shape of the cases."""
+        """Result in the shape of the input arrays."""
         return SlicedContact(
             force=force.reshape(*self.shape, -1),
             approach=approach.reshape(self.shape),
@@ -121,7 +123,7 @@ def _pressed(load: ArrayLike | None, approach: ArrayLike | None) -> Array:
         return positive(load, "load", "N")
     if approach is not None and load is None:
         return finite(approach, "approach", "m")
-    raise ValueError("give the load [N] or the approach [m], one of the two")
+    raise ValueError("exactly one of load [N] and approach [m] must be given")
 
 
 def _common_shape(gap: tuple[int, ...], others: list[tuple[int, ...]]) -> tuple[int, ...]:
@@ -129,6 +131,6 @@ def _common_shape(gap: tuple[int, ...], others: list[tuple[int, ...]]) -> tuple[
         return np.broadcast_shapes(gap, *others)
     except ValueError:
         raise ValueError(
-            f"the gap's shape without its slices, {gap}, and those of the other arguments, "
-            f"{', '.join(map(str, others))}, must fit together"
+            f"the shape of gap without its last axis, {gap}, must be compatible with the shapes of "
+            f"the other arguments, {', '.join(map(str, others))}"
         ) from None

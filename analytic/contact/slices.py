@@ -1,20 +1,21 @@
-r"""Finite line contact by the slicing technique: slices that deflect their neighbours (Eqs. 2-5).
+r"""Finite line contact by the slicing technique with interacting slices (Eqs. 2-5).
 
 .. math:: \sum_k S_{jk} q_k = (\delta - z_j)^{10/9}
 
-on loaded slices; on all others q = 0 and the left side is at least max(0, delta - z)^(10/9).
-q is the force of each of n equal slices, z the gap at its centre (crown, tilt and others,
-without the parabola across), S the matrix of `slice_compliance`, with Love's weights for Hertz's
-half-width under the mean load W/l by default.
+on loaded slices; on all other slices, q = 0 and the left side is at least max(0, delta - z)^(10/9).
+q is the force of each of n equal slices, z the gap at its centre (from crown, tilt and form errors,
+without the parabola across). S is the matrix of `slice_compliance`, by default with Love's weights
+for Hertz's half-width under the mean line load W/l.
 
-For a roller without crown, the load of the ends increases with the number of slices: their peak
-does not converge.
+For a roller without crown, the load at the ends increases with the number of slices: the peak
+pressure does not converge.
 
-SI with the default compliance, `palmgren.compliance`; any consistent units with another one.
+The default compliance, `palmgren.compliance`, requires SI units. With another compliance, any
+consistent units are valid.
 
 References
 ----------
-.. [1] C. Huang, Y. Zhao, M. Liu (2018), Eqs. 2-5; in print Eq. 5 counts y from the end.
+.. [1] C. Huang, Y. Zhao, M. Liu (2018), Eqs. 2-5; Eq. 5 as printed measures y from the end.
 """
 
 import numpy as np
@@ -42,12 +43,13 @@ def press_slices(
     compliance: ArrayLike | None = None,
     kernel: Kernel | ArrayLike = love,
 ) -> SlicedContact:
-    """A roller with `gap` [m], (..., n), pressed by `load` [N] or to `approach` [m], each (...).
+    """Contact of a roller with `gap` [m], (..., n), under `load` [N] or at `approach` [m].
 
-    `length` [m], relative radius R [m], contact modulus [Pa] and the slices' `compliance`
-    [m^(10/9)/N] are (...), too; the default, Palmgren's, requires SI units. `kernel` is a function
-    like `love` or a matrix of weights (n, n). An approach that reaches nothing gives no force.
-    ValueError for what makes no sense, ArithmeticError if the iteration fails.
+    All other arguments have the shape (...): `length` [m], relative radius R [m], contact modulus
+    E_star [Pa] and the `compliance` of a slice [m^(10/9)/N]. The default compliance is Palmgren's
+    and requires SI units. `kernel` is a function like `love` or a matrix of weights (n, n). If no
+    slice touches at the given approach, all forces are zero. Raises ValueError for invalid
+    arguments and ArithmeticError if the iteration fails.
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.5}
     >>> w = [[2.0, 1.0], [1.0, 2.0]]  # S = w/2; 512^(10/9) = 1024, 1^(10/9) = 1
@@ -80,7 +82,7 @@ press = press_slices  # its name in version 0.1
 
 
 def _matrix(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:
-    """S of each case, Hertz's half-width being that under its mean load."""
+    """Matrix S of each case; Hertz's half-width is that under the mean line load."""
     n = cases.gap.shape[1]
     if callable(kernel):
         D = (cases.length / n)[:, None]
@@ -90,13 +92,15 @@ def _matrix(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:
     else:
         weights = np.asarray(kernel, dtype=np.float64)
         if weights.shape != (n, n):
-            raise ValueError(f"weights must be ({n}, {n}), as many as slices, got {weights.shape}")
+            raise ValueError(
+                f"weights must be a matrix ({n}, {n}) for the slices, got shape {weights.shape}"
+            )
         weights = np.broadcast_to(weights, (len(load), n, n))
     return compliance_matrix(weights, compliance=cases.compliance)
 
 
 def _to_approach(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:
-    """Forces under the approach; the load, on which S depends little, by iteration."""
+    """Forces at the given approach; the load, which has a small effect on S, is iterated."""
     assert cases.approach is not None
     under = np.maximum(cases.approach[:, None] - cases.gap, 0.0)
     wanted, carries = under ** (10 / 9), under > 0
@@ -105,11 +109,13 @@ def _to_approach(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array
         before, load = load, force.sum(axis=1)
         if np.all(np.abs(load - before) <= TOLERANCE * load):
             return force
-    raise ArithmeticError(f"the load at this approach did not converge in {ITERATIONS} rounds")
+    raise ArithmeticError(
+        f"the load at the given approach did not converge in {ITERATIONS} iterations"
+    )
 
 
 def _to_load(cases: Cases, kernel: Kernel | ArrayLike, delta: Array) -> tuple[Array, Array]:
-    """Forces and approach under the load: Newton's method on W^0.9, within bounds."""
+    """Forces and approach under the given load: bracketed Newton's method for W^0.9."""
     assert cases.load is not None
     S, goal = _matrix(cases, kernel, cases.load), cases.load**0.9
     lowest = cases.gap.min(axis=1)
@@ -135,4 +141,6 @@ def _to_load(cases: Cases, kernel: Kernel | ArrayLike, delta: Array) -> tuple[Ar
         step = np.minimum(at[left] + ahead, 4 * at[left])
         middle = np.where(np.isinf(high[left]), 2 * at[left], (low[left] + high[left]) / 2)
         at[left] = np.where((step > low[left]) & (step < high[left]), step, middle)
-    raise ArithmeticError(f"the approach for the given load did not converge in {ITERATIONS} steps")
+    raise ArithmeticError(
+        f"the approach for the given load did not converge in {ITERATIONS} iterations"
+    )

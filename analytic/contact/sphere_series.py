@@ -1,22 +1,22 @@
-r"""First correction to Hertz for spheres, each pressed between two opposite contacts.
+r"""First correction to Hertz for spheres that are each pressed between two opposite contacts.
 
-A sphere under normal surface loads is solved degree by degree of Legendre's series: a normal stress
-:math:`2\mu P_n` moves the surface by c_n R P_n,
+The displacement of a sphere under normal surface loads follows term by term from Legendre's series:
+a normal stress :math:`2\mu P_n` moves the surface by c_n R P_n,
 
 .. math:: c_n = \frac{2(1-\nu)n^2 + \nu n - 1 + 2\nu}{(n-1)(n^2 + (1+2\nu)n + 1 + \nu)}
           = \frac{2(1-\nu)}{n} + \frac{\nu(4\nu - 3)}{n^2} + \dots
 
-A point force P sums (2n + 1) c_n P_n: the first term is the half space's, over the chord d; the
-second is a logarithm, so that near the force
+For a point force P, the displacement is a sum of (2n + 1) c_n P_n. Its first term is that of the
+half space with the chord d, its second term is a logarithm. Near the force,
 
 .. math:: u = \frac{P}{\pi E'}\left[\frac1d - \frac{\lambda}{R}\ln\frac{d}{2R}
           + \frac{\text{const}}{R}\right],
           \qquad \lambda = \frac{(1-2\nu)^2}{2(1-\nu)}, \quad E' = \frac{E}{1-\nu^2}.
 
-The tilt of the surface against the direction of the force adds a constant too: at x, a force at x'
-acts (x - x') . x' through its tangential part, -(x - x') . x through the tilt of the displaced
-surface. The logarithm's share of the displacements, whose Laplacian is the pressure's, changes the
-shape that the half spaces have to meet; Galin's integrals give the answer in closed form. With
+The angle between the surface and the direction of the force also adds a constant. A force at x'
+acts at x by (x - x') . x' through its tangential component, and by -(x - x') . x through the tilt
+of the displaced surface. The logarithmic part of the displacements changes the effective shape of
+the contact of the half spaces. Galin's integrals give the solution in closed form. With
 :math:`\varepsilon = a \sum \lambda_i E^*/(E_i' R_i)`
 
 .. math::
@@ -24,9 +24,9 @@ shape that the half spaces have to meet; Galin's integrals give the answer in cl
     p_0 = \frac{2 E^* a}{\pi R}\left[1 - \varepsilon\left(\frac{1}{2\pi} + \frac{\pi}{8}\right)
     \right],
 
-so that under the same load a exceeds Hertz's by :math:`\varepsilon/2\pi` and p_0 falls short by
-:math:`\pi\varepsilon/8` of it. What is left out is of (a/R_i)² with factors below 1 (the circle's
-fourth power alone: 2/5 of P).
+Thus, under the same load, a exceeds Hertz's value by the fraction :math:`\varepsilon/2\pi`, and p_0
+is lower by the fraction :math:`\pi\varepsilon/8`. The neglected terms are of the order (a/R_i)²
+with factors below 1 (the term of fourth power of the circle alone: 2/5 of P).
 
 References
 ----------
@@ -50,7 +50,10 @@ from analytic.contact.checks import poisson, positive
 
 @dataclass(frozen=True)
 class Sphere:
-    """Radius [length], infinite for a half space, and material; E [stress] infinite if rigid."""
+    """Radius [length] and material of a sphere.
+
+    R is infinite for a half space; E [stress] is infinite for a rigid body.
+    """
 
     R: float
     E: float
@@ -64,19 +67,19 @@ class Sphere:
 
     @property
     def softness(self) -> float:
-        """1/E' [1/stress]."""
+        """Compliance 1/E' [1/stress]."""
         return (1 - self.nu**2) / self.E
 
     @property
     def logarithm(self) -> float:
-        """The lambda over E' R: effect of the shape of the sphere itself [1/(stress length)]."""
+        """Compliance lambda/(E' R) [1/(stress length)]: factor of the logarithmic term."""
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:
-        """Displacement by an elliptic pressure of unit load, minus the half space's displacement.
+        """Displacement per load [length/force] under an elliptic pressure, minus the half space's.
 
-        Of the contact's middle against the plane of symmetry half-way to the other contact
-        [length/force], without the surface's tilt.
+        It is the displacement of the middle of the contact against the plane of symmetry half-way
+        to the opposite contact, without the effect of the tilt of the surface.
         """
         if np.isinf(self.R):
             return 0.0
@@ -86,7 +89,7 @@ class Sphere:
 
     @property
     def tilted(self) -> float:
-        """Sinking per unit load and per tilt of the surface [1/stress]."""
+        """Displacement per load and per tilt of the surface [1/stress]."""
         return (1 - 2 * self.nu) / (2 * pi * (1 - self.nu)) * self.softness
 
 
@@ -94,7 +97,7 @@ class Sphere:
 class PressedSpheres:
     """Contact radius, peak pressure and approach of both planes of symmetry, to first order.
 
-    The `excess` of each is its relative one over Hertz's under the same load.
+    Each `excess` is the relative excess over Hertz's value under the same load.
     """
 
     a: float
@@ -106,7 +109,9 @@ class PressedSpheres:
 
 
 def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
-    """Two spheres under the load P [force]; at least one elastic and one of finite radius.
+    """Solution for two spheres under the load P [force].
+
+    At least one body must be elastic and at least one must have a finite radius.
 
     >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.5 - 1e-9), Sphere(R=np.inf, E=np.inf, nu=0)
     >>> pressed = pressed_spheres(ball, flat, P=4e-6 / 3)  # incompressible: no logarithm
@@ -116,7 +121,9 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
     positive(P, "load", "N")
     soft, bent = one.softness + other.softness, 1 / one.R + 1 / other.R
     if not (soft > 0 and bent > 0):
-        raise ValueError("one body must be elastic and one of finite radius")
+        raise ValueError(
+            "at least one body must be elastic, and at least one must have a finite radius"
+        )
     strength = (one.logarithm + other.logarithm) / soft  # epsilon over a
     hertz = cbrt(0.75 * P * soft / bent)
     epsilon = hertz * strength
@@ -138,7 +145,7 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
 
 
 def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
-    """Relative excess of the load that moves finite spheres by Hertz's approach under P [force].
+    """Relative excess of the load that causes Hertz's approach under P [force] on finite spheres.
 
     >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.0), Sphere(R=np.inf, E=np.inf, nu=0)
     >>> excess = load_excess(ball, flat, P=4e-6 / 3)
@@ -157,11 +164,12 @@ def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
 
 
 def _rest(nu: float) -> float:
-    """Displacement by two opposite unit forces at the pole beyond 4(1 - nu) R/d and the logarithm.
+    """Displacement at the pole by two opposite unit forces, less 4(1 - nu) R/d and the logarithm.
 
-    Twice the even terms of the series over the 8 pi mu R of a force, less their first two orders,
-    whose images on the far side are sums of (-1)^n and (-1)^n/n. Partial fractions of (2n + 1) c_n
-    turn the rest into digamma functions.
+    It is twice the sum of the even terms of the series, in units of 1/(8 pi mu R), less the first
+    two orders of these terms. The contributions of these two orders from the opposite force are
+    sums of (-1)^n and (-1)^n/n. Partial fractions of (2n + 1) c_n express the remainder by digamma
+    functions.
     """
     two = 2 * (1 - 2 * nu) ** 2
     root = -(1 + 2 * nu) / 2 + 1j * np.sqrt(0.75 - nu**2)

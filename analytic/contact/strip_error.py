@@ -1,8 +1,9 @@
 r"""Error of the strips of `strips` for a line contact whose load q(y) varies along it.
 
-A strip's pressure is taken as Hertz's ellipse of the roller's curvature 1/R. In the expansion
-for slow variation along y the kernel 1/r has, beyond the logarithm that gives this ellipse, a term
-quadratic in the distance rho across (K_0 of the wave number k along y, k rho small):
+The pressure of a strip is assumed to be Hertz's ellipse for the curvature 1/R of the roller. The
+kernel 1/r is expanded for slow variation along y. Its first term is the logarithm that gives this
+ellipse. The next term is quadratic in the distance rho across (K_0 of the wave number k along y, k
+rho small):
 
 .. math::
     u = \frac{1}{\pi E^*}\int p(\xi, y)\; 2K_0(k\rho)\, d\xi, \qquad
@@ -18,19 +19,20 @@ curvature is
     u_2'' = -\frac{1}{\pi E^*}\,\partial_y^2\Big[\Big(-\gamma - \ln\frac k2\Big)q
             - q\ln\frac b2 - q\frac{x^2}{b^2}\Big] .
 
-The last part vanishes, q/b² being the same everywhere, and the others are
-:math:`\frac12(\pi E^* u_0 - q)` with the middle line's displacement u_0, which is
-:math:`\delta - z`. So the ellipse remains, but it fits another curvature,
+The last part vanishes, because q/b² is constant along y. The other parts are
+:math:`\frac12(\pi E^* u_0 - q)` with the displacement of the middle line, :math:`u_0 = \delta - z`.
+Thus the pressure is still an ellipse, but for another curvature,
 
 .. math::
     \frac1{R'} = \frac1R\,(1 + \varepsilon), \qquad
     \varepsilon = \frac R2\Big(z'' + \frac{q''}{\pi E^*}\Big) .
 
-No logarithm is left to guess. At a given q, b falls by epsilon/2 and p rises by as much; the
-narrower ellipse sinks deeper beneath itself, which shifts load to where epsilon is smaller. That
-is solved for with the matrix of the strips, at the same load W: p changes by
-:math:`\varepsilon/2 + \delta q/2q`. For Hertz's ellipse with semi-axes b << a this is the first
-term of his exact solution, :math:`\varepsilon = \frac{b^2}{2a^2}(\ln\frac{4a}b - \frac32)`.
+The result contains no undetermined logarithm. At a given q, b decreases and p increases by the
+fraction epsilon/2. The narrower ellipse causes a larger displacement beneath itself. This shifts
+load to strips with smaller epsilon. The shift is computed with the matrix of the strips at constant
+load W: p changes by :math:`\varepsilon/2 + \delta q/2q`. For Hertz's ellipse with semi-axes b << a
+this is the first term of his exact solution,
+:math:`\varepsilon = \frac{b^2}{2a^2}(\ln\frac{4a}b - \frac32)`.
 
 References
 ----------
@@ -52,13 +54,13 @@ END = 3.0  # half-widths from a loaded end within which no slow variation can be
 
 @dataclass(frozen=True)
 class Neglected:
-    """Fraction by which the pressure is higher than by the strips, to first order.
+    """First-order estimate of the fraction by which the true pressure exceeds that of the strips.
 
-    pressure (..., n) is NaN if a strip or its neighbour carries nothing and within three
-    half-widths of a loaded end; peak and mid are (...). The true deviation should lie between
-    half and twice of it as long as it is a few per cent and q varies over some b. A peak at a
-    loaded end is NaN; no expansion holds for such an end, and the mid pressure, to
-    which it passes load on, is then at the edge of that range.
+    `pressure` (..., n) is NaN if a strip or its neighbour carries no load, and within three
+    half-widths of a loaded end; peak and mid are (...). The true deviation should lie between half
+    and twice the estimate if the estimate is a few per cent and q varies over several b. If the
+    peak is at a loaded end, `peak` is NaN, because no expansion is valid there. The mid pressure is
+    then at the limit of the stated range, because the loaded end changes its load.
     """
 
     pressure: Array
@@ -68,9 +70,9 @@ class Neglected:
 
 
 def neglected(solution: Strips) -> Neglected:
-    """Deviation of the solved strips from a half-space's contact, estimated to first order.
+    """Deviation of the solved strips from a half-space contact, estimated to first order.
 
-    Works on all cases at once with matrices of (cases, n, n).
+    All cases are solved at once with matrices of (cases, n, n).
     """
     n = solution.q.shape[-1]
     D, R, E_star = (a[..., None] for a in (solution.length / n, solution.R, solution.E_star))
@@ -102,10 +104,11 @@ def neglected(solution: Strips) -> Neglected:
 
 
 def discretisation(coarse: Strips, fine: Strips) -> tuple[Array, Array]:
-    """Relative error left in `fine.peak` and `fine.mid` by its number of strips, estimated.
+    """Estimated relative discretisation errors of `fine.peak` and `fine.mid`.
 
-    The difference from `coarse`, the same cases on half as many strips, as of first order: smooth
-    loads converge faster, the edge of the contact cuts strips at random.
+    `coarse` has the same cases with about half as many strips. The error is assumed to be of first
+    order: for smooth loads it decreases faster, but the position of the contact edge within a strip
+    is random.
     """
     n, twice = coarse.q.shape[-1], fine.q.shape[-1]
     if not twice > n:
@@ -119,9 +122,9 @@ def discretisation(coarse: Strips, fine: Strips) -> tuple[Array, Array]:
 
 
 def _shift(s: Array, epsilon: Array) -> tuple[Array, Array]:
-    """Changes of s (N, n) at the same sum and of Delta (N,) as half-widths shrink by epsilon/2.
+    """Changes of s (N, n) at constant sum, and of Delta (N,), as half-widths shrink by epsilon/2.
 
-    With u = s Phi(s) a narrower ellipse of the same load changes u by
+    With u = s Phi(s), a narrower ellipse with the same load changes u by
     -epsilon s² dPhi/ds = -epsilon s (du/ds - u/s).
     """
     response = respond(s)
@@ -134,7 +137,7 @@ def _shift(s: Array, epsilon: Array) -> tuple[Array, Array]:
 
 
 def _narrowing(response: Response, x: Array) -> Array:
-    """(du/ds - u/s) x, near bands alone: far strips don't see the half-width."""
+    """Product (du/ds - u/s) x, only of the near bands: distant strips do not depend on b."""
     bands = response.slopes - response.ratios
     out = np.asarray(bands[0] * x)
     for m in range(1, len(bands)):

@@ -1,9 +1,9 @@
 r"""Displacement of a half-space along the middle line of a strip of elliptic pressure.
 
 A strip of width D carries the line load q with Hertz's ellipse of half-width b across,
-:math:`p = \frac{2q}{\pi b}\sqrt{1 - x^2/b^2}`, constant along y over D. A point load P sinks the
-surface by :math:`P/(\pi E^* r)`, both bodies together, so on the middle line x = 0, at the distance
-d from the strip's centre,
+:math:`p = \frac{2q}{\pi b}\sqrt{1 - x^2/b^2}`, constant along y over D. A point load P displaces
+the surfaces of both bodies together by :math:`P/(\pi E^* r)`. Therefore, the displacement on the
+middle line x = 0, at the distance d from the centre of the strip, is
 
 .. math::
     u = \frac{2q}{\pi^2E^*}\left[F\Big(\frac{d + D/2}{b}\Big) - F\Big(\frac{d - D/2}{b}\Big)\right],
@@ -17,9 +17,9 @@ F is odd, :math:`F' = 2\sqrt{1 + v^2}\,(K - E)` with complete elliptic integrals
     c_1 = \frac\pi{32}, \quad c_i = \frac{(-1)^{i+1}}{2i}\frac{(2i-1)!!}{(2i)!!}
     \,\mathrm B\big(i + \tfrac12, \tfrac32\big) .
 
-What F exceeds the logarithm by (`excess`, negative for small v) is tabulated over ln v and read by
-cubic Hermite interpolation, good to 2e-11. With b² proportional to q the displacement follows the
-load with the slope G = F - v F'/2 in F's place.
+The difference of F and the logarithm (`excess`, negative for small v) is tabulated over ln v and
+interpolated by cubic Hermite polynomials with an error below 2e-11. As b² is proportional to q, the
+derivative of the displacement by the load contains G = F - v F'/2 in place of F.
 
 References
 ----------
@@ -39,12 +39,14 @@ FROM, TO, PER_UNIT = -13.0, 12.0, 128
 
 
 def log_part(v: Array) -> Array:
-    """pi/2 (ln 4v + 1/2), which F tends to."""
+    """Asymptote pi/2 (ln 4v + 1/2) of F for large v."""
     return np.asarray(np.pi / 2 * (np.log(4 * v) + 0.5))
 
 
 def excess(log_v: Array) -> tuple[Array, Array]:
-    """F less its logarithm, and the derivative by ln v, of any shape but ().
+    """Difference of F and its asymptote `log_part`, and its derivative by ln v, both shaped like v.
+
+    `log_v` must not be a scalar.
 
     >>> value, _ = excess(np.log([1e-2, 1.0, 1e4]))
     >>> F = value + log_part(np.array([1e-2, 1.0, 1e4]))
@@ -73,7 +75,7 @@ def excess(log_v: Array) -> tuple[Array, Array]:
 
 
 def far_coefficients(terms: int) -> Array:
-    """c_1, c_2, ... of the series of F in v^(-2).
+    """Coefficients c_1, c_2, ... of the series of F in v^(-2).
 
     >>> round(float(far_coefficients(1)[0] / np.pi), 12)  # 1/32
     0.03125
@@ -85,7 +87,7 @@ def far_coefficients(terms: int) -> Array:
 
 @cache
 def _cubics() -> tuple[Array, ...]:
-    """Coefficients of the cubic over each interval of the table."""
+    """Coefficients of the cubic polynomials on all intervals of the table."""
     edges = np.linspace(FROM, TO, round((TO - FROM) * PER_UNIT) + 1)
     points, weights = np.polynomial.legendre.leggauss(8)
     width = 1 / PER_UNIT
@@ -105,7 +107,7 @@ def _cubics() -> tuple[Array, ...]:
 
 
 def _slope(log_v: Array) -> Array:
-    """dF/d(ln v); K - E cancels for large v, where the series takes over."""
+    """Derivative dF/d(ln v); for large v, where K - E cancels, from the series."""
     v = np.exp(np.minimum(log_v, 2.0))
     complement = v**2 / (1 + v**2)  # 1 - m, exact for small v
     near = 2 * v * np.sqrt(1 + v**2) * (ellipkm1(complement) - ellipe(1 - complement))

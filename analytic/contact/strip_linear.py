@@ -1,9 +1,9 @@
-r"""Newton's linear systems of many cases of strips: J ds - dDelta = -g on those that carry.
+r"""Newton's linear systems for many cases of strips: J ds - dDelta = -g on the loaded strips.
 
-J is the logarithm of all strips (one matrix for every case), bands of the near ones that vary with
-the case, and a diagonal. `conjugate_gradients` does not form J. It treats the bands as symmetric,
-which holds up to the change of half-width from strip to strip, and keeps the sum of the loads by
-projection. `direct` forms and uses the full matrix.
+J is the sum of the logarithmic influence of all strips (one matrix for all cases), of bands of near
+strips (which differ between cases) and of a diagonal. `conjugate_gradients` does not form J. It
+treats the bands as symmetric, which is accurate except for the change of half-width from strip to
+strip, and conserves the sum of the loads by projection. `direct` forms and uses the full matrix.
 """
 
 from dataclasses import dataclass
@@ -24,10 +24,11 @@ Real = TypeVar("Real", Array, Single)
 
 @dataclass(frozen=True)
 class System:
-    """Linear system of Newton's step: `push` is -g on the strips that carry, (N, n).
+    """Linear system of a Newton step; `push` is -g on the loaded strips, shape (N, n).
 
-    Shared `far` matrices (n, n); `bands` (M, N, n), the first is the diagonal; `carries`
-    (N, n); the load still `missing` (N,), or None if the approach is given.
+    `far` are matrices (n, n) shared by all cases; `bands` has the shape (M, N, n), and its first
+    band is the diagonal. `carries` (N, n) marks the loaded strips. `missing` (N,) is the remaining
+    error of the load, or None if the approach is given.
     """
 
     far: tuple[Array, ...]
@@ -39,7 +40,7 @@ class System:
 
 
 def direct(system: System) -> tuple[Array, Array]:
-    """Step of the loads (N, n) and of the approach (N,), by elimination."""
+    """Steps of the loads (N, n) and of the approach (N,), by elimination."""
     J, push = _dense(system), system.push
     if system.missing is None:
         return np.asarray(np.linalg.solve(J, push[..., None])[..., 0]), np.zeros(len(push))
@@ -52,7 +53,7 @@ def direct(system: System) -> tuple[Array, Array]:
 def product(x: Real, matrix: Real) -> Real:
     """`x @ matrix` in pieces that a BLAS computes in the calling thread.
 
-    Threads that each wait for a BLAS of several threads took twenty times as long.
+    Threads that each used a multi-threaded BLAS took twenty times as long.
     """
     out = np.empty((len(x), matrix.shape[1]), dtype=x.dtype)
     rows = max(1, PRODUCT // matrix.size)
@@ -62,9 +63,10 @@ def product(x: Real, matrix: Real) -> Real:
 
 
 def conjugate_gradients(system: System) -> tuple[Array, Array]:
-    """Step of the loads (N, n) and of the approach (N,), to about 1e-3 of itself.
+    """Steps of the loads (N, n) and of the approach (N,), with a relative error of about 1e-3.
 
-    In single precision, on systems scaled to a right-hand side of 1; more accuracy is not needed.
+    The systems are scaled to a right-hand side of 1 and solved in single precision; higher accuracy
+    is not needed.
     """
     single, n = np.float32, system.s.shape[-1]
     free = system.missing is None
@@ -108,7 +110,7 @@ def conjugate_gradients(system: System) -> tuple[Array, Array]:
 
 
 def _shared(system: System) -> tuple[Array, Array]:
-    """Matrices A, B (n, n) with J_jk = A_jk + B_jk s_k beside the diagonal, fitted to the bands."""
+    """Matrices A, B (n, n) of J_jk = A_jk + B_jk s_k off the diagonal, fitted to the bands."""
     far, bands, s = system.far, system.bands, system.s
     n = s.shape[-1]
     constant, linear = far[0].copy(), 2 * far[1] if len(far) > 1 else np.zeros((n, n))
@@ -126,7 +128,7 @@ def _shared(system: System) -> tuple[Array, Array]:
 
 
 def _dense(system: System) -> Array:
-    """J (N, n, n); strips without load have a very large diagonal."""
+    """Matrices J (N, n, n); strips without load have a very large diagonal element."""
     far, bands = system.far, system.bands
     _, cases, n = bands.shape
     J = np.empty((cases, n, n))

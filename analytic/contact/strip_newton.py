@@ -1,17 +1,17 @@
-r"""Unilateral contact of equal strips, many cases at once, with every scale taken out.
+r"""Unilateral contact of equal strips in dimensionless form, for many cases at once.
 
-With the line load as :math:`s = b^2/D^2 = 4qR/(\pi E^*D^2)` and heights in units of
-:math:`D^2/(2\pi R)`, radius, modulus and width leave the problem, and cases of every kind share one
-influence: sought is s >= 0 with
+With the dimensionless line load :math:`s = b^2/D^2 = 4qR/(\pi E^*D^2)` and heights in units of
+:math:`D^2/(2\pi R)`, the problem does not contain radius, modulus and width of the strips, and all
+cases have the same influence coefficients. The solution is s >= 0 with
 
 .. math::
     g_j = \sum_k H_{|j-k|}(s_k) + h_j - \Delta \ge 0, \qquad s_j g_j = 0, \qquad
     H_m(s) = s\left[F\Big(\frac{m + 1/2}{\sqrt s}\Big) - F\Big(\frac{m - 1/2}{\sqrt s}\Big)\right]
 
-(F: `strip_influence`) for a given Delta or a given sum of s. Far strips act through the logarithm
-and a few powers of s, matrices that all cases share; the M nearest through the table. Newton's
-method on the strips that carry: a strip that would pull leaves, one that the others let sink
-through the surface comes back.
+(F: `strip_influence`) for a given Delta or a given sum of s. The influence of distant strips is a
+logarithm and a few powers of s, with matrices common to all cases; the influence of the M nearest
+strips is read from the table. Newton's method is applied to the loaded strips: a strip with tension
+is unloaded, a strip that penetrates the surface is loaded again.
 """
 
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Solved:
-    """Loads s (N, n), approach Delta (N,), residual (N,) relative, and the iterations taken."""
+    """Loads s (N, n), approaches Delta (N,), relative residuals (N,) and number of iterations."""
 
     s: Array
     Delta: Array
@@ -44,9 +44,9 @@ class Solved:
 
 @dataclass(frozen=True)
 class Response:
-    """Displacement u (N, n) under s; near bands (M, N, n) of u/s and of du/ds; far matrices.
+    """Displacements u (N, n) under s, near bands (M, N, n) of u/s and du/ds, and far matrices.
 
-    The bands for m > 0 are the strip's differences from the logarithm of far[0].
+    For m > 0, the bands are differences from the logarithm of far[0].
     """
 
     u: Array
@@ -56,7 +56,7 @@ class Response:
 
 
 def respond(s: Array) -> Response:
-    """Displacement of every strip under the loads s, (N, n), of all strips."""
+    """Displacements of all strips under the loads s of all strips, shape (N, n)."""
     n = s.shape[-1]
     near = min(n, int(np.ceil(FAR * np.sqrt(s.max(initial=0.0)) + 0.5)))
     far = _far(n, near)
@@ -89,10 +89,10 @@ def respond(s: Array) -> Response:
 def solve(
     h: Array, *, tolerance: float, total: Array | None = None, Delta: Array | None = None
 ) -> Solved:
-    """Loads s of the cases h (N, n), under the sum `total` or the approach `Delta`, both (N,).
+    """Loads s of the cases h (N, n), for a given sum `total` or approach `Delta`, both (N,).
 
-    Cases that converged leave the iteration; those that don't are solved again by themselves.
-    ArithmeticError if one doesn't converge even so.
+    Converged cases are removed from the iteration. Cases that do not converge are solved again
+    separately. Raises ArithmeticError if a case does not converge in this second attempt.
     """
     cases = len(h)
     s, level = _uncoupled(h, total, Delta)
@@ -139,16 +139,16 @@ def solve(
             solved.residual[case] = alone.residual[0]
         return Solved(solved.s, solved.Delta, solved.residual, ITERATIONS)
     raise ArithmeticError(
-        f"strips of {len(left)} of {cases} cases did not converge in {ITERATIONS} iterations: "
+        f"{len(left)} of {cases} cases of strips did not converge in {ITERATIONS} iterations: "
         f"relative residual {residual.max():.1e}, first case {left[0]}"
     )
 
 
 def _system(s: Array, gap: Array, carries: Mask, response: Response, total: Array | None) -> System:
-    """Newton's system.
+    """Linear system of the Newton step.
 
-    For a strip that is about to carry load, the slope at s = 0 is infinite (a logarithm): the slope
-    at the load for its penetration is used, approached from below.
+    For a strip that is about to carry load, the slope at s = 0 is infinite (logarithm). Therefore,
+    the slope at the load that corresponds to its penetration is used, approximated from below.
     """
     seed = np.clip(-gap / 30, 1e-300, 0.5)
     response.slopes[0] = np.where(
@@ -160,7 +160,7 @@ def _system(s: Array, gap: Array, carries: Mask, response: Response, total: Arra
 
 
 def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None) -> Array:
-    """Largest violation of the contact conditions and of the load, relative, (N,)."""
+    """Relative violation (N,) of the contact conditions and of the load, the larger one of both."""
     wrong = np.where(s > 0, np.abs(gap), np.maximum(-gap, 0.0)).max(axis=-1)
     reach = level - h.min(axis=-1)
     residual = np.where(wrong > 0, wrong / np.maximum(reach, 1e-200), 0.0)
@@ -170,7 +170,7 @@ def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None)
 
 
 def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Array, Array]:
-    """Start: every strip is a spring with the mean stiffness of the whole row."""
+    """Initial loads and approach: each strip is a spring with the mean stiffness of the row."""
     n = h.shape[-1]
     softness = np.pi * (np.log(2 * n) + 0.5)
     if Delta is None:
@@ -185,7 +185,7 @@ def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Arra
 
 @lru_cache(maxsize=64)
 def _far(n: int, near: int) -> tuple[Array, ...]:
-    """Matrices (n, n) of the powers s, s², ... in u: the logarithm for all, the series for far."""
+    """Matrices (n, n) of the powers s, s², ... in u: logarithm, then series of far strips."""
     m = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
     beyond, before = m + 0.5, np.where(m > 0, m - 0.5, 1.0)
     log = np.where(m > 0, np.pi / 2 * np.log(beyond / before), 0.0)

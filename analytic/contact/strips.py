@@ -1,21 +1,21 @@
 r"""Finite line contact by semi-analytic strips: Hertz across, half-space along.
 
-A roller is cut across into n equal strips of width D = l/n along its axis y. In each the pressure
-across is Hertz's ellipse with the half-width of this strip and is constant over D,
+A roller is divided into n equal strips of width D = l/n along its axis y. In each strip, the
+pressure across is Hertz's ellipse with the half-width of this strip and is constant over D,
 
 .. math::
     b_k = \sqrt{\frac{4q_kR}{\pi E^*}}, \qquad p_k = \frac{2q_k}{\pi b_k}, \qquad
     \sum_k C_{jk}(b_k)\, q_k \ge \delta - z_j, \quad q_j \ge 0, \quad
     D\sum_k q_k = W,
 
-with equality where q_j > 0; C (`strip_influence`) is the displacement of the
-middle line of a strip by a strip of elliptic pressure on a half-space, both bodies together. z is
-the gap that crown, tilt and faults leave beside the parabola x²/2R. SI or any consistent units.
+with equality where q_j > 0; C_jk (`strip_influence`) is the displacement of the middle line of
+strip j by the elliptic pressure of strip k on a half-space, both bodies together. z is the gap from
+crown, tilt and form errors, without the parabola x²/2R. Any consistent units.
 
 Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
-`strip_error.neglected` estimates the error. If the roller ends under load (no crown) the
-pressure has no limit as strips become narrower: only the mid pressure and loads of finite lengths
-have. The half-space goes on beyond the roller's end faces.
+`strip_error.neglected` estimates the error. If the ends of the roller carry load (no crown), the
+peak pressure does not converge as strips become narrower; only the pressure at mid-length and the
+loads of finite lengths converge. The half-space continues beyond the end faces of the roller.
 
 References
 ----------
@@ -39,12 +39,12 @@ AT_ONCE = 40_000  # loads in work at a time: the cache holds them
 
 @dataclass(frozen=True)
 class Strips:
-    """Strips in contact: q, half_width, pressure, carries (..., n), the others (...).
+    """Solved contacts: q, half_width, pressure and carries are (..., n), the other arrays (...).
 
-    q is the line load [N/m], pressure the one in the middle of each strip [Pa], half_width b [m],
-    approach delta [m], load W [N]. `residual` is the largest violation of the contact conditions,
-    relative to the deepest displacement, or of the load, relative. gap, length, R and E_star are
-    what was given.
+    q is the line load [N/m], pressure [Pa] that in the middle of each strip, half_width b [m],
+    approach delta [m], load W [N]. `residual` is the larger of two relative errors: violation of
+    the contact conditions over the largest displacement, and error of the load. gap, length, R and
+    E_star are the input values.
     """
 
     q: Array
@@ -66,9 +66,9 @@ class Strips:
 
     @property
     def mid(self) -> Array:
-        """Pressure [Pa] at mid-length, (...): between two strips the root of their mean square.
+        """Pressure [Pa] at mid-length, (...); between two strips, their root mean square.
 
-        p² is proportional to q, which is smooth there.
+        p² is proportional to q, which is smooth at mid-length.
         """
         n = self.q.shape[-1]
         middle = self.pressure[..., (n - 1) // 2] ** 2 + self.pressure[..., n // 2] ** 2
@@ -86,14 +86,14 @@ def press_strips(
     tolerance: float = 1e-10,
     workers: int = 1,
 ) -> Strips:
-    """Contact of a roller of the length l, under its `load` or at its `approach`.
+    """Contacts of rollers of the length l under `load` or at `approach`.
 
-    `gap` (..., n) is the height z [m] at the strips' centres; length, relative radius R [m],
-    contact modulus E_star [Pa], load [N] or approach [m] are (...): all broadcast. An approach that
-    reaches nothing gives no load. Each case is solved to `tolerance` (of the deepest displacement
-    and of the load; at 1e-8 loads are good to 1e-7); `workers` threads share the cases, with one
-    BLAS thread each. ValueError for input that makes no sense and for a contact wider than the
-    roller is long; ArithmeticError if a case doesn't converge.
+    `gap` (..., n) is the height z [m] at the centres of the strips. length, relative radius R [m],
+    contact modulus E_star [Pa], load [N] or approach [m] are (...). All arguments are broadcast. If
+    no strip touches at the given approach, the load is zero. `tolerance` is relative to the largest
+    displacement and to the load; at 1e-8, the error of the loads is below 1e-7. `workers` threads
+    solve the cases, each with one BLAS thread. Raises ValueError for invalid input and for a
+    contact that is wider than the roller is long, ArithmeticError if a case does not converge.
 
     >>> load = 100 * np.pi * 1e-4
     >>> roller = press_strips(np.zeros(400), length=100.0, R=1.0, E_star=4.0, load=load)
@@ -101,7 +101,7 @@ def press_strips(
     (0.01, 0.02)
     """
     if not 1e-12 <= tolerance <= 1e-4:
-        raise ValueError(f"tolerance must lie in [1e-12, 1e-4], got {tolerance} [-]")
+        raise ValueError(f"tolerance must lie in [1e-12, 1e-4], got {tolerance}")
     z, length, R, E_star, given = _cases(gap, length, R, E_star, load, approach)
     shape, n = z.shape[:-1], z.shape[-1]
     D = length / n
@@ -152,13 +152,15 @@ def _cases(
     """Gap (..., n), length, R, E_star and load or approach (...), checked and broadcast."""
     z = finite(gap, "gap", "m")
     if z.ndim == 0 or z.shape[-1] == 0:
-        raise ValueError(f"gap must have the strips along its last axis, got shape {z.shape} m")
+        raise ValueError(
+            f"gap must have one height per strip along its last axis, got shape {z.shape}"
+        )
     if load is not None and approach is None:
         given = positive(load, "load", "N")
     elif approach is not None and load is None:
         given = finite(approach, "approach", "m")
     else:
-        raise ValueError("give either the load [N] or the approach [m], not both or neither")
+        raise ValueError("exactly one of load [N] and approach [m] must be given")
     scalars = (
         positive(length, "length", "m"),
         positive(R, "relative radius", "m"),
@@ -170,15 +172,15 @@ def _cases(
     except ValueError:
         shapes = ", ".join(str(a.shape) for a in scalars)
         raise ValueError(
-            f"cases must broadcast: got gap {z.shape} (its last axis the strips), and length, R, "
-            f"E_star, load or approach {shapes} [shapes]"
+            f"shapes must be compatible: got gap {z.shape} (its last axis are the strips), and "
+            f"length, R, E_star, load or approach {shapes}"
         ) from None
     l_, R, E_star, given = (np.broadcast_to(a, shape) for a in scalars)
     return np.broadcast_to(z, (*shape, z.shape[-1])), l_, R, E_star, given
 
 
 def _in_parts(part: Callable[[slice], Solved], h: Array, workers: int) -> Solved:
-    """`part` of every slice of the cases, put together again."""
+    """Result of `part` for all slices of the cases, concatenated."""
     cases, n = h.shape
     size = max(1, AT_ONCE // n)
     parts = [slice(i, i + size) for i in range(0, cases, size)]
@@ -198,11 +200,11 @@ def _in_parts(part: Callable[[slice], Solved], h: Array, workers: int) -> Solved
 
 
 def _refuse_wide(s: Array, n: int) -> None:
-    """ValueError if b = sqrt(s) D exceeds half the length n D; s is a mean of the case, (N,)."""
+    """Raise ValueError if b = sqrt(s) D exceeds half the length n D; s is a mean per case, (N,)."""
     wide = np.sqrt(np.maximum(s, 0.0)) / n
     if np.any(wide > 0.5):
         case = int(np.argmax(wide))
         raise ValueError(
-            "a line contact must be longer than wide: half-width must be below half the length, "
-            f"got b/l = {wide[case]:.3g} [-] in case {case}"
+            "a line contact must be longer than wide: the half-width must be at most half the "
+            f"length, got b/l = {wide[case]:.3g} in case {case}"
         )

@@ -1,12 +1,13 @@
-r"""Line contact under a tangential force that swings between -Q_max and Q_max (Mindlin).
+r"""Line contact under a tangential force that alternates between -Q_max and Q_max (Mindlin).
 
-A reversal adds, to the state it starts from, twice the first loading by half the change of force,
-backwards: while a strip slides back, friction turns from mu p to -mu p. From Q_max on
+After a reversal at Q_max, the traction is that at Q_max minus twice the traction of a first loading
+by half the change of force: where the contact slides back, friction changes from mu p to -mu p.
+From Q_max on,
 
 .. math:: q = q_1(Q_{max}) - 2\, q_1\!\left(\frac{Q_{max} - Q}{2}\right)
 
-with the traction q_1 of the first loading (`partial_slip`), and slip and displacement likewise;
-from -Q_max on all signs are opposite. After one swing the states repeat.
+with the traction q_1 of the first loading (`partial_slip`). Slip and displacement are superposed in
+the same manner. From -Q_max on, all signs are opposite. After one cycle, the states repeat.
 
 References
 ----------
@@ -37,7 +38,7 @@ def traction(
     a: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Shear traction [stress] at x at the force Q during unloading or reloading.
+    """Shear traction [stress] at x and force Q, during unloading or reloading.
 
     >>> load = {"Q_max": 0.75 * np.pi / 2, "P": np.pi / 2, "mu": 1.0, "a": 1.0}  # p_0 = 1
     >>> traction(0.8, Q=-0.75 * np.pi / 2, branch="unloading", **load).round(12).tolist()
@@ -59,7 +60,7 @@ def slip(
     E_star: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Relative slip [length] at x at the force Q, since the first contact of the surfaces."""
+    """Relative slip [length] at x and force Q, measured from the unloaded state."""
     sign, back = _reversal(Q, Q_max, branch)
     first = partial_slip.slip(x, Q=Q_max, P=P, mu=mu, a=a, E_star=E_star)
     undone = partial_slip.slip(x, Q=back, P=P, mu=mu, a=a, E_star=E_star)
@@ -75,7 +76,7 @@ def rigid_displacement_beyond_stick(
     E_star: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Tangential displacement [length] of the bodies, in excess of a contact without slip."""
+    """Tangential displacement [length] of the bodies, minus the value for complete stick."""
     sign, back = _reversal(Q, Q_max, branch)
     load = {"P": P, "mu": mu, "E_star": E_star}
     first = partial_slip.rigid_displacement_beyond_stick(Q=Q_max, **load)
@@ -84,9 +85,10 @@ def rigid_displacement_beyond_stick(
 
 
 def beyond_chord(share: ArrayLike, *, Q_max: float, P: float, mu: float, E_star: float) -> Array:
-    """Displacements (2n,) [length] in excess of the line between both reversals, down and up.
+    """Displacements (2n,) [length] minus the straight line between both reversals.
 
-    On each branch at the n shares Q/Q_max, which rise from -1 to 1.
+    Each branch is evaluated at the n values Q/Q_max = `share`, which increase from -1 to 1 (in
+    reversed order for unloading).
 
     >>> load = {"Q_max": 0.5, "P": 1.0, "mu": 1.0, "E_star": 1.0}
     >>> down, up = np.split(beyond_chord([-1.0, 0.0, 1.0], **load), 2)
@@ -103,10 +105,9 @@ def beyond_chord(share: ArrayLike, *, Q_max: float, P: float, mu: float, E_star:
 
 
 def dissipation(*, Q_max: ArrayLike, P: ArrayLike, mu: ArrayLike, E_star: ArrayLike) -> Array:
-    r"""Energy lost in one cycle per unit length of the contact [force].
+    r"""Energy dissipated in one cycle per unit length of the contact [force].
 
-    The area of the loop of force and displacement, where the part of a contact that sticks whole
-    encloses none. With k = Q_max/(mu P)
+    It is the area of the hysteresis loop of force and displacement. With k = Q_max/(mu P)
 
     .. math:: W = \frac{2(\mu P)^2}{\pi E^*}\left[k(2-k) + 2(1-k)\ln(1-k)\right],
 
@@ -125,9 +126,9 @@ def dissipation(*, Q_max: ArrayLike, P: ArrayLike, mu: ArrayLike, E_star: ArrayL
 
 
 def _reversal(Q: ArrayLike, Q_max: ArrayLike, branch: Branch) -> tuple[int, Array]:
-    """Sign of the branch's start and half the change of force since."""
+    """Sign of the force at the start of the branch, and half the change of force since then."""
     if branch not in get_args(Branch):
-        raise ValueError(f"branch is one of {', '.join(get_args(Branch))}, got {branch!r}")
+        raise ValueError(f"branch must be one of {', '.join(get_args(Branch))}, got {branch!r}")
     Q, Q_max = np.asarray(Q, dtype=np.float64), positive(Q_max, "amplitude of the force", "N/m")
     if not np.all(np.abs(Q) <= Q_max):
         raise ValueError(f"Q must lie between -Q_max and Q_max = {Q_max} N/m, got {Q} N/m")

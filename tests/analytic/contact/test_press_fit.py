@@ -61,7 +61,7 @@ def test_a_contact_opens_at_its_opening_interference_and_not_above(interface):
     delta[interface] = least + 1e-12
     assert abs(float(contact_pressures(STACK, delta, **loads)[interface])) < 1e-11
     delta[interface] = least - 1e-12
-    with pytest.raises(ValueError, match=rf"interface {interface} \(from 0, innermost\)"):
+    with pytest.raises(ValueError, match=rf"interface {interface} \(0 is the innermost\)"):
         contact_pressures(STACK, delta, **loads)
 
 
