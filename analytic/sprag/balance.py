@@ -13,7 +13,7 @@ ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "fri
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Balance:
-    """Energies and works [J] of the whole clutch since the start, each (steps,)."""
+    """Energies and works [J] of the whole clutch since the start of an engagement, (steps,)."""
 
     torque: Array  # put in by the torque
     blades: Array  # work of the blades, whose other end the equations of motion do not specify
@@ -25,13 +25,13 @@ class Balance:
 
     @property
     def missing(self) -> Array:
-        """Work put in less work stored and lost; 0 but for the time step."""
+        """Energy error [J]: work done minus energy stored and lost; due only to the time step."""
         kept = self.kinetic + self.elastic + self.support
         return np.asarray(self.torque + self.blades - self.damping - self.friction - kept)
 
 
 def balance(engagement: Engagement) -> Balance:
-    """Energies and works of an engagement."""
+    """Energies and works [J] of an engagement since its start, at all time steps."""
     y, table, motion = engagement.states, engagement.table, engagement.motion
     inner, outer, phi, turn = y[:, 4:8].T
     g = table.at(engagement.alpha)
@@ -53,9 +53,10 @@ def balance(engagement: Engagement) -> Balance:
 
 
 def sampled(engagement: Engagement, most: int) -> dict[str, Array]:
-    """Time, force, sliding, rotations and energies by name, of less than twice `most` samples.
+    """Histories of an engagement by name, reduced to less than twice `most` samples.
 
-    Angles [rad], v_i [m/s], energies and works [J] as in `Balance`.
+    They contain the time t [s], forces N, T_i [N], sliding speed v_i [m/s], angles [rad], and the
+    energies and works [J] of `Balance`.
     """
     every = max(len(engagement.t) // most, 1)
     energies = balance(engagement)

@@ -1,8 +1,9 @@
-r"""Points of the forces on a wedged sprag whose ends move laterally and rotate.
+r"""Contact points of a wedged sprag whose ends move laterally and rotate.
 
-Forces that leave the middle of a column bend it into an S. Its ends turn by psi (anticlockwise) and
-move by u to the side of A, against its core; so do, by u_r, the races under T = N tan(nu). Surfaces
-touch where they are parallel. With r and r_e the sprag's radii there the centres of pressure roll
+Eccentric forces bend a column into an S shape. Relative to the core, its ends rotate by psi
+(anticlockwise) and move by u towards the side of A. The races move by u_r in the same direction
+under T = N tan(nu). Surfaces touch where they are parallel. With the radii r and r_e of the sprag
+at the contacts, the centres of pressure move by
 
 .. math::
     s_A &= -R_A \left(\psi_A + \frac{u_A - u_{rA}}{OA}\right)
@@ -11,13 +12,14 @@ touch where they are parallel. With r and r_e the sprag's radii there the centre
     s_B &= R_B \left(\psi_B + \frac{u_B - u_{rB}}{OB}\right), \qquad
     \frac{1}{R_B} = \frac{1}{r_e} - \frac{1}{OB},
 
-where the last term of s_A is due to the spiral: it grows flatter to one side (plane contact with a
-cubic gap). The angle beta between both contacts, and tan(nu) and tan(omega) with it, changes by
+where the last term of s_A is due to the spiral, whose curvature decreases to one side (plane
+contact with a cubic gap). The angle beta between both contacts changes, as do tan(nu) and
+tan(omega), by the fraction
 
 .. math:: \frac{s_A}{OA} - \frac{s_B}{OB} .
 
-Small strains, equilibrium at the places of the undeformed ends: that u also takes the forces along
-is left out, as finite elements of small strains leave it out.
+Strains are small, and equilibrium refers to the positions of the undeformed ends: the displacement
+of the forces by u is neglected, as in finite elements with small strains.
 """
 
 from dataclasses import astuple, dataclass
@@ -35,7 +37,7 @@ DEGREE = 32  # of the polynomials: error of 2 % of the rotation of the ends of a
 
 
 class Triangle(Protocol):
-    """Points of the forces of a wedged sprag: radii OA and OB, polar radius rho [m], beta [rad]."""
+    """Contact geometry of a wedged sprag: radii OA, OB, polar radius rho [m], angle beta [rad]."""
 
     @property
     def OA(self) -> Array: ...
@@ -49,7 +51,7 @@ class Triangle(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Ends:
-    """Displacement of the ends of a column to the side of A [P/E'], rotation [P/E' per length]."""
+    """Displacements of both ends of a column towards A [P/E'] and rotations [P/E' per length]."""
 
     moved: Pair
     turned: Pair
@@ -57,7 +59,7 @@ class Ends:
 
 @dataclass(frozen=True, kw_only=True)
 class Shift:
-    """Relative change of the angle between both contacts, and its parts."""
+    """Relative change of the angle between both contacts, split into its causes."""
 
     turned: float
     moved: float
@@ -71,14 +73,15 @@ class Shift:
 
     @property
     def size(self) -> float:
-        """Of the absolute values of all parts."""
+        """Sum of the absolute values of all parts."""
         return float(sum(map(abs, astuple(self))))
 
 
 def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -> Ends | None:
-    """Under Hertz patches of half-widths `a` [length], relative to the core of the column.
+    """Displacements and rotations of the ends of a column, relative to its core.
 
-    None if a contact lies beyond a flank.
+    The forces act through Hertz patches of half-widths `a` [length]. The result is None if a
+    contact lies beyond a flank.
     """
     outline = column.outline(turned=turned, alpha_b=alpha_b)
     if outline is None:
@@ -89,7 +92,7 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
     others = rest(outline, forces, DEGREE)
 
     def at(z: complex, *which: int) -> tuple[complex, float]:
-        """Displacement and rotation by these forces and the rest."""
+        """Displacement and rotation at z by the forces `which` and the polynomial remainder."""
         there = np.array([z])
         fields = [*(flamant(there, forces[i]) for i in which), others(there)]
         u = sum(complex(displaced(there, f, kappa)[0]) for f in fields) / double_G
@@ -111,9 +114,10 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
 
 
 def shift(at: Triangle, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
-    """For a wedged sprag under P = N/(l E') [length]; `races` [length] is their lateral motion.
+    """Change of the angle between both contacts of a sprag under P = N/(l E') [length].
 
-    Both are positive: the inner race moves to the side of A, the outer race away from it.
+    `races` [length] is the lateral motion of both races. Both values are positive: the inner race
+    moves towards the side of A, the outer race away from it.
     """
     OA, OB, beta = float(at.OA), float(at.OB), float(at.beta)
     m, r_e = float(np.asarray(column.sprag.m)), float(np.asarray(column.sprag.r_e))

@@ -1,7 +1,7 @@
-"""Kriging of the largest pressures over crowns (Eq. 20), and its optimal crown.
+"""Kriging of the largest pressures over crowns (Eq. 20), and the optimal crown of the surrogate.
 
-The end slice and all others are interpolated separately: the larger of both has a kink where the
-ends begin to carry.
+The pressure of the end slice and the largest pressure of all other slices are interpolated
+separately, because the larger of both has a kink where the ends begin to carry load.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,7 +27,7 @@ DIRECT = 40  # engagements of the search without a surrogate
 
 @dataclass(frozen=True)
 class Answer:
-    """Pressures [Pa] of the sprag's end and of the rest in one engagement, and its N_max [N].
+    """Largest pressures [Pa] at the end and inside of a sprag in one engagement, and N_max [N].
 
     >>> Answer(end=3e9, inside=2e9, N_max=6e3).largest
     3000000000.0
@@ -39,18 +39,18 @@ class Answer:
 
     @property
     def largest(self) -> float:
-        """Objective of the search [Pa], to be minimised."""
+        """Objective of the minimisation [Pa]: the larger of both pressures."""
         return max(self.end, self.inside)
 
 
 def answers(peaks: Peaks, torque: int = 0) -> list[Answer]:
-    """Of all crowns, under one of the torques, by its number."""
+    """Pressures of all crowns under the torque with the index `torque`."""
     columns = (*peaks.regimes, peaks.N_max)
     return [Answer(*(float(c[k, torque]) for c in columns)) for k in range(len(peaks.crowns))]
 
 
 def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
-    """Kriging of both regimes: crowns whose end slice is loaded, and all others."""
+    """Kriging surrogates of two regimes: pressure of loaded ends, and inner pressure."""
     from analytic.surrogate.largest import fit_largest
 
     end, inside = (np.array([getattr(a, name) for a in known]) for name in ("end", "inside"))
@@ -70,9 +70,10 @@ def infilled(
     true: Callable[[Array], Answer],
     first: "Largest | None" = None,
 ) -> "Infilled[Answer, Largest]":
-    """Designs added at the surrogate's optimal crown until the true model agrees, twice in a row.
+    """Result of adding designs at the surrogate's optimum until two in a row match the true model.
 
-    `known` are the values of the designs x (n, 3), `first` is their surrogate, where it is known.
+    `known` are the true values of the initial designs x (n, 3); `first` is their surrogate if it
+    already exists.
     """
 
     def fitted(designs: Array, found: Sequence[Answer]) -> "Largest":
@@ -87,12 +88,11 @@ def infilled(
 def recorded(
     true: Callable[[Array], float], box: Box
 ) -> tuple[Callable[[Array], float], list[list[float]]]:
-    """Function of the largest pressure [Pa], and the list of its evaluations in order.
+    """Function that returns the largest pressure [Pa] of a crown, and the list of its evaluations.
 
-    The argument of the function is a crown in coordinates of the unit cube.
-
-    `true` returns the pressure of crowns (1, 3). The record has rows of K_1, K_2, z_m and the
-    pressure.
+    The argument of the function is a crown in coordinates of the unit cube. `true` returns the
+    pressure of a crown given as an array (1, 3). The list contains rows of K_1, K_2, z_m and
+    pressure in the order of evaluation.
     """
     seen: list[list[float]] = []
 
@@ -106,9 +106,10 @@ def recorded(
 
 
 def simplex(true: Callable[[Array], float], box: Box, start: Array) -> Array:
-    """Nelder and Mead's simplex on the true model from a crown (3,), in DIRECT engagements.
+    """Evaluations by Nelder and Mead's simplex method on the true model from a crown (3,).
 
-    Rows (n, 4) as `recorded` has them.
+    The search is limited to DIRECT engagements. The rows (n, 4) contain K_1, K_2, z_m and the
+    pressure [Pa].
     """
     pressure, seen = recorded(true, box)
     u = np.clip(box.to_unit(start[None])[0], 0, 1)

@@ -1,30 +1,33 @@
-r"""Sprag wedged under load: from the normal force to every length and angle (Eqs. 6 to 11).
+r"""State of a wedged sprag: all lengths and angles as functions of its normal force (Eqs. 6 to 11).
 
-The paper finds the normal force from the rotation by iteration. The inverse needs no
-iteration: N gives the deflections, these the triangle, and that the rotation. Forces act at A and B
-(Eq. 9, with the growth of the outer race that its third line lacks),
+The paper computes the normal force from the rotation by iteration. The inverse is explicit: N
+determines the deflections, the deflections determine the triangle, and the triangle determines the
+rotation. The forces act at A and B (Eq. 9, with the growth of the outer race, which is missing in
+its third line),
 
 .. math::
     OA &= R_i - \delta_{BI} - \delta_{HI}/2, \qquad
     OB = R_e + \delta_{BE} + \delta_{HE}/2 + \delta_{ce}, \\
     OC_e &= R_e - r_e + \delta_{BE} + \delta_{HE} + \delta_g/2 + \delta_{ce},
 
-while the unstrained spiral meets the normal through O at
+and the unstrained spiral intersects the normal through O at
 
 .. math:: OA_s = R_i - \delta_{BI} - \delta_{HI} - \delta_g/2.
 
-The triangle of OA_s and OC_e gives beta, eta and rho, and so the rotation against OB,
+The triangle with the sides OA_s and OC_e has the angles beta, eta and the side rho. These give the
+rotation relative to OB,
 
 .. math:: \alpha_B = \theta - \theta_0 - (\eta - \eta_0), \qquad
           \theta - \theta_0 = \ln(\rho/\rho_0)/m.
 
-With OA_s and OC_e the work of the forces on the races' rotation equals that on the deflections
-(`course`); with OA in place of OA_s (`printed`) it does not. A free sprag carries force along AB
-alone: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N cos(omega)/cos(nu). The deflections of both
-sides are those under N, as in the paper; N_e is larger by half of nu² - omega².
+With OA_s and OC_e, the work of the forces on the rotation of the races equals the work on the
+deflections (`course`). With OA in place of OA_s (`printed`), both works differ. Only two forces act
+on a sprag. Therefore, they act along AB: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N
+cos(omega)/cos(nu). As in the paper, the deflections of both contacts are those under N; N_e is
+larger by the fraction (nu² - omega²)/2.
 
-alpha is the rotation against the azimuth of the centroid, alpha_b + gamma - gamma_0, positive where
-it locks. SI; shapes broadcast; nan if there is no state.
+alpha = alpha_b + gamma - gamma_0 is the rotation relative to the azimuth of the centroid, positive
+in the locking direction. SI units; arguments broadcast; nan where no equilibrium exists.
 """
 
 from dataclasses import dataclass
@@ -41,7 +44,7 @@ from analytic.sprag.search import first_reach
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Wedged:
-    """State of each sprag [N, N m, m, rad]; `turned` is theta - theta_0, `T` of the clutch."""
+    """State of each sprag [N, N m, m, rad]; `turned` is theta - theta_0, `T` the clutch torque."""
 
     N: Array
     N_e: Array
@@ -66,12 +69,12 @@ class Wedged:
 
     @property
     def b_i(self) -> Array:
-        """Lever [m] of T_i about the centroid (Eq. 15)."""
+        """Lever arm [m] of T_i about the centroid (Eq. 15)."""
         return np.asarray(self.OC_g * np.cos(self.beta + self.gamma) - self.OA)
 
     @property
     def b_e(self) -> Array:
-        """Lever [m] of T_e about the centroid (Eq. 15)."""
+        """Lever arm [m] of T_e about the centroid (Eq. 15)."""
         return np.asarray(self.OB - self.OC_g * np.cos(self.gamma))
 
     @property
@@ -81,12 +84,12 @@ class Wedged:
 
     @property
     def h_e(self) -> Array:
-        """Lever [m] of N_e about the centroid (Eq. 15)."""
+        """Lever arm [m] of N_e about the centroid (Eq. 15)."""
         return np.asarray(self.OC_g * np.sin(self.gamma))
 
 
 def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """State under the normal force N [N] of each sprag on the inner race."""
+    """State of each sprag under the normal force N [N] on the inner race."""
     N = np.asarray(N, dtype=np.float64)
     not_negative(np.where(np.isnan(N), 0.0, N), "normal force", "N")
     sprag, yields = clutch.sprag, clutch.compliance.yields(N)
@@ -96,7 +99,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
-    """State whose spiral touches the inner race at OA_s, with its forces at OA [m]."""
+    """State of sprags with the spiral at OA_s on the inner race and the forces at OA [m]."""
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
     OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)
@@ -118,7 +121,7 @@ def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Ar
 
 
 def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
-    """State under the torque T [N m] of the clutch, the first one for increasing load."""
+    """State under the clutch torque T [N m]; if there are several, that with the smallest force."""
     T = not_negative(T, "torque", "N m")
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
@@ -126,7 +129,7 @@ def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
 
 
 def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
-    """State at the rotation alpha [rad]; unloaded up to the alpha of first contact at speed."""
+    """State at the rotation alpha [rad]; no load below the alpha of first contact at speed."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
     start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)
@@ -134,7 +137,7 @@ def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
 
 
 def _centroid(clutch: SpragClutch, OC_e: Array, alpha_b: Array) -> tuple[Array, Array]:
-    """Angle gamma [rad] from OB to the centroid, away from A, and its distance from O [m]."""
+    """Angle gamma [rad] from OB to the centroid, positive away from A, and its radius OC_g [m]."""
     c_x, c_y = clutch.centroid
     x = c_x * np.cos(alpha_b) + c_y * np.sin(alpha_b)
     y = OC_e - c_x * np.sin(alpha_b) + c_y * np.cos(alpha_b)

@@ -1,4 +1,4 @@
-"""A sprag clutch for statics: geometry, number and compliance of its sprags, their centroid."""
+"""Sprag clutch for statics: geometry, number, compliance and centroid of its sprags."""
 
 from dataclasses import dataclass, replace
 from typing import Self
@@ -14,10 +14,10 @@ from analytic.sprag.geometry import LogSprag
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SpragClutch:
-    """n_s sprags with their compliance.
+    """Sprag clutch with n_s sprags and their compliance.
 
-    (c_x, c_y) [m] leads from the pole C_e to the centroid at first contact, y along OB and x to
-    the side of A; None is the middle of both contacts.
+    (c_x, c_y) [m] is the vector from the pole C_e to the centroid at first contact, with y along OB
+    and x towards the side of A. With None, the centroid is midway between both contacts.
     """
 
     sprag: LogSprag
@@ -33,7 +33,7 @@ class SpragClutch:
 
     @property
     def centroid(self) -> tuple[Array, Array]:
-        """c_x, c_y [m]."""
+        """Coordinates c_x, c_y [m] of the centroid relative to the pole C_e at first contact."""
         sprag = self.sprag
         R_i, beta = np.asarray(sprag.R_i), sprag.beta_0
         x = R_i * np.sin(beta) / 2 if self.c_x is None else self.c_x
@@ -44,7 +44,7 @@ class SpragClutch:
         return np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
 
     def rigid_races(self) -> Self:
-        """Clutch with races without ring deflection (Liu's model)."""
+        """Clutch whose races have no ring deflection (Liu's model)."""
         return replace(self, compliance=self.compliance.rigid_races())
 
 

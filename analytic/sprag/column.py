@@ -1,8 +1,8 @@
-"""A sprag as an elastic body: a column with rounded ends under two opposed forces.
+"""Sprag as an elastic body: a column with rounded ends under two opposite forces.
 
-In the middle of a Hertz patch of half-width a the logarithm of a force (`goursat`) becomes
-ln(2/a) + 1/2. A disc comes out to round-off (`hertz_line_approach.approach_to_centre`). Left out
-are (a/r)² and the square of the angle between forces and normals.
+In the middle of a Hertz patch of half-width a, the logarithm of a point force (`goursat`) becomes
+ln(2/a) + 1/2. For a disc, the result agrees with `hertz_line_approach.approach_to_centre` to
+round-off. Neglected terms: (a/r)² and the square of the angle between forces and normals.
 """
 
 from collections.abc import Callable
@@ -21,7 +21,9 @@ STEEPEST = np.radians(75)  # largest angle from the line AB to the ends of spira
 
 
 def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int = DEGREE) -> float:
-    """Approach of A and B over P/E' in plane strain, under Hertz patches of half-widths a [length].
+    """Approach of A and B divided by P/E', in plane strain.
+
+    The forces act through Hertz patches of the half-widths a [length].
 
     >>> turn = np.exp(1j * np.linspace(-1.5, 1.5, 99))
     >>> disc = Outline(A=-1j, B=1j, left=-turn.conj(), right=turn)
@@ -45,9 +47,9 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """A sprag with flanks at the distance b [length], about the unloaded line of both contacts.
+    """Sprag with flanks at the distance b [length], parallel to the unloaded line of both contacts.
 
-    ValueError if the flanks do not intersect the spiral or the arc within 75 degrees.
+    Raises ValueError if the flanks do not intersect the spiral or the arc within 75 degrees.
     """
 
     sprag: LogSprag
@@ -58,38 +60,38 @@ class Column:
 
     @property
     def turned(self) -> float:
-        """Angle theta - theta_0 [rad] at which the inner contact is at a flank."""
+        """Angle theta - theta_0 [rad] at which the inner contact reaches a flank."""
         (right, _), _ = self._flanks
         return float(right - self.sprag.eta_0)
 
     @property
     def alpha_b(self) -> float:
-        """Rotation against OB [rad] at which the outer contact is at a flank."""
+        """Rotation relative to OB [rad] at which the outer contact reaches a flank."""
         _, (_, left) = self._flanks
         return -float(left)
 
     @property
     def core(self) -> complex:
-        """The point of the middle line next to the pole."""
+        """Point of the middle line nearest to the pole."""
         low, along = self._middle
         return complex(low - (low * np.conj(along)).real * along)
 
     def normal(self, turned: float) -> complex:
-        """Unit vector into the body at the inner contact [theta - theta_0 in rad]."""
+        """Inward unit normal at the inner contact for `turned` = theta - theta_0 [rad]."""
         m = float(np.asarray(self.sprag.m))
         inwards = -(1 - 1j * m) * complex(self._spiral(np.array(self.sprag.eta_0 + turned)))
         return inwards / abs(inwards)
 
     def stands(self, *, turned: float, alpha_b: float) -> bool:
-        """Whether both contacts lie between the flanks."""
+        """True if both contacts lie between the flanks."""
         below, above = self._flanks
         theta = float(self.sprag.eta_0) + turned
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
-        """Distances of both contacts from the nearer flank, over half the distance of the flanks.
+        """Distances of both contacts from the nearer flank, divided by half the width.
 
-        1 in the middle, 0 at a flank, negative beyond; angles are used as lengths.
+        1 in the middle, 0 at a flank, negative beyond it. Angles are used in place of lengths.
         """
         at = float(self.sprag.eta_0) + turned, -alpha_b
         inner, outer = (
@@ -99,9 +101,9 @@ class Column:
         return inner, outer
 
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
-        """With the contacts at these angles [rad]; the pole is 0, the top of the arc +y.
+        """Outline with the contacts at these angles [rad]; the pole is at 0, the arc at +y.
 
-        None if a contact lies beyond a flank.
+        The result is None if a contact lies beyond a flank.
         """
         if not self.stands(turned=turned, alpha_b=alpha_b):
             return None
@@ -119,17 +121,17 @@ class Column:
         return Outline(A=complex(A), B=complex(B), left=left, right=right)
 
     def _spiral(self, theta: Array) -> Complex:
-        """Anticlockwise from -y."""
+        """Points of the spiral at the angles theta [rad], anticlockwise from -y."""
         rho_0, m, eta_0 = self.sprag.rho_0, np.asarray(self.sprag.m), self.sprag.eta_0
         return np.asarray(-1j * rho_0 * np.exp((m + 1j) * theta - m * eta_0))
 
     def _arc(self, phi: Array) -> Complex:
-        """Clockwise from +y."""
+        """Points of the arc at the angles phi [rad], clockwise from +y."""
         return np.asarray(1j * np.asarray(self.sprag.r_e) * np.exp(-1j * phi))
 
     @property
     def _middle(self) -> tuple[complex, complex]:
-        """The inner contact without load, and the direction to the outer one."""
+        """Inner contact without load, and the unit vector from it to the outer contact."""
         low = complex(self._spiral(np.asarray(self.sprag.eta_0)))
         along = 1j * float(np.asarray(self.sprag.r_e)) - low
         return low, along / abs(along)
@@ -143,8 +145,8 @@ class Column:
         above = _ends(lambda t: ((self._arc(t) - low) / along).imag, -lean, self.b)
         if below is None or above is None:
             raise ValueError(
-                f"a sprag of the width b={self.b:g} m is wider than spiral or arc reach within "
-                f"{np.degrees(STEEPEST):g} degrees of its middle"
+                f"the width b={self.b:g} m of the sprag must not exceed the width of spiral and "
+                f"arc within {np.degrees(STEEPEST):g} degrees of its middle line"
             )
         return below, above
 

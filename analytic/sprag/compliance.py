@@ -1,12 +1,13 @@
-r"""Deflections under the normal force of one sprag: contacts, races, sprag (Eqs. 2 to 8).
+r"""Deflections of contacts, races and sprag under the normal force of one sprag (Eqs. 2 to 8).
 
-H, the path of a normal force, is the sum of five deflections, half of the sprag's on either side:
+H, the relative displacement of the normal forces, is the sum of five deflections; half of the
+deflection of the sprag counts for each side:
 
 .. math::
     H = \underbrace{\delta_{BI} + \delta_{HI} + \tfrac12\delta_g}_{\text{inner}}
       + \underbrace{\delta_{BE} + \delta_{HE} + \tfrac12\delta_g}_{\text{outer}}
 
-The outer race's growth delta_ce under rotation also exists without load; H excludes it.
+H excludes the growth delta_ce of the outer race under rotation, which also exists without load.
 """
 
 from dataclasses import dataclass, replace
@@ -21,7 +22,7 @@ from analytic.sprag.laws import Law
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Yields:
-    """Deflections [m] under one N: delta_HI, HE of contacts, BI, BE of races, delta_g, ce."""
+    """Deflections [m] under N: contacts HI, HE, races BI, BE, sprag g, growth by rotation ce."""
 
     contact_i: Array
     contact_e: Array
@@ -32,23 +33,23 @@ class Yields:
 
     @property
     def inner(self) -> Array:
-        """Sum of deflections on the inner side, from the sprag's middle on."""
+        """Sum of deflections [m] from the middle of the sprag to the inner race."""
         return np.asarray(self.race_i + self.contact_i + self.sprag / 2)
 
     @property
     def outer(self) -> Array:
-        """Sum of deflections on the outer side, without the growth by rotation."""
+        """Sum of deflections [m] from the middle of the sprag to the outer race, without d_ce."""
         return np.asarray(self.race_e + self.contact_e + self.sprag / 2)
 
     @property
     def H(self) -> Array:
-        """Sum of the five deflections under load."""
+        """Sum of the five deflections [m] under load."""
         return np.asarray(self.inner + self.outer)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Compliance:
-    """Laws of both contacts, N to approach; races and sprag [m/N]; growth d_ce [m]."""
+    """Contact laws (N to approach), compliances of races and sprag [m/N], growth d_ce [m]."""
 
     contact_i: Law
     contact_e: Law
@@ -63,7 +64,7 @@ class Compliance:
         not_negative(self.d_ce, "growth d_ce", "m")
 
     def yields(self, N: ArrayLike) -> Yields:
-        """Deflections under the force N [N], nan if N is nan or beyond the law of a contact."""
+        """Deflections [m] under N [N]; nan if N is nan or beyond the range of a contact law."""
         N = np.asarray(N, dtype=np.float64)
         return Yields(
             contact_i=self.contact_i(N), contact_e=self.contact_e(N),
@@ -72,5 +73,5 @@ class Compliance:
         )  # fmt: skip
 
     def rigid_races(self) -> Self:
-        """Compliance with races without ring deflection (Liu's model)."""
+        """Compliance with races that have no ring deflection (Liu's model)."""
         return replace(self, race_i=0.0, race_e=0.0)

@@ -16,9 +16,10 @@ def sprag_compression(
     l: ArrayLike,  # noqa: E741
     E: ArrayLike,
 ) -> Array:
-    """Compression delta_g [length] of a bar R_e - R_i long, b wide and l deep under N (Eq. 7).
+    """Compression delta_g [length] of a bar of length R_e - R_i and section b l under N (Eq. 7).
 
-    The paper leaves b undefined: its formula is N L/(E S), so that S = b l is the bar's section.
+    The paper does not define b. Its formula is N L/(E S); therefore, S = b l is the cross-section
+    of the bar.
 
     >>> round(float(sprag_compression(N=6.0, R_i=2.0, R_e=5.0, b=1.0, l=3.0, E=2.0)), 12)
     3.0

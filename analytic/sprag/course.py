@@ -1,18 +1,19 @@
-r"""Along the load path: wind-up of the races by rolling, elastic energy of a sprag.
+r"""Integrals over the load path: wind-up of the races by rolling, elastic energy of a sprag.
 
 .. math::
     \theta_i = \int OC_e\left[\frac{\cos\beta}{OA} - \frac{1}{OB}\right] d\alpha_B
              + \int \frac{\sin\beta}{OA}\,dOC_e, \qquad U = \int N\,dH
 
-from no load to N; theta_i is the inner race's angle in driving direction, outer race at rest,
-both contacts rolling. The second integral is the sprag's travel outwards, which is not quite along
-the normal at A; it is of the order of nu beta against the first.
+from no load to N. theta_i is the angle of the inner race in the driving direction, with the outer
+race at rest and both contacts rolling. The second integral is due to the outward motion of the
+sprag, which is not exactly along the normal at A. Relative to the first integral, it is of the
+order nu beta.
 
-The forces' work on a rigid sprag is zero, so that
+The work of the forces on the motion of a rigid sprag is zero. Therefore,
 
 .. math:: T\,d\theta_i = n_s\,(N\,dH_i + N_e\,dH_e), \qquad N_e = N\,\frac{\cos\omega}{\cos\nu},
 
-exactly; with N on both sides, as in U, it is so but for some (nu² - omega²)/4.
+exactly. With N in place of N_e, as in U, the relative error is about (nu² - omega²)/4.
 """
 
 import numpy as np
@@ -28,7 +29,7 @@ AT, WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 
 
 def rolled(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Rotation theta_i [rad] of the inner race against the outer from no load to N [N]."""
+    """Rotation theta_i [rad] of the inner against the outer race, from no load to N [N]."""
     on_way = _way(clutch, N)
     per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
     per_way = np.asarray(np.sin(on_way.beta) / on_way.OA)
@@ -36,20 +37,20 @@ def rolled(clutch: SpragClutch, N: ArrayLike) -> Array:
 
 
 def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Elastic energy U [J] of one sprag and its share of the races under N [N]."""
+    """Elastic energy U [J] of one sprag with its share of the races, under N [N]."""
     on_way = _way(clutch, N)
     return _integral(on_way.N, on_way.yields.H)
 
 
 def work(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Work [J] of both forces of one sprag on all deflections: U with N_e dH_e for N dH_e."""
+    """Work [J] of both forces of one sprag on all deflections: U with N_e in place of N outside."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))
 
 
 def _way(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """States at Gauss' points between no load and N: panels, points, shape of N."""
+    """States at Gauss points between no load and N, (panels, points, ...)."""
     N = np.asarray(N, dtype=np.float64)
     path = (np.arange(PANELS)[:, None] + (1 + AT) / 2) / PANELS
     dimensions = wedged(clutch, N).T.ndim
@@ -57,7 +58,7 @@ def _way(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def _integral(y: Array, x: Array) -> Array:
-    """Integral of y dx along the path, dx of each panel from the polynomial through its points."""
+    """Integral of y dx along the path, with polynomials through the points of each panel."""
     legendre = np.polynomial.legendre
     slopes = legendre.legval(AT, legendre.legder(np.eye(POINTS))).T
     dx = slopes @ np.linalg.inv(legendre.legvander(AT, POINTS - 1))

@@ -1,6 +1,7 @@
-"""Quality of a surrogate of crowns' pressures: its errors, the searches on it, its maps.
+"""Quality of a surrogate of crown pressures: its errors, the searches on it, its maps.
 
-Arrays by name, as the study of the optimal crown keeps them; crowns are rows of K_1, K_2, z_m.
+All functions return arrays by name, as the study of the optimal crown stores them. Crowns are rows
+of K_1, K_2, z_m.
 """
 
 from collections.abc import Mapping
@@ -25,10 +26,10 @@ HELD = {1: 0.5, 2: 10e-6}  # of K_2 and z_m [m] in Figs. 15 and 17
 
 
 def tried(box: Box, x: Array, peaks: Peaks, extra: Array, surrogate: "Largest") -> dict[str, Array]:
-    """Errors of one kriging (Eq. 20) and of kriging by regimes, and the repetition of the first.
+    """Errors of a single kriging surrogate (Eq. 20) and of a surrogate by regimes, by name.
 
-    `surrogate` fits the designs x (n, 3) with their `peaks` under the first torque; `extra`
-    (m, 3) are designs that it has not seen.
+    `surrogate` is fitted to the designs x (n, 3) with their `peaks` under the first torque. `extra`
+    (m, 3) are designs that were not used for fitting.
     """
     from analytic.surrogate.kriging import fit
 
@@ -54,7 +55,7 @@ def searched(
     surrogate: "Largest", box: Box, *, population: int, generations: int, crossover: float,
     mutation: float,
 ) -> dict[str, Array]:  # fmt: skip
-    """The paper's genetic algorithm and differential evolution on the surrogate."""
+    """Optima of the surrogate by the paper's genetic algorithm and by differential evolution."""
     ga = genetic(
         surrogate.predict, box, population=population, generations=generations,
         crossover=crossover, mutation=mutation,
@@ -69,9 +70,10 @@ def searched(
 
 
 def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mapping[str, Array]:
-    """The optimal crown, the convergence of surrogate and true model, and maps of the surrogate.
+    """Optimal crown, convergence of surrogate and true model, and maps of the surrogate, by name.
 
-    Also its value at the crown `at_hand` (3,), or at the nearest of the box.
+    The result also contains the value of the surrogate at the given crown `at_hand` (3,), or at the
+    nearest crown of the box.
     """
     K_1, K_2, z_m = axes(box)
     best = last.answers[int(np.argmin([a.largest for a in last.answers]))]
@@ -90,17 +92,17 @@ def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mappi
 
 
 def over_box(surrogate: "Largest", box: Box) -> Array:
-    """The surrogate's pressures [Pa] on all points of `axes`, of the shape FINE."""
+    """Pressures [Pa] of the surrogate at all points of `axes`, shape FINE."""
     return np.asarray(surrogate.predict(_points(*axes(box))).reshape(FINE))
 
 
 def axes(box: Box) -> list[Array]:
-    """Values of each parameter at which the surrogate is evaluated."""
+    """Values of each of the three parameters at which the surrogate is evaluated."""
     return [np.linspace(a, b, n) for a, b, n in zip(box.low, box.high, FINE, strict=True)]
 
 
 def held(box: Box, axis: int) -> float:
-    """The constant K_2 (1) or z_m (2) of a map; the middle of the box if the box excludes it."""
+    """Constant K_2 (axis 1) or z_m (axis 2) of a map, or the mid value of the box."""
     low, high, value = box.low[axis], box.high[axis], HELD[axis]
     return value if low <= value <= high else (low + high) / 2
 

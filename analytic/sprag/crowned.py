@@ -1,4 +1,4 @@
-"""A sprag clutch whose contacts are crowned: pressures by slices under its normal forces."""
+"""Sprag clutch with crowned contacts: pressures by slices under its normal forces."""
 
 import math
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ STEP = 1e-3  # relative to a force, for slopes
 
 @dataclass(frozen=True, eq=False)
 class Crowned:
-    """A clutch with crowned contacts: `gap` [m] of the slices; its laws hold up to `N_top` [N]."""
+    """Clutch with the crown `gap` [m] of its slices, valid for forces up to `N_top` [N]."""
 
     parts: SpragClutchParts
     clutch: SpragClutch
@@ -28,14 +28,14 @@ class Crowned:
     N_top: float
 
     def radii(self, now: Wedged) -> tuple[float, float]:
-        """Relative radii [m] of the inner and the outer contact under load."""
+        """Relative radii [m] of the inner and the outer contact in the loaded state `now`."""
         sprag = self.parts.sprag
         r_i = float(now.rho * np.hypot(1, sprag.m))
         R_i = float(np.asarray(sprag.R_i))
         return 1 / (1 / r_i + 1 / R_i), float(self.parts.R_contact_e)
 
     def pressed(self, N: float) -> tuple[SlicedContact, SlicedContact]:
-        """The inner and the outer contact under the normal force N [N], slice by slice."""
+        """Inner and outer contact in slices under the normal force N [N]."""
         now = wedged(self.clutch, N)
         given = {"length": self.parts.l, "E_star": self.parts.E_star}
         loads = float(now.N), float(now.N_e)
@@ -51,7 +51,10 @@ class Crowned:
         return float(inner.peak_pressure.max()), float(outer.peak_pressure.max())
 
     def torque_at(self, pressure: float, contact: int) -> float:
-        """Torque [N m] at which the inner (0) or outer (1) contact's peak is that; inf if never."""
+        """Torque [N m] at which the peak of the inner (0) or outer (1) contact is `pressure`.
+
+        The result is infinite if the pressure is not reached up to `N_top`.
+        """
 
         def over(log_N: float) -> float:
             return math.log(self.peaks(math.exp(log_N))[contact] / pressure)
@@ -65,7 +68,7 @@ class Crowned:
 
 
 def mid(contact: SlicedContact) -> float:
-    """Pressure [Pa] at mid-length; between two slices the mean of their squares, which are loads.
+    """Pressure [Pa] at mid-length; between two slices, the root mean square of their pressures.
 
     >>> one = slices.press_slices([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
     >>> bool(np.isclose(mid(one), one.peak_pressure[1]))

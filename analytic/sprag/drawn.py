@@ -1,7 +1,7 @@
-"""A sprag drawn point by point between its races, without a triangle: second method for a state.
+"""State of a sprag from points of its outline between the races: a second method, without triangle.
 
-The spiral is points; where it touches is the point nearest to the axis, on the parabola through
-three. Deflections are calculated independently: rings under uniform pressure, a bar, slices.
+The spiral is a set of points. Its contact is the point nearest to the axis, on the parabola through
+three points. Deflections are computed independently: rings under uniform pressure, a bar, slices.
 """
 
 import math
@@ -23,7 +23,7 @@ FAR = 6.0  # rad, more than any sprag turns
 
 
 def middles(length: float, n: int) -> Array:
-    """Middles [m] of n equal parts of a length, from its middle.
+    """Positions [m] of the centres of n equal parts of a length, from its middle.
 
     >>> middles(3.0, 3).tolist()
     [-1.0, 0.0, 1.0]
@@ -33,7 +33,7 @@ def middles(length: float, n: int) -> Array:
 
 
 def crown_drop(y: Array, *, length: float, A: float, K_2: float, z_m: float) -> Array:
-    """Drop [m] of the crown at places y from mid-length, Eq. 1 within its range; A its depth."""
+    """Drop [m] of the crown at y from mid-length (Eq. 1 within its range) with the depth A [m]."""
     crowns = K_2 * length / 2
     t = np.clip((np.abs(y) - (length / 2 - crowns)) / crowns, 0.0, 1.0)
     return np.asarray(-A * np.log(1 - (1 - math.exp(-z_m / A)) * t**2))
@@ -41,10 +41,11 @@ def crown_drop(y: Array, *, length: float, A: float, K_2: float, z_m: float) -> 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sizes:
-    """z sprags of the growth `m`, `b` wide and `l` long, between R_id..R_i and R_e..R_ed [m].
+    """Dimensions of a clutch with z sprags between rings R_id to R_i and R_e to R_ed [m].
 
-    r_i [m] is the spiral's radius of curvature at first contact, `gap` [m] the crown's drop at the
-    slices. The outer race turns at `omega` [rad/s].
+    The sprags have the spiral growth `m`, the width b and the length l [m]. r_i [m] is the radius
+    of curvature of the spiral at first contact, `gap` [m] the drop of the crown at the slices. The
+    outer race rotates at `omega` [rad/s].
     """
 
     R_id: float
@@ -65,9 +66,9 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Touching:
-    """A sprag under two forces: its rotation, angles [rad], the torque of the clutch [N m].
+    """State of a sprag under two forces: N [N], angles [rad] and the torque T [N m] of the clutch.
 
-    `A` and `B`, the points of the forces, and its pole `C` are positions [m], (2,); B is above O.
+    `A` and `B`, the points of the forces, and the pole `C` are positions (2,) [m]; B is above O.
     """
 
     N: float
@@ -82,9 +83,10 @@ class Touching:
 
 @dataclass(frozen=True)
 class Drawn:
-    """The sprag of a clutch as `points` per radian of spiral.
+    """Sprag of a clutch whose spiral has `points` points per radian.
 
-    With `rigid` races (Liu), or with the inner deflection omitted by Eqs. 9 and 10 as printed.
+    With `rigid`, the races have no ring deflection (Liu). With `printed`, a part of the inner
+    deflection is omitted, as in Eqs. 9 and 10 as printed.
     """
 
     q: Sizes
@@ -94,18 +96,21 @@ class Drawn:
 
     @cached_property
     def start(self) -> float:
-        """Angle [rad] of the pole's ray to the first contact from the ray to the axis."""
+        """Angle [rad] at the pole from the ray to the axis to the ray to the first contact."""
         return float(brentq(lambda psi: self._near(psi, 0.0, self._OC)[0] - self.q.R_i, -0.6, 0.6,
                             xtol=1e-15))  # fmt: skip
 
     @cached_property
     def growth(self) -> float:
-        """The spiral's m."""
+        """Growth m of the spiral."""
         return self.q.m
 
     @property
     def _OC(self) -> float:
-        """The pole [m] from the axis: r_i/sqrt(1 + m²) from A, arctan(m) off the normal there."""
+        """Distance [m] of the pole from the axis at first contact.
+
+        The pole is r_i/sqrt(1 + m²) from A, at the angle arctan(m) from the normal there.
+        """
         off = math.atan(self.growth)
         return math.hypot(self.q.R_i + self._rho_0 * math.cos(off), self._rho_0 * math.sin(off))
 
@@ -114,7 +119,7 @@ class Drawn:
         return self.q.r_i / math.hypot(1, self.growth)
 
     def _near(self, psi: float, alpha: float, OC: float) -> tuple[float, float, float]:
-        """Distance [m] from the axis to the spiral, azimuth and polar angle [rad] there."""
+        """Distance [m] of the spiral from the axis; azimuth and polar angle [rad] there."""
         h = 1 / self.points
         centre = round(alpha / h)
         around = round(AROUND / h)
@@ -134,7 +139,7 @@ class Drawn:
         return rho * np.sin(turn + theta), OC - rho * np.cos(turn + theta)
 
     def yields(self, N: float) -> dict[str, float]:
-        """Deflections [m] under the normal force N [N]."""
+        """Deflections [m] by name under the normal force N [N]."""
         q = self.q
         smeared = N * q.z / (2 * math.pi * q.l)  # times 1/r is a pressure
         inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed
@@ -151,7 +156,7 @@ class Drawn:
         return found
 
     def under(self, N: float) -> Touching:
-        """The state under the normal force N [N]."""
+        """State of the sprag under the normal force N [N]."""
         q, d = self.q, self.yields(N)
         grown = self.grown()
         OC = self._OC + d["BE"] + d["HE"] + d["g"] / 2 + grown
@@ -169,33 +174,34 @@ class Drawn:
         return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA, A, B, C)
 
     def grown(self) -> float:
-        """Growth [m] of the outer race's bore by rotation: a hollow disc in plane stress."""
+        """Growth [m] of the bore of the outer race by rotation, a hollow disc in plane stress."""
         q = self.q
         return float(q.R_e * q.density * q.omega**2 / (4 * q.E)
                      * ((3 + q.nu) * q.R_ed**2 + (1 - q.nu) * q.R_e**2))  # fmt: skip
 
     def at_torque(self, T: float, near: float) -> Touching:
-        """The state under the torque T [N m], whose force is within a half of `near` [N]."""
+        """State under the torque T [N m]; its normal force must lie within 50 % of `near` [N]."""
         N = brentq(lambda N: self.under(N).T - T, 0.5 * near, 1.5 * near, rtol=1e-13)
         return self.under(float(N))
 
     def at_friction(self, mu: float, near: float) -> Touching:
-        """The state that requires the friction mu, under a force within a half of `near`."""
+        """State with required friction coefficient mu; its force lies within 50 % of `near`."""
         N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
         return self.under(float(N))
 
     def rolled(self, N: float, steps: int) -> float:
-        """Rotation [rad] of the inner race from no load to N [N] in steps, the outer race at rest.
+        """Rotation [rad] of the inner race from no load to N [N]; the outer race is at rest.
 
-        In each step the sprag moves so that its material point at the middle of the path of B
-        retains its azimuth; its point at the middle of the path of A rotates the inner race.
+        In each step, the sprag moves so that its material point in the middle of the path of B
+        retains its azimuth. Its material point in the middle of the path of A rotates the inner
+        race.
         """
         way = [self.under(N * (k / steps) ** POWER) for k in range(steps + 1)]
         return math.fsum(_taken(one, two) for one, two in pairwise(way))
 
 
 def _taken(one: Touching, two: Touching) -> float:
-    """Angle [rad] by which the sprag rotates the inner race from one place to the next."""
+    """Angle [rad] by which the sprag rotates the inner race from one state to the next."""
     B = (_on_sprag(one, one.B) + _on_sprag(two, two.B)) / 2
     A = (_on_sprag(one, one.A) + _on_sprag(two, two.A)) / 2
     swung = _azimuth(one, B) - _azimuth(two, B)  # counter-clockwise, of the line OB

@@ -1,11 +1,12 @@
-"""Sprag clutches whose parts deflect as elastic bodies, and by the simpler laws, for comparison.
+"""Sprag clutches with deflections of elastic bodies, and with two simpler laws for comparison.
 
-- elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
-  column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
-  bends and deflects more: a parabola through its values without load and at two rotations.
-- plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
-  rings.
-- composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.
+- elastic: races are rings under single loads (`analytic.ring.loaded_race`), the sprag is a column
+  with rounded ends (`analytic.sprag.column`), all in plane strain. If the contacts are eccentric,
+  the column bends, and its compliance increases: a parabola over N through the values without load
+  and at two rotations.
+- plane: Hertz's line contacts to the depth of the walls and to half the height of the sprag, and
+  Eq. 6 for long rings.
+- composite: Palmgren's law and Eqs. 6 and 7, as in the paper.
 """
 
 import math
@@ -36,34 +37,34 @@ BENDING = 0.2, 0.5  # relative to the rotation with a contact at a flank: evalua
 
 @dataclass(frozen=True)
 class Race:
-    """A race under one of its loads in plane strain, over P/E': mean, middle, mean over a patch."""
+    """Deflections of a race under one of its loads in plane strain, divided by P/E'."""
 
     mean: float
     middle: float  # at the half-width r/1000
     a: float
 
     def at(self, a: Array) -> Array:
-        """At the middle of a patch of the half-width `a` [m]; the error is of (a/r)²."""
+        """Deflection in the middle of a patch of half-width `a` [m], with an error of (a/r)²."""
         return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
 
     def under(self, a: Array) -> Array:
-        """On the average over the pressure, which is 1/4 of 2/pi below."""
+        """Mean deflection over the elliptic pressure, 1/4 of 2/pi less than in its middle."""
         return np.asarray(self.at(a) - 1 / (2 * np.pi))
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticSpragClutch:
-    """The clutch of these parts, with each kind of deflection; scalar sizes only."""
+    """Sprag clutch of given parts, with each kind of deflection; only for scalar dimensions."""
 
     parts: SpragClutchParts
 
     @cached_property
     def E_plane(self) -> float:
-        """E/(1 - nu²) [Pa]."""
+        """Modulus E/(1 - nu²) [Pa] of plane strain."""
         return float(in_plane(self.parts.E, self.parts.nu, "plane strain")[0])
 
     def half_widths(self, N: Array) -> tuple[Array, Array]:
-        """Hertz's half-widths [m] at both contacts under N [N]."""
+        """Hertz's half-widths [m] of the inner and the outer contact under N [N]."""
         p = self.parts
         a_i, a_e = (
             hertz_line.half_width(P=np.where(N > 0, N, 1e-300) / p.l, R=R, E_star=p.E_star)
@@ -73,7 +74,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def races(self) -> tuple[Race, Race]:
-        """The inner and the outer race, each under one of its loads."""
+        """Deflections of the inner and the outer race, each under one of its loads."""
         p, sprag = self.parts, self.parts.sprag
         return self._race(p.R_id, sprag.R_i, "rim"), self._race(sprag.R_e, p.R_ed, "bore")
 
@@ -89,7 +90,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def column(self) -> Column | None:
-        """The sprag between its flanks; None if it is wider than its curved parts."""
+        """Sprag as a column between its flanks; None if it is wider than its curved parts."""
         try:
             return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
         except ValueError:
@@ -97,7 +98,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def clutch(self) -> SpragClutch:
-        """The clutch whose parts deflect as elastic bodies."""
+        """Clutch whose races and sprags deflect as elastic bodies."""
         sprag, n_s = self.parts.sprag, self.parts.n_s
         still = self._constant(turned=0.0, alpha_b=0.0) or self._disc
         compliance = self._compliance(lambda N: np.full_like(N, still))
@@ -117,19 +118,19 @@ class ElasticSpragClutch:
 
     @cached_property
     def plane(self) -> SpragClutch:
-        """With Hertz's contacts and Eq. 6 of long rings."""
+        """Clutch with Hertz's line contacts and Eq. 6 for long rings."""
         p = self.parts
         return SpragClutch(sprag=p.sprag, n_s=p.n_s, compliance=p.plane())
 
     @cached_property
     def composite(self) -> SpragClutch:
-        """With Palmgren's law and Eqs. 6 and 7."""
+        """Clutch with Palmgren's law and Eqs. 6 and 7."""
         p = self.parts
         return SpragClutch(sprag=p.sprag, n_s=p.n_s, compliance=p.palmgren())
 
     @cached_property
     def by_contacts_and_races(self) -> SpragClutch:
-        """With Palmgren's law and Eq. 6: Eq. 7 would count the sprag's body a second time."""
+        """Clutch with Palmgren's law and Eq. 6; Eq. 7 would count the sprag body twice."""
         compliance = replace(self.parts.palmgren(), sprag=0.0)
         return replace(self.composite, compliance=compliance)
 
@@ -144,23 +145,24 @@ class ElasticSpragClutch:
         )
 
     def _constant(self, *, turned: float, alpha_b: float) -> float | None:
-        """Approach of a sprag over P/E', without the logarithms of both half-widths in metres.
+        """Approach of a sprag divided by P/E', without the logarithms of the half-widths in metres.
 
-        None if its contacts are beyond its flanks.
+        The result is None if a contact is beyond a flank.
         """
         outline = self.column and self.column.outline(turned=turned, alpha_b=alpha_b)
         return column.approach(outline, a=(1.0, 1.0), nu=self.parts.nu) if outline else None
 
     @property
     def _disc(self) -> float:
-        """The same for the disc between both races, which approximates a sprag without flanks."""
+        """Approach of a disc between both races divided by P/E', for a sprag without flanks."""
         R_i, R_e = (float(np.asarray(R)) for R in (self.parts.sprag.R_i, self.parts.sprag.R_e))
         return 2 / math.pi * (2 * math.log(2 * (R_e - R_i)) - 1)
 
     def _compliance(self, constant: Callable[[Array], Array]) -> Compliance:
-        """Races as rings under single loads: what exceeds their mean is that of the contacts.
+        """Compliance with races as rings under single loads.
 
-        `constant(N)` is the sprag's, as of `_constant`; each contact has half of it.
+        The deflection above the mean of a ring is part of the contact law. `constant(N)` is the
+        approach of the sprag as in `_constant`; half of it counts for each contact.
         """
         unit = 1 / (float(np.asarray(self.parts.l)) * self.E_plane)
         inner, outer = self.races
@@ -179,7 +181,10 @@ class ElasticSpragClutch:
         )  # fmt: skip
 
     def _on_the_way(self, clutch: SpragClutch) -> list[Wedged]:
-        """States of rotations at `BENDING` of that with a contact at a flank, as far as any are."""
+        """States at the fractions `BENDING` of the rotation at which a contact reaches a flank.
+
+        States without equilibrium are omitted.
+        """
         whole, p = self.column, self.parts
         if whole is None:
             return []

@@ -1,6 +1,6 @@
 r"""Engagement of a sprag clutch in time: Eqs. 11-16 by Runge-Kutta with stick and slip (Eq. 12).
 
-Speeds of sliding and equations of motion (driving positive, N from the table over alpha):
+Sliding speeds and equations of motion (driving direction positive, N from the table over alpha):
 
 .. math::
     v_i &= OA\,\dot\theta_i - (OA\,\dot\phi + b_i\dot\alpha), \qquad
@@ -10,23 +10,23 @@ Speeds of sliding and equations of motion (driving positive, N from the table ov
     m_g OC_g^2\ddot\phi &= (OA + b_i) T_i - (OB - b_e) T_e - h N, \\
     I_g(\ddot\alpha - \ddot\phi) &= b_i T_i + b_e T_e - h N + K_r(\alpha_{max} - \alpha).
 
-Friction inside the band |v| < D_V is the force under which sliding decays,
-:math:`\dot v = -v/\tau` with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12
-with T_bis = mu_s N; with mu_d(v) instead of mu_s over the whole band it is continuous with the
-sliding branch at the band's edge. Without the term v/tau (Leine's) a sprag would creep for ever at
-the speed at which it entered the band. Both forces follow from both conditions together.
+In the sticking band |v| < D_V, friction is the force under which sliding decays,
+:math:`\dot v = -v/\tau` with tau less than a step, limited to N mu_d(v). At v = 0, this is Eq. 12
+with T_bis = mu_s N. As the limit is mu_d(v) and not mu_s, the force is continuous at the limits of
+the band. Without the term v/tau (Leine), a sprag would creep permanently at the speed at which it
+entered the band. The forces of both contacts follow from both conditions together.
 
-A contact that comes to rest must be detected inside the band. In one step its sliding changes by
-|dv/dt| dt; if that exceeds the whole band, friction changes sign step by step and its mean is
-arbitrary: the sprag slides for ever, without any sign of the error. dv/dt applies to a light sprag
-under the friction of full sliding, d - a T, 1e4 to 1e6 m/s², known only afterwards; that of the
-inner race at rest, OA C/I_bi, some 100 m/s², is enough for engagements from rest and by far too
-little where a race arrives with speed. So each step and each stage is checked: a change of sign
-from outside the band to outside the band, at a contact that could have stuck, is rejected unless
-`guard` is off.
+A contact that comes to rest must be detected inside the band. In one step, its sliding speed
+changes by |dv/dt| dt. If this exceeds the width of the band, friction changes its sign in every
+step, and its mean is arbitrary: the sprag slides permanently, without any sign of the error. For a
+light sprag in full sliding, dv/dt = d - a T is 1e4 to 1e6 m/s²; it is known only after the step.
+The value of the inner race at rest, OA C/I_bi, about 100 m/s², is sufficient for engagements from
+rest, but much too small if a race has an initial speed. Therefore, each step and each stage is
+checked: if the speed of a contact that could have stuck changes its sign from outside the band to
+outside the band, the step is rejected unless `guard` is off.
 
-All compiled code is in this one file: stored machine code is compiled again when its file changes,
-but not when another file changes.
+All compiled code is in this file, because stored machine code is compiled again if this file
+changes, but not if another file changes.
 
 References
 ----------
@@ -54,7 +54,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def compiled(function: F) -> F:
-    """`function` in machine code, exact in its order of operations, stored between runs."""
+    """`function` compiled to machine code, with exact operation order, stored between runs."""
     try:
         return cast(F, njit(cache=True, fastmath=False)(function))
     except RuntimeError:  # no folder can be written: compiled again in every run
@@ -62,7 +62,7 @@ def compiled(function: F) -> F:
 
 
 class Law(NamedTuple):
-    """Constants of the motion, the band, the decay time of residual sliding, the table."""
+    """Constants of the motion, sticking band, decay time of residual sliding, and the table."""
 
     n_s: float
     m_g: float
@@ -84,7 +84,7 @@ class Law(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Columns of the table at one rotation, and the derivatives d/dalpha for sliding."""
+    """Columns of the table at one rotation, and the derivatives d/dalpha that sliding requires."""
 
     N: float
     OA: float
@@ -100,7 +100,7 @@ class Place(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """Both contacts' sliding v, its rate d - a T under the forces T, and the forces' bounds."""
+    """Sliding speeds v of both contacts, rates d - a T under the forces T, force limits."""
 
     v_i: float
     v_e: float
@@ -115,7 +115,7 @@ class Contacts(NamedTuple):
 
 @compiled
 def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
-    """Column c and its slope d/ds at the part u of the interval from the knot k on."""
+    """Value of column c and its slope d/ds at the fraction u of the interval after knot k."""
     a, b = law.values[c, k], law.values[c, k + 1]
     da, db = law.step * law.slopes[c, k], law.step * law.slopes[c, k + 1]
     square, cube = 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db
@@ -125,7 +125,7 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 
 @compiled
 def place(law: Law, alpha: float) -> Place:
-    """Position of the sprag; for alpha <= 0 the constant position of first contact."""
+    """Position of the sprag at `alpha`; for alpha <= 0, that of first contact."""
     s = np.sqrt(max(alpha, 0.0))
     at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)
@@ -146,7 +146,7 @@ def place(law: Law, alpha: float) -> Place:
 
 @compiled
 def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, float, float]:
-    """Accelerations of theta_i, theta_e, phi and of alpha - phi without friction."""
+    """Accelerations of theta_i, theta_e, phi and alpha - phi without friction."""
     damping = law.C_rl * (y[4] - y[5])
     moment = law.K_r * (law.alpha_max - y[3]) - g.h * g.N
     return (
@@ -159,7 +159,7 @@ def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, fl
 
 @compiled
 def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, float]) -> Contacts:
-    """Sliding, and how friction changes it through the inverse masses a at the contacts."""
+    """Sliding speeds, and effect of friction on them by the inverse masses of the contacts."""
     inner, outer, phi, turn = y[4], y[5], y[6], y[7]
     v_i = g.OA * (inner - phi) - g.b_i * turn
     v_e = g.OB * (phi - outer) - g.b_e * turn
@@ -183,15 +183,15 @@ def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, floa
 
 @compiled
 def clip(x: float, bound: float) -> float:
-    """`x` between -bound and bound."""
+    """`x` limited to the range from -bound to bound."""
     return min(max(x, -bound), bound)
 
 
 @compiled
 def both(c: Contacts, d_i: float, d_e: float) -> tuple[float, float]:
-    """Forces for d - a T = 0, or nearest to it within their bounds.
+    """Forces with d - a T = 0, or the nearest ones within their limits.
 
-    The least of T a T/2 - d T in the box: inside it, or the best point of its four edges.
+    They minimise T a T/2 - d T within the limits: inside the box or on one of its four edges.
     """
     det = c.a_ii * c.a_ee - c.a_ie * c.a_ie
     T_i, T_e = (c.a_ee * d_i - c.a_ie * d_e) / det, (c.a_ii * d_e - c.a_ie * d_i) / det
@@ -214,7 +214,7 @@ def both(c: Contacts, d_i: float, d_e: float) -> tuple[float, float]:
 
 @compiled
 def friction(c: Contacts, law: Law) -> tuple[float, float]:
-    """T_i, T_e (Eq. 12)."""
+    """Friction forces T_i, T_e (Eq. 12)."""
     near_i, near_e = abs(c.v_i) < law.D_V, abs(c.v_e) < law.D_V
     d_i, d_e = c.d_i + c.v_i / law.tau, c.d_e + c.v_e / law.tau
     if near_i and near_e:
@@ -237,7 +237,7 @@ def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
 
 @compiled
 def rates(y: Array, C: float, law: Law, dy: Array, outputs: Array) -> None:
-    """Rates `dy` of angles, speeds and works `y` under the torque C; `outputs`: forces and slip."""
+    """Write the rates of the state `y` under the torque C to `dy`, forces and slip to `outputs`."""
     g = place(law, y[3])
     free = free_rates(y, C, law, g)
     c = contacts(y, law, g, free)
@@ -286,9 +286,9 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Fills `states` and `outputs` step by step; returns the end, its step and the contact.
+    """Write `states` and `outputs` step by step; return the kind of end, its step and the contact.
 
-    `seen`: the row before and the row after a band that was missed.
+    If a step passes the sticking band, `seen` receives the outputs before and after it.
     """
     stages, at = np.empty((4, len(y))), np.empty(len(y))
     end = (law.step * (law.values.shape[1] - 1)) ** 2

@@ -1,17 +1,19 @@
-r"""The engagement by a second method: rolling as a constraint, its begin and end as events.
+r"""Engagement by a second method: rolling is a constraint, its begin and end are events.
 
-Nothing here has a band of speeds or a step in time. Each contact rolls or slides; while it rolls
-its sliding is exactly zero, as the speeds q' are B(alpha) u with as few u as are free:
+The method has neither a sticking band nor fixed time steps. Each contact rolls or slides. The
+sliding speed of a rolling contact is exactly zero, because the speeds q' are B(alpha) u with the
+independent speeds u:
 
 .. math:: B^T M B\,\dot u = B^T (Q - M \dot B u), \qquad M\ddot q = Q + J^T T,
 
-M the masses of q = (theta_i, theta_e, phi, alpha) in the kinetic energy, Q springs, damping, torque
-and the elastic force, J the sliding per speed. The friction T required for rolling follows from
-the second equation; past mu_s N the contact begins to slide, at v = 0 it may roll again. At each
-such event that one of all combinations holds whose forces and accelerations agree. LSODA between.
+M is the mass matrix of q = (theta_i, theta_e, phi, alpha); Q are the forces of springs, damping,
+torque and elastic deflection; J q' are the sliding speeds. The second equation gives the friction T
+that rolling requires. If T exceeds mu_s N, the contact begins to slide; at v = 0, it may roll
+again. After each such event, the combination of rolling and sliding contacts is chosen whose forces
+and accelerations are consistent. LSODA integrates between events.
 
-`engage` has the same physics in one compiled step (`transient`); the interpolation of the force
-over alpha is independent of it.
+`transient.engage` solves the same equations in compiled fixed steps. The interpolation of the force
+over alpha in this module is independent of `transient`.
 """
 
 from collections.abc import Callable
@@ -35,7 +37,7 @@ TOUCHING = 1e-9  # m/s: v at an event
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Events:
-    """Times [s], states (q and q', 8 each), and at the steps the forces N, T_i, T_e [N]."""
+    """Times [s], states (q and q', 8 values each), and the forces N, T_i, T_e [N] at the steps."""
 
     t: Array
     states: Array
@@ -48,12 +50,12 @@ class Events:
 
     @property
     def N_max(self) -> float:
-        """Largest N [N]."""
+        """Largest normal force N [N]."""
         return float(max(self.N.max(), self.peaks[:, 1].max(initial=0.0)))
 
     @property
     def asked(self) -> float:
-        """Largest |T|/N of both contacts: required friction of rolling."""
+        """Required friction coefficient of rolling: largest |T|/N of both contacts."""
         touching = self.N > 0
         most = np.maximum(np.abs(self.T_i), np.abs(self.T_e))
         return float((most[touching] / self.N[touching]).max())
@@ -66,14 +68,14 @@ def rolling(mode: Mode) -> list[int]:
 
 @lru_cache(maxsize=9)
 def free(mode: Mode) -> tuple[list[int], list[int], list[int]]:
-    """Contacts that roll, free speeds, and dependent speeds: phi', then alpha'."""
+    """Indices of rolling contacts, independent speeds, dependent speeds (phi', then alpha')."""
     bound = rolling(mode)
     kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
     return bound, kept, [k for k in range(4) if k not in kept]
 
 
 class Sprag:
-    """Force and levers over alpha from the closure's `states`, which begin at N = 0 and rise."""
+    """Force and lever arms of a sprag over alpha, from states with N increasing from 0."""
 
     def __init__(self, states: Wedged, n_s: int, *, balanced: bool) -> None:
         self.origin = float(states.alpha[0])
@@ -88,13 +90,13 @@ class Sprag:
         self._both = PPoly(np.concatenate([curve.c, slope], axis=-1), curve.x)
 
     def at(self, alpha: float) -> tuple[Array, Array]:
-        """N, OA, OB, OC_g, b_i, b_e, h and their slopes; the first contact below 0."""
+        """N, OA, OB, OC_g, b_i, b_e, h and their slopes; for alpha < 0 those of alpha = 0."""
         both = self._both(max(alpha, 0.0))
         return both[:7], both[7:] if alpha > 0 else np.zeros(7)
 
 
 class System:
-    """Equations of motion in a mode; with `unlimited` friction contacts always roll."""
+    """Equations of motion in a given mode; with `unlimited` friction, contacts always roll."""
 
     def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
         self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited
@@ -104,7 +106,7 @@ class System:
         self._known: dict[tuple[float, bytes, Mode], tuple[Array, Array, Array, float]] = {}
 
     def rest(self, speeds: Speeds) -> Array:
-        """Angles and speeds [rad, rad/s] under the springs only, with T_i = 0, (8,)."""
+        """Initial angles and speeds [rad, rad/s], shape (8,): only the springs act, and T_i = 0."""
 
         def excess(alpha: float) -> float:
             N, _, OB, _, _, b_e, h = self.sprag.at(alpha)[0]
@@ -116,12 +118,12 @@ class System:
         return np.array([0, theta_e, 0, alpha, speeds.inner, speeds.outer, speeds.phi, 0])
 
     def sliding(self, g: Array) -> Array:
-        """J: v_i and v_e per speed, (2, 4)."""
+        """Matrix J (2, 4) of the sliding speeds v_i and v_e per speed q'."""
         _, OA, OB, _, b_i, b_e, _ = g
         return np.array([[OA, 0.0, -OA, -b_i], [0.0, -OB, OB, -b_e]])
 
     def bound(self, J: Array, slope: Array, turn: float, mode: Mode) -> tuple[Array, Array]:
-        """B and dB/dt."""
+        """Matrix B of the constraint q' = B u, and its time derivative."""
         bound, kept, lost = free(mode)
         B, dB = np.zeros((4, len(kept))), np.zeros((4, len(kept)))
         B[kept, range(len(kept))] = 1.0
@@ -133,7 +135,7 @@ class System:
         return B, dB
 
     def accelerations(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, float]:
-        """q'', T, v and N, computed once per state for the events and the rows of the result."""
+        """Accelerations q'', friction T, sliding speeds v and force N; stored for each state."""
         key = t, y.tobytes(), mode
         if key not in self._known:
             q_ddot, T, lacking, J, N = self._driven(t, y, mode)
@@ -143,11 +145,11 @@ class System:
         return self._known[key]
 
     def rates(self, t: float, y: Array, mode: Mode) -> Array:
-        """Derivatives of the state, computed without the friction of rolling."""
+        """Derivatives of the state, computed without the friction of rolling contacts."""
         return np.concatenate([y[4:], self._driven(t, y, mode)[0]])
 
     def _driven(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, Array, float]:
-        """q'', T of sliding contacts, forces balanced by the rolling contacts, J and N."""
+        """Accelerations q'', T of sliding contacts, forces on rolling contacts, J and N."""
         motion, n_s = self.motion, self.sprag.n_s
         g, slope = self.sprag.at(y[3])
         N, OC_g, h = g[0], g[3], g[6]
@@ -175,9 +177,9 @@ class System:
         return q_ddot, T, loads - M @ q_ddot, J, float(N)
 
     def mode(self, t: float, y: Array, lost: dict[int, int]) -> Mode:
-        """The combination of rolling and sliding whose forces and accelerations agree.
+        """Combination of rolling and sliding contacts with consistent forces and accelerations.
 
-        Contacts that have just `lost` their grip slide, to the side given.
+        Contacts that have just `lost` their grip slide in the given direction.
         """
         if self.unlimited:
             return ROLLS, ROLLS
@@ -215,7 +217,7 @@ class System:
         return float(mode[k] * (self.sliding(self.sprag.at(y[3])[0]) @ y[4:])[k])
 
     def ends(self, mode: Mode) -> list[Callable[[float, Array], float]]:
-        """Events: the end of the profile, a turning back of the sprag, and the mode's ends."""
+        """Event functions: end of profile, reversal of the sprag rotation, ends of the mode."""
 
         def over(_: float, y: Array) -> float:
             return float(self.sprag.end - y[3])
@@ -247,11 +249,12 @@ def engage_by_events(
     balanced: bool = False,
     rtol: float = 1e-9,
 ) -> Events:
-    """Engagement over `duration` [s] from rest under the springs, except for `speeds`; SI units.
+    """Engagement over `duration` [s]; SI units.
 
-    `unlimited` friction: the contacts always roll (assumption of Xu and Liu); `asked` is for the
-    friction that this requires. `balanced` as in `table`. ArithmeticError if the solver or the
-    number of events fails.
+    It starts at rest under the energizing springs, except for the given `speeds`. With `unlimited`
+    friction, the contacts always roll (assumption of Xu and Liu); `Events.asked` is then the
+    required friction coefficient. `balanced` as in `table`. Raises ArithmeticError if the solver
+    fails or the number of events exceeds EVENTS.
     """
     system = System(Sprag(states, n_s, balanced=balanced), motion, torque, unlimited=unlimited)
     t, y, parts, peaks = 0.0, system.rest(speeds or Speeds()), [], []
@@ -264,7 +267,7 @@ def engage_by_events(
             events=system.ends(mode), max_step=1e-4,
         )  # fmt: skip
         if leg.status < 0:
-            raise ArithmeticError(f"LSODA fails at t={leg.t[-1]:.6g} s: {leg.message}")
+            raise ArithmeticError(f"LSODA failed at t={leg.t[-1]:.6g} s: {leg.message}")
         parts.append((mode, leg.t, leg.y.T))
         for when, what in zip(leg.t_events[1], leg.y_events[1], strict=True):
             peaks.append((when, float(system.sprag.at(what[3])[0][0])))
@@ -274,7 +277,7 @@ def engage_by_events(
         lost = {k: int(np.sign(T[k])) for k in ended if mode[k] == ROLLS}
         if leg.status == 0 or len(leg.t_events[0]):
             return _result(system, parts, peaks, over=bool(len(leg.t_events[0])))
-    raise ArithmeticError(f"the engagement has more than {EVENTS} events, at t={t:.6g} s")
+    raise ArithmeticError(f"the engagement did not end within {EVENTS} events, at t={t:.6g} s")
 
 
 def _result(

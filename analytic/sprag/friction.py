@@ -1,9 +1,9 @@
-r"""Friction between sprag and race that falls with the sliding speed (Huang 2018, Eqs. 12, 13).
+r"""Friction between sprag and race that decreases with the sliding speed (Huang 2018, Eqs. 12, 13).
 
 .. math:: \mu_d(v) = \mu_c + (\mu_s - \mu_c)\,e^{-\gamma_b |v|}, \qquad T_{bis} = \mu_s N
 
-mu_d(0) = mu_s, so that slip begins at the largest static force T_bis, for which Eq. 12 has no
-formula, and only with it do the branches of Eq. 12 join.
+As mu_d(0) = mu_s, slip begins at the largest static force T_bis. The paper gives no formula for
+T_bis; only with this one are the branches of Eq. 12 continuous.
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ from analytic.freewheel.rules import require
 def coefficient(v: ArrayLike, *, mu_c: ArrayLike, mu_s: ArrayLike, gamma_b: ArrayLike) -> Array:
     """Coefficient of sliding friction at the speed `v` [m/s] of any sign; gamma_b in s/m (Eq. 13).
 
-    ValueError unless 0 < mu_c <= mu_s < 1.
+    Raises ValueError unless 0 < mu_c <= mu_s < 1.
 
     >>> coefficient([0.0, -np.log(4)], mu_c=0.25, mu_s=0.5, gamma_b=0.5).tolist()
     [0.5, 0.375]

@@ -1,25 +1,25 @@
-r"""Logarithmic sprag between two races: triangle of the inner contact and angles of the strut.
+r"""Logarithmic sprag between two races: triangle of the inner contact, angles of the line AB.
 
-O is the clutch's axis. The outer flank is a circle of the radius r_e about C_e, the inner one a
-logarithmic spiral with the pole C_e,
+O is the axis of the clutch. The outer flank is a circle of the radius r_e about C_e. The inner
+flank is a logarithmic spiral with the pole C_e,
 
 .. math:: \rho(\theta) = \rho_0\,e^{m(\theta - \theta_0)},
 
-so that the normal at the inner contact A, which passes through O, makes arctan(m) with the radius
-C_eA wherever A is. The outer contact B lies on the ray from O through C_e. Then (Eq. 10)
+so that the angle between the normal at the inner contact A, which passes through O, and the radius
+C_eA is arctan(m) for every A. The outer contact B lies on the ray from O through C_e. Then (Eq. 10)
 
 .. math::
     OC_e^2 = OA^2 + \rho^2 + \frac{2\,OA\,\rho}{\sqrt{1+m^2}}, \qquad
     \eta = \arcsin\frac{m\,OA}{OC_e\sqrt{1+m^2}}, \qquad \beta = \arctan m - \eta
 
-with eta the angle at C_e between C_eA and C_eO and beta that at O between OA and OB. (Sec. 2.1 of
-the paper calls eta the angle between AB and AC_e, which is arctan(m) - nu.)
+where eta is the angle at C_e between C_eA and C_eO, and beta the angle at O between OA and OB.
+(Sec. 2.1 of the paper defines eta as the angle between AB and AC_e, which is arctan(m) - nu.)
 
-A sprag that two forces hold carries them along its strut AB, which makes nu with the normal at A
-and omega = nu - beta with that at B. With B drawn above O, A lies to the right of OB; an inner race
-that pushes A to the left, under B, locks.
+If only two forces act on a sprag, they act along its strut AB. The angle of AB with the normal at A
+is nu, with the normal at B it is omega = nu - beta. If B is above O, A lies to the right of OB, and
+the clutch locks if the inner race moves A to the left.
 
-Lengths in any one unit, angles in rad; all arguments broadcast.
+All lengths have the same unit, angles are in rad; all arguments broadcast.
 
 References
 ----------
@@ -47,9 +47,9 @@ class Triangle:
 
 
 def triangle(*, OA: ArrayLike, OC_e: ArrayLike, m: ArrayLike) -> Triangle:
-    """Triangle O A C_e of a spiral that meets a circle of the radius OA (Eq. 10).
+    """Triangle O A C_e of a spiral that touches a circle of the radius OA (Eq. 10).
 
-    nan if the pole of the spiral is too near to O for an intersection.
+    All values are nan if the pole of the spiral is not farther from O than A.
 
     >>> t = triangle(OA=3.0, OC_e=np.sqrt(17), m=1.0)  # 17 = 9 + 2 + 6
     >>> np.round([t.rho**2, np.tan(t.eta), np.tan(t.beta)], 12).tolist()
@@ -69,7 +69,7 @@ def triangle(*, OA: ArrayLike, OC_e: ArrayLike, m: ArrayLike) -> Triangle:
 
 
 def strut(*, OA: ArrayLike, OB: ArrayLike, beta: ArrayLike) -> tuple[Array, Array]:
-    """Angles nu, omega [rad] of the strut AB against OA and OB (Eq. 10).
+    """Angles nu and omega [rad] between the strut AB and OA, OB (Eq. 10).
 
     >>> nu, omega = strut(OA=1.0, OB=np.sqrt(2), beta=np.pi / 4)  # A under the corner of a square
     >>> round(float(np.degrees(nu)), 9), round(float(np.degrees(omega)), 9)
@@ -82,10 +82,10 @@ def strut(*, OA: ArrayLike, OB: ArrayLike, beta: ArrayLike) -> tuple[Array, Arra
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LogSprag:
-    """Sprag at its first contact with an inner race of the radius R_i and a bore of R_e [length].
+    """Logarithmic sprag between an inner race of radius R_i and a bore of R_e [length].
 
-    m is the growth of the spiral, r_i its radius of curvature at first contact. ValueError for
-    sprags that cannot wedge.
+    m is the growth of the spiral, r_i its radius of curvature at first contact. Raises ValueError
+    for sprags that cannot wedge.
 
     >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
     >>> round(float(np.degrees(sprag.nu_0)), 2)
@@ -116,10 +116,11 @@ class LogSprag:
     def from_wedge_angle(
         cls, *, nu_0: ArrayLike, R_i: ArrayLike, R_e: ArrayLike, r_i: ArrayLike
     ) -> Self:
-        """The sprag whose strut makes nu_0 [rad] at first contact; ValueError without one.
+        """Sprag with the wedge angle nu_0 [rad] at first contact.
 
-        The spiral's centre of curvature K lies on the normal at A, and C_eK is perpendicular to
-        C_eA: C_e is where the ray OB meets the circle over the diameter AK.
+        The centre of curvature K of the spiral lies on the normal at A, and C_eK is perpendicular
+        to C_eA. Therefore, C_e is the intersection of the ray OB with the circle of diameter AK.
+        Raises ValueError if no such sprag exists.
         """
         nu, (R_i, R_e, r_i) = (
             positive(nu_0, "wedge angle nu_0", "rad"),

@@ -1,18 +1,18 @@
-r"""Plane elasticity of a body between two opposed forces, by complex potentials.
+r"""Plane elasticity of a body between two opposite forces, by complex potentials.
 
-Forces F and -F along AB press the outline at A and B. Alone, each would be Flamant's, with z_0 its
-point and Goursat's functions
+Forces F and -F along AB act on the outline at A and B. The solution for one of them alone is
+Flamant's. With the point z_0 of the force, Goursat's functions are
 
 .. math:: \varphi = -\frac{F}{2\pi}\ln(z - z_0), \qquad
           \psi = \frac{\bar F}{2\pi}\ln(z - z_0) - \bar z_0\,\varphi' ,
 
-which leaves bounded tractions on the outline. Polynomials take these off by least squares on the
-resultant force, which is constant on either side between A and B,
+These leave bounded tractions on the outline. Polynomials cancel these tractions in a least-squares
+sense: the resultant force must be constant along both sides of the outline between A and B,
 
 .. math:: \varphi + z\,\overline{\varphi'} + \overline{\psi} = \text{const}, \qquad
           2G(u + iv) = \kappa\varphi - z\,\overline{\varphi'} - \overline{\psi} .
 
-The body turns by 2G omega = (kappa + 1) Im phi'.
+The rotation omega of the body is given by 2G omega = (kappa + 1) Im phi'.
 
 References
 ----------
@@ -37,9 +37,9 @@ DEGREE = 24  # of the polynomials: 4e-4 of a sprag's approach
 
 @dataclass(frozen=True, kw_only=True)
 class Outline:
-    """Force points A and B as x + iy [length], and the outline between them on either side, (m,).
+    """Points A and B of the forces, x + iy [length]; both sides of the outline between them.
 
-    The body is to the right of `left` and to the left of `right`, seen with B above A.
+    With B above A, the body is to the right of `left` and to the left of `right`.
     """
 
     A: complex
@@ -49,13 +49,13 @@ class Outline:
 
 
 def forces_along(outline: Outline) -> tuple[Force, Force]:
-    """Unit forces on the body at A and B."""
+    """Unit forces on the body at A and B, along AB."""
     along = (outline.B - outline.A) / abs(outline.B - outline.A)
     return (outline.A, along), (outline.B, -along)
 
 
 def flamant(z: Complex, force: Force) -> Goursat:
-    """Goursat's functions of one force, cut outside the body."""
+    """Goursat's functions of one force; the branch cut of the logarithm lies outside the body."""
     z_0, F = force
     logarithm = np.log((z - z_0) / F)
     slope = np.asarray(-F / (2 * np.pi * (z - z_0)))
@@ -64,13 +64,13 @@ def flamant(z: Complex, force: Force) -> Goursat:
 
 
 def displaced(z: Complex, goursat: Goursat, kappa: float) -> Complex:
-    """2G (u + iv)."""
+    """Displacements 2G (u + iv) at the points z."""
     phi, slope, psi = goursat
     return np.asarray(kappa * phi - z * np.conj(slope) - np.conj(psi))
 
 
 def turns(goursat: Goursat, kappa: float) -> Array:
-    """2G omega, anticlockwise."""
+    """Rotations 2G omega, anticlockwise."""
     _, slope, _ = goursat
     return np.asarray((kappa + 1) * slope.imag)
 
@@ -78,7 +78,7 @@ def turns(goursat: Goursat, kappa: float) -> Array:
 def rest(
     outline: Outline, forces: tuple[Force, Force], degree: int
 ) -> Callable[[Complex], Goursat]:
-    """Polynomials that free the outline of the forces' tractions."""
+    """Goursat's functions of polynomials that cancel the tractions of `forces`."""
     z = np.concatenate([outline.right, outline.left])
     middle, size = (outline.A + outline.B) / 2, abs(outline.B - outline.A) / 2
     k = np.arange(1, degree + 1)

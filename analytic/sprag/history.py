@@ -30,7 +30,7 @@ class Phase(IntEnum):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Engagement:
-    """History of an engagement, sampled every `dt`; `states` (steps, 12), `outputs` (steps, 9)."""
+    """History of an engagement in steps `dt`: `states` (steps, 12), `outputs` (steps, 9)."""
 
     table: Table
     motion: Motion
@@ -93,9 +93,9 @@ class Engagement:
 
     @cached_property
     def peak(self) -> tuple[float, float]:
-        """Time [s] and height [N] of the largest N, on the parabola through three samples.
+        """Time [s] and value [N] of the largest N, from the parabola through three samples.
 
-        If the end of the profile is passed, the last sample within the profile.
+        If the sprag passes the end of the profile, the largest sample within the profile is used.
         """
         return _summit(self.t, self.N, int(np.argmax(self.N)))
 
@@ -106,14 +106,14 @@ class Engagement:
 
     @cached_property
     def first_peak(self) -> tuple[float, float]:
-        """Time [s] and height [N] of the first summit of N above half of the largest."""
+        """Time [s] and value [N] of the first maximum of N above half of the largest N."""
         N = self.N
         tops = (N[1:-1] >= N[:-2]) & (N[1:-1] > N[2:]) & (N[1:-1] > self.N_max / 2)
         return _summit(self.t, N, int(np.argmax(tops)) + 1) if tops.any() else self.peak
 
     @cached_property
     def N_static(self) -> float:
-        """N [N] of the closure at rest under the last torque, without springs; nan past the end."""
+        """Force N [N] at rest under the final torque, without springs; nan beyond the end."""
         C, end = float(self.torque.values[-1]), self.table.end
         if C <= 0 or self.table.static_torque(end) < C:
             return 0.0 if C <= 0 else float("nan")
@@ -122,15 +122,15 @@ class Engagement:
 
     @property
     def peak_factor(self) -> float:
-        """N_max over its value at rest; nan if the engagement was not followed to a peak."""
+        """Ratio of N_max to N at rest; nan if the engagement was not computed up to a peak."""
         return self.N_max / self.N_static if self.followed else float("nan")
 
     @property
     def followed(self) -> bool:
-        """Whether the largest force is a peak or at rest: no rise at the end.
+        """True if the largest force is a peak or a state of rest: N does not rise at the end.
 
-        An engagement past the end of the profile is complete; an engagement whose inner race still
-        overruns has not begun.
+        An engagement beyond the end of the profile is complete. If the inner race still overruns,
+        the engagement has not begun.
         """
         N = self.N
         if self.over:
@@ -143,7 +143,7 @@ class Engagement:
 
     @property
     def overruns(self) -> bool:
-        """Whether the inner race slides against the driving direction for most of the end."""
+        """True if the inner race overruns for most of the last quarter of the time."""
         late = slice(-max(1, int(LATE * len(self.states))), None)
         return bool(np.mean((self.phases[late, 0] == Phase.SLIP) & (self.v_i[late] < 0)) > 0.5)
 
@@ -151,9 +151,9 @@ class Engagement:
     def verdict(self) -> Verdict:
         """Result of the engagement.
 
-        "slips": a contact slides for most of the last quarter; "disengages": the contacts are
-        open for most of it; "over the end": the sprag has left its profile; "not followed": the
-        force still rises at the end, or the inner race overruns.
+        "slips": a contact slides for most of the last quarter of the time. "disengages": the
+        contacts are open for most of it. "over the end": the sprag has passed the end of its
+        profile. "not followed": the force still rises at the end, or the inner race overruns.
         """
         if self.over:
             return "over the end"

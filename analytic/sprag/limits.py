@@ -1,7 +1,7 @@
-"""Limits of a sprag clutch's grip: friction, the end of the spiral; and its pressures.
+"""Limits of the torque of a sprag clutch (friction, end of the spiral), and contact pressures.
 
-A limit that is not reached up to the last state (sliced laws end at their largest load) is
-reported as infinite, one that is exceeded without load as 0.
+A limit that is not reached up to the last state is infinite (laws of slices end at their largest
+load). A limit that is exceeded without load is 0.
 """
 
 from collections.abc import Callable
@@ -20,14 +20,14 @@ from analytic.sprag.search import first_reach
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SpragClutchLimits:
-    """Torques [N m] at which nu reaches arctan(mu) and at which A reaches the spiral's end."""
+    """Torque [N m] at which tan(nu) reaches mu, and torque at the end of the spiral."""
 
     slip: Array
     end_of_cam: Array
 
     @property
     def torque(self) -> Array:
-        """The smaller of both."""
+        """Smaller of both torques [N m]."""
         return np.asarray(np.minimum(self.slip, self.end_of_cam))
 
 
@@ -37,9 +37,10 @@ Limits = SpragClutchLimits  # its name in version 0.1
 def sprag_torque_limits(
     clutch: SpragClutch, *, mu: ArrayLike, theta_max: ArrayLike
 ) -> SpragClutchLimits:
-    """Limits with the coefficient of friction mu and theta_max [rad] of spiral past first contact.
+    """Torque limits for the friction coefficient mu and the spiral angle theta_max [rad].
 
-    The inner contact slips first: nu is larger than omega.
+    theta_max is measured from first contact. The inner contact slips first, because nu is larger
+    than omega.
     """
     mu, theta_max = friction(mu), positive(theta_max, "angle theta_max of the spiral", "rad")
     return SpragClutchLimits(
@@ -59,14 +60,14 @@ def _torque(clutch: SpragClutch, quantity: Callable[[Wedged], Array], limit: Arr
 
 
 def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the inner contact slides, tan(nu) > mu."""
+    """True if the inner contact slides: tan(nu) > mu."""
     return np.asarray(np.tan(state.nu) > friction(mu))
 
 
 def pressures(parts: SpragClutchParts, state: Wedged) -> tuple[Array, Array]:
-    """Hertz's peak pressures p_i, p_o [Pa] of a uniform load, with the spiral's radius at A.
+    """Hertz's peak pressures p_i, p_o [Pa] of a uniform load, with the radius of the spiral at A.
 
-    Each contact under its normal force; crowns load the middle more.
+    Each contact is evaluated under its normal force. Crowns increase the pressure in the middle.
     """
     l, r_i = np.asarray(parts.l), state.rho * np.hypot(1, parts.sprag.m)  # noqa: E741
     inner = 1 / (1 / r_i + 1 / np.asarray(parts.sprag.R_i))

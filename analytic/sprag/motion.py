@@ -1,4 +1,4 @@
-"""Motion data of an engagement: inertias, springs, damping, friction, torque, and the start."""
+"""Motion data of an engagement: inertias, springs, damping, friction, torque and initial speeds."""
 
 from dataclasses import dataclass
 
@@ -10,11 +10,11 @@ from analytic.contact.checks import Array, finite, not_negative, positive
 
 @dataclass(frozen=True, kw_only=True)
 class Motion:
-    """Everything of Eqs. 12-16 that is not geometry; SI. ValueError for impossible values.
+    """All data of Eqs. 12-16 that are not geometry; SI units.
 
     `k_out` is the torsional stiffness of the support of the outer race, `C_rl` the damping between
-    the races, `K_r` and `alpha_max` those of the energizing springs that press a sprag on its
-    races.
+    the races. `K_r` and `alpha_max` are the stiffness and the unloaded rotation of the energizing
+    springs, which press the sprags on the races. Raises ValueError for invalid values.
     """
 
     m_g: float  # kg
@@ -38,14 +38,14 @@ class Motion:
         finite(self.alpha_max, "alpha_max", "rad")
         if self.mu_c > self.mu_s:
             raise ValueError(
-                f"friction falls with the speed: mu_c <= mu_s, got mu_c={self.mu_c}, "
-                f"mu_s={self.mu_s}"
+                "friction must not increase with the sliding speed (mu_c <= mu_s), got "
+                f"mu_c={self.mu_c}, mu_s={self.mu_s}"
             )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Torque:
-    """Torque [N m] on the inner race, straight between `times` [s], constant after the last."""
+    """Torque [N m] on the inner race, linear between `times` [s] and constant after the last."""
 
     times: Array
     values: Array
@@ -53,8 +53,8 @@ class Torque:
     def __post_init__(self) -> None:
         if self.times.shape != self.values.shape or self.times.ndim != 1 or not len(self.times):
             raise ValueError(
-                f"a torque needs one value for each time, got {self.values.shape} values [N m] "
-                f"for {self.times.shape} times [s]"
+                f"a torque must have one value per time, got {self.values.shape} values [N m] for "
+                f"{self.times.shape} times [s]"
             )
         finite(self.values, "torque", "N m")
         if np.any(np.diff(finite(self.times, "times", "s")) <= 0):
@@ -62,7 +62,7 @@ class Torque:
 
     @classmethod
     def step(cls, torque: float, *, t_ramp: float = 0.0) -> "Torque":
-        """`torque` [N m] from the start on, or reached in a straight line in `t_ramp` [s].
+        """`torque` [N m] from the start on, or after a linear rise over `t_ramp` [s].
 
         >>> Torque.step(25.0, t_ramp=0.1).at([0.05, 1.0]).tolist()
         [12.5, 25.0]
@@ -78,7 +78,7 @@ class Torque:
 
 @dataclass(frozen=True, kw_only=True)
 class Speeds:
-    """Speeds [rad/s] at the start, positive in the driving direction; overrunning is negative."""
+    """Initial speeds [rad/s], positive in the driving direction; negative if overrunning."""
 
     inner: float = 0.0
     outer: float = 0.0

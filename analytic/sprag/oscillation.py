@@ -1,6 +1,7 @@
-"""A sprag clutch about its state at rest, in steps: slow rises, free oscillations, first peaks.
+"""Oscillations of a sprag clutch about its state at rest, by time steps.
 
-Compiled code is imported when it is used.
+They include slow load rises, free oscillations and first peaks. Compiled code is imported when it
+is used.
 """
 
 import math
@@ -26,21 +27,21 @@ STEP = 0.01  # step over the torque that starts the oscillation
 
 
 def held(motion: Motion, **changes: float) -> Motion:
-    """Motion with a fixed outer race."""
+    """Motion with a fixed outer race (very large inertia)."""
     return replace(motion, I_be=HELD * motion.I_be, **changes)
 
 
 def strut_table(spring: RaceSpring) -> Table:
-    """The clutch with N_e/N_i of a strut in place of 1."""
+    """Table of the clutch with N_e/N_i of a two-force strut instead of 1."""
     return tabulated(spring.clutch, N_end=spring.end, balanced=True)
 
 
 @dataclass(frozen=True)
 class Oscillation:
-    """A clutch with a fixed outer race that is at rest under the torque T [N m], or comes to rest.
+    """Oscillation of a clutch with a fixed outer race about its state at rest under T [N m].
 
-    Small oscillations about rest have about the frequency f [Hz] and the stiffness k [N m/rad]:
-    these set times and damping alone. Integrated is `motion`, on the clutch `spring`.
+    f [Hz] and k [N m/rad] are approximate values of frequency and stiffness. They determine only
+    the times and the damping. The equations of `motion` are integrated for the clutch `spring`.
     """
 
     spring: RaceSpring
@@ -50,23 +51,23 @@ class Oscillation:
     k: float
 
     def undamped(self, dt: float, least: float = 0.0) -> "Engagement":
-        """Step of the torque without damping, past the first peak, for `least` [s] at least."""
+        """Undamped engagement under a torque step, past the first peak, at least `least` [s]."""
         until = max(least, SWUNG / self.f)
         return self._run(Torque.step(self.T), until, dt)
 
     def strut(self, dt: float) -> "Engagement":
-        """Motion with N_e/N_i of a strut in place of 1."""
+        """Engagement under a torque step, with N_e/N_i of a two-force strut instead of 1."""
         return self._run(Torque.step(self.T), SWUNG / self.f, dt, strut_table(self.spring))
 
     def settled(self, refine: int) -> float:
-        """N [N] at rest, after a slow rise with damping; `refine` shortens the steps."""
+        """Force N [N] at rest, after a slow rise with damping; `refine` divides the time step."""
         damping = 2 * DAMPED * self.k / (2 * math.pi * self.f)
         course = Torque.step(self.T, t_ramp=RAMP / self.f)
         dt = 1 / (PACE * refine * self.f)
         return float(self._run(course, (RAMP + REST) / self.f, dt, C_rl=damping).N[-1])
 
     def frequency(self, refine: int) -> float:
-        """Frequency [Hz] of a small free oscillation about rest, from its crossings of the mean."""
+        """Frequency [Hz] of a small free oscillation about rest, from its zero crossings."""
         period = 1 / self.f
         dt = period / (PACE * refine)
         ramp = SLOW * period

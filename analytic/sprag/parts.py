@@ -1,4 +1,4 @@
-"""Dimensions and material of a sprag clutch, from which its compliance is built (Eqs. 6 to 8)."""
+"""Dimensions and material of a sprag clutch, which determine its compliance (Eqs. 6 to 8)."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -19,10 +19,11 @@ from analytic.sprag.laws import Law, palmgren_law, plane_law
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SpragClutchParts:
-    """n_s sprags l long and b wide between rings R_id..R_i and R_e..R_ed of one material [SI].
+    """Parts of a clutch: n_s sprags of length l and width b between two rings of one material.
 
-    The density `rho` [kg/m³] and the speed `omega` [rad/s] determine the growth of the outer race.
-    ValueError if a race has no wall or sprags overlap.
+    The rings extend from R_id to R_i and from R_e to R_ed. SI units. The density `rho` [kg/m³] and
+    the speed `omega` [rad/s] determine the growth of the outer race. Raises ValueError if a race
+    has no wall or sprags overlap.
     """
 
     sprag: LogSprag
@@ -55,7 +56,7 @@ class SpragClutchParts:
 
     @property
     def E_star(self) -> Array:
-        """Contact modulus [Pa]."""
+        """Contact modulus E* [Pa]."""
         return hertz_line.contact_modulus(
             E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )
@@ -67,12 +68,12 @@ class SpragClutchParts:
 
     @property
     def R_contact_e(self) -> Array:
-        """Relative radius [m] of the outer flank in its bore."""
+        """Relative radius [m] of the outer flank in the bore of the outer race."""
         return hertz_line.relative_radius(R_1=self.sprag.r_e, R_2=-np.asarray(self.sprag.R_e))
 
     @property
     def d_ce(self) -> Array:
-        """Growth [m] of the outer race's bore by rotation (Eq. 8)."""
+        """Growth [m] of the bore of the outer race by rotation (Eq. 8)."""
         omega = np.asarray(self.omega, dtype=np.float64)
         grown = rotating.radial_displacement(
             self.sprag.R_e, r_i=self.sprag.R_e, r_o=self.R_ed, rho=self.rho,
@@ -82,7 +83,7 @@ class SpragClutchParts:
         return np.where(omega > 0, grown, 0.0)
 
     def compliance(self, *, contact_i: Law, contact_e: Law) -> Compliance:
-        """Compliance of the clutch with these laws of its contacts."""
+        """Compliance of the clutch with the given contact laws."""
         sprag, (race_i, race_e) = self.sprag, self._races("plane stress")
         return Compliance(
             contact_i=contact_i, contact_e=contact_e, race_i=race_i, race_e=race_e,
@@ -113,9 +114,9 @@ class SpragClutchParts:
     def plane(self) -> Compliance:
         """Compliance of long bodies (plane strain) with Hertz's line contacts.
 
-        The sprag's deflection is from each contact to half its height, which already contains its
-        compression as a bar: Eq. 7 would count it twice. The races deflect to the depth of their
-        walls, and as rings.
+        The deflection of the sprag is taken from each contact to half its height. It already
+        contains the compression as a bar; Eq. 7 would count it twice. The races deflect locally
+        down to the depth of their walls, and as rings.
         """
         sprag, half = self.sprag, (np.asarray(self.sprag.R_e) - np.asarray(self.sprag.R_i)) / 2
         inner = plane_law(

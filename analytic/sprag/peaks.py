@@ -1,10 +1,11 @@
-"""Largest pressures of crowns under torques, and the criterion of a design: its ends or the rest.
+"""Largest pressures of crowns under torques, and the design criterion: pressure of ends or rest.
 
-The slices of Eqs. 2-5 hardly represent the end of a sprag: their optimal crown loads the ends, for
-which strips on a half-space have a pressure peak that increases with the number of strips. A crown
-for manufacture is therefore evaluated by strips, with unloaded ends. If a contact ends before the
-sprag, the last strip is partly unloaded and carries less than the others; if the contact reaches
-the end, the last strip carries more, without limit as strips become narrower.
+The slices of Eqs. 2-5 do not represent the end of a sprag well. Their optimal crown loads the ends.
+There, strips on a half-space have a pressure peak that increases with the number of strips.
+Therefore, a crown for manufacture is evaluated by strips, with unloaded ends. If the contact ends
+inside the sprag, the last strip of the contact is partly unloaded and carries less than the others.
+If the contact reaches the end of the sprag, the last strip carries more, and its load increases
+without limit as strips become narrower.
 """
 
 from dataclasses import dataclass
@@ -22,10 +23,10 @@ By = Literal["slices", "strips"]
 
 @dataclass(frozen=True, eq=False)
 class Peaks:
-    """Peaks of n crowns (n, 3) under m torques [N m], at the inner contacts.
+    """Peak loads of n crowns (n, 3) under m torques [N m], at the inner contacts.
 
-    `N_max` [N] (n, m), and under it the `pressure` [Pa] of each slice or strip from one end to the
-    other, (n, m, slices).
+    `N_max` [N] has the shape (n, m). `pressure` [Pa] contains the pressures of all slices or strips
+    under N_max from one end to the other, (n, m, slices).
     """
 
     crowns: Array
@@ -36,28 +37,28 @@ class Peaks:
 
     @property
     def largest(self) -> Array:
-        """Pre_max [Pa] of Eq. 17, (n, m)."""
+        """Largest pressure Pre_max [Pa] of Eq. 17, (n, m)."""
         return np.asarray(self.pressure.max(axis=-1))
 
     @property
     def regimes(self) -> tuple[Array, Array]:
-        """Weighted pressures of the end and of the rest [Pa], each (n, m): regimes for a surrogate.
+        """Weighted pressures [Pa] of the end and of the rest, each (n, m): regimes of a surrogate.
 
-        A crown with loaded ends is not accepted by strips: see END.
+        Strips do not accept a crown with loaded ends: see END.
         """
         return (END if self.by == "strips" else 1.0) * self.end, self.inside
 
     @property
     def objective(self) -> Array:
-        """The larger regime [Pa], (n, m), to be minimised by a crown.
+        """Larger of both regimes [Pa], (n, m): the objective to be minimised.
 
-        Value of `largest` for slices, and for strips if the ends are unloaded.
+        It equals `largest` for slices, and for strips if the ends are unloaded.
         """
         return np.maximum(*self.regimes)
 
     @property
     def end(self) -> Array:
-        """Pressure [Pa] of the first slice, at an end; 0 if the ends are unloaded, (n, m)."""
+        """Pressure [Pa] of the first slice, at an end, (n, m); 0 if the end is unloaded."""
         return np.asarray(self.pressure[..., 0])
 
     @property
@@ -66,7 +67,7 @@ class Peaks:
         return np.asarray(self.pressure[..., 1:-1].max(axis=-1))
 
     def of(self, torque: int) -> "Peaks":
-        """Peaks under the torque with this number."""
+        """Peaks under the torque with the index `torque`."""
         only = slice(torque, torque + 1)
         return Peaks(
             self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by

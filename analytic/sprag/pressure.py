@@ -1,9 +1,10 @@
-r"""Contact pressure along a sprag through an engagement, p(y, t).
+r"""Contact pressure p(y, t) along a sprag during an engagement.
 
-The slices are solved at a few loads, evenly spaced in sqrt(N). The peak pressure of each slice is a
-monotone cubic of sqrt(N); it is a straight line, p ~ sqrt(N), for a slice whose share of the load
-is constant. Between two loads, a slice that just begins to carry has an error of up to 7 % of the
-largest pressure; the error of the largest pressure is 0.2 % (41 slices; 0.7 % with 21).
+The slices are solved at a few loads, equally spaced in sqrt(N). The peak pressure of each slice is
+interpolated by monotone cubics over sqrt(N). For a slice with a constant share of the load, it is a
+straight line, p ~ sqrt(N). Between two loads, a slice that just begins to carry has an error of up
+to 7 % of the largest pressure; the error of the largest pressure is 0.2 % (41 slices; 0.7 % with
+21).
 """
 
 import numpy as np

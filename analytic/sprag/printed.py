@@ -1,11 +1,11 @@
-r"""Eqs. 9, 10 and 16 as printed in the paper, to compare with the corrected ones.
+r"""Eqs. 9, 10 and 16 as printed in the paper, for comparison with the corrected equations.
 
-- `wedged`: the triangle takes the lever arm OA, on which half of delta_HI and no half of delta_g
-  count, for the unstrained spiral's OA_s; what is lost is delta_HI/2 + delta_g/2 on the inner side,
-  and the work on the races' rotation is less than that on the deflections.
-- `pole_distance`: OC_e without the growth delta_ce (Eq. 9), as if the sprag grew with the race.
+- `wedged`: the triangle contains the lever arm OA in place of OA_s of the unstrained spiral. Thus,
+  delta_HI/2 + delta_g/2 are omitted on the inner side, and the work on the rotation of the races is
+  less than the work on the deflections.
+- `pole_distance`: OC_e without the growth delta_ce of the outer race (Eq. 9).
 - `polar_angle`: log((rho/a)/m) for ln(rho/a)/m (Eq. 10).
-- `lever_arms`: brackets that halve the lever arms (Eq. 16).
+- `lever_arms`: lever arms that are halved by misplaced brackets (Eq. 16).
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """State under N [N] with Eq. 9's OA in the triangle of Eq. 10; OC_e includes its delta_ce."""
+    """State under N [N] with OA of Eq. 9 in the triangle of Eq. 10; OC_e includes delta_ce."""
     N = np.asarray(N, dtype=np.float64)
     yields = clutch.compliance.yields(N)
     OA = np.asarray(np.asarray(clutch.sprag.R_i) - yields.race_i - yields.contact_i / 2)
@@ -29,7 +29,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def at_torque(clutch: SpragClutch, T: float) -> Wedged:
-    """State at the torque T [N m] of the clutch: the first state from no load upwards."""
+    """State under the torque T [N m] of the clutch, that with the smallest force."""
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
     N = first_reach(lambda N: wedged(clutch, N).T, np.asarray(T), start=start)
@@ -37,12 +37,12 @@ def at_torque(clutch: SpragClutch, T: float) -> Wedged:
 
 
 def pole_distance(sprag: LogSprag, yields: Yields) -> Array:
-    """OC_e [m] without delta_ce (Eq. 9, third line)."""
+    """Distance OC_e [m] of the pole without delta_ce (Eq. 9, third line)."""
     return np.asarray(sprag.OC_e + yields.outer)
 
 
 def polar_angle(*, rho: ArrayLike, a: ArrayLike, m: ArrayLike) -> Array:
-    """Polar angle [rad], log((rho/a)/m) (Eq. 10, last line)."""
+    """Polar angle log((rho/a)/m) [rad] (Eq. 10, last line)."""
     return np.asarray(np.log(np.asarray(rho) / np.asarray(a) / np.asarray(m)))
 
 

@@ -1,8 +1,8 @@
-"""A sprag clutch as a spring between its races: its torque over their relative rotation.
+"""Sprag clutch as a spring between its races: torque as a function of their relative rotation.
 
-Rolling contacts couple the motion of the sprags to the relative rotation theta of the races.
-Without the mass of the sprags, the clutch is a spring with T(theta) and N(theta), less the moment
-of the blades that press the sprags on their races.
+Rolling contacts couple the motion of the sprags to the relative rotation theta of the races. If the
+mass of the sprags is neglected, the clutch is a spring with T(theta) and N(theta). The moment of
+the energizing springs, which press the sprags on the races, is subtracted from T.
 """
 
 from collections.abc import Callable
@@ -27,9 +27,9 @@ LONGEST = 60  # times that the largest load is raised
 
 @dataclass(frozen=True, kw_only=True)
 class Blades:
-    """Springs of the stiffness `K_r` [N m/rad] on each sprag, unloaded at the turn `alpha_max`.
+    """Energizing springs of stiffness `K_r` [N m/rad], unloaded at the sprag rotation `alpha_max`.
 
-    The profile ends at this turn [rad] from first contact.
+    The profile of the sprag ends at this rotation [rad] from first contact.
     """
 
     K_r: float
@@ -38,9 +38,9 @@ class Blades:
 
 @dataclass(frozen=True, eq=False)
 class RaceSpring:
-    """A clutch with its states (n,) from no load to `end`, and the races' rotation theta [rad].
+    """States (n,) of a clutch from no load to `end`, and the rotation theta [rad] of the races.
 
-    `ends` is whether the profile ends there, or only the force.
+    `ends` is True if the last state is the end of the profile, and False if only the force ends.
     """
 
     blades: Blades
@@ -56,39 +56,39 @@ class RaceSpring:
 
     @property
     def end(self) -> float:
-        """The largest force [N]."""
+        """Largest normal force [N] of the states."""
         return float(self.states.N[-1])
 
     def table(self, intervals: int = INTERVALS) -> Table:
-        """The same over the rotation."""
+        """Table of the clutch over the sprag rotation, up to the same force."""
         return _table(self, intervals)
 
     @property
     def pushed(self) -> Array:
-        """Torque of the blades [N m] over the rotation of the races, (n,)."""
+        """Torque of the energizing springs [N m] at the rotations of the races, (n,)."""
         now = self.states
         turn = now.OC_e / now.OB * np.gradient(now.alpha_b, self.theta, edge_order=2)
         left = self.blades.alpha_max - now.alpha
         return np.asarray(self.n_s * self.blades.K_r * left * turn)
 
     def force(self) -> CubicSpline:
-        """N [N] over the rotation theta [rad]."""
+        """Spline of the normal force N [N] over the rotation theta [rad]."""
         return CubicSpline(self.theta, self.states.N)
 
     def resistance(self) -> CubicSpline:
-        """Torque [N m] of the sprags over the rotation theta [rad], without that of the blades."""
+        """Spline of the sprags' torque [N m] over theta [rad], without energizing springs."""
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
     @cached_property
     def pressed(self) -> Wedged:
-        """State in which only the blades press the sprags on their races."""
+        """State in which only the energizing springs press the sprags on the races."""
         blades = self.blades
         N, _ = spring_equilibrium(self.clutch, K_r=blades.K_r, alpha_max=blades.alpha_max)
         return N
 
     @property
     def start(self) -> float:
-        """Rotation theta [rad] of that state."""
+        """Rotation theta [rad] of the state in which only the energizing springs act."""
         return float(np.interp(self.pressed.N, self.states.N, self.theta))
 
 
@@ -100,11 +100,12 @@ def _table(w: RaceSpring, intervals: int) -> Table:
 def reached(
     made: Callable[[float], SpragClutch], N: float, *, T: float, kinetic: float, blades: Blades
 ) -> RaceSpring:
-    """The clutch up to the largest load of an engagement, or the end of the profile.
+    """Clutch as a spring, up to the largest load of an engagement or to the end of the profile.
 
-    `made` gives the clutch whose contacts are known up to a force [N]. This force is increased from
-    `N` until the clutch stores more energy than the work of the torque `T` [N m], the `kinetic`
-    energy [J] of the races and the work of the blades. ValueError if no force carries the torque.
+    `made` returns a clutch whose contact laws are valid up to a force [N]. This force is doubled
+    from `N` until the elastic energy of the clutch exceeds the sum of the work of the torque `T` [N
+    m], the `kinetic` energy [J] of the races and the work of the energizing springs. Raises
+    ValueError if no force is sufficient.
     """
     for _ in range(LONGEST):
         found = made(N)
@@ -116,11 +117,11 @@ def reached(
         if found.n_s * energy(found, N) > SHARE * put_in:
             return _of(found, N, blades, ends=False)
         N *= 2
-    raise ValueError(f"no force carries the torque T = {T:g} N m")
+    raise ValueError(f"no normal force of the sprags can transmit the torque T = {T:g} N m")
 
 
 def _sprung(blades: Blades, n_s: int, alpha: Array) -> float:
-    """Work of the blades [J] from the first of the rotations to the last."""
+    """Work [J] of the energizing springs from the first to the last rotation."""
     left = blades.alpha_max - alpha
     return float(n_s * blades.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
 

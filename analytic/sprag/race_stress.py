@@ -1,4 +1,4 @@
-"""Stresses of the races of a sprag clutch besides their contacts, and their uneven deflection."""
+"""Stresses of the races of a sprag clutch outside the contacts; non-uniform deflection."""
 
 import math
 
@@ -13,10 +13,10 @@ WIDEST = 0.9  # of half a pitch: patches that are wider would overlap
 
 
 def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
-    """Hoop stresses [Pa] at R_i, the bore of the inner race and R_e; Tresca stresses of both races.
+    """Hoop stresses [Pa] of both races at R_i, R_id and R_e, and Tresca stresses, by name.
 
-    The forces N, N_e [N] of the sprags are uniformly distributed; the inner race has its largest
-    stress at its bore, the outer at R_e.
+    The forces N, N_e [N] of the sprags are uniformly distributed. The stress of the inner race is
+    largest at its bore R_id, that of the outer race at R_e.
     """
     R_i, R_e, R_id, R_ed, length = _radii(p)
     inner = {"r_i": R_id, "r_o": R_i, "p_i": 0.0, "p_o": p.n_s * N / (2 * math.pi * R_i * length)}
@@ -30,9 +30,9 @@ def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
 
 
 def over_smeared(p: SpragClutchParts, a: float, loaded: Wall) -> float:
-    """Deflection of a race under patches of the half-width `a` [m] over Eq. 6's uniform load.
+    """Ratio of the deflection of a race under patches of half-width `a` [m] to that of Eq. 6.
 
-    Indentation is excluded.
+    Eq. 6 has a uniform load. Indentation is excluded.
     """
     R_i, R_e, R_id, R_ed, _ = _radii(p)
     r, ratio = (R_i, R_i / R_id) if loaded == "rim" else (R_e, R_ed / R_e)
@@ -41,5 +41,5 @@ def over_smeared(p: SpragClutchParts, a: float, loaded: Wall) -> float:
 
 
 def _radii(p: SpragClutchParts) -> tuple[float, ...]:
-    """R_i, R_e, R_id, R_ed, l as numbers."""
+    """Radii R_i, R_e, R_id, R_ed and length l [m] as floats."""
     return tuple(float(np.asarray(x)) for x in (p.sprag.R_i, p.sprag.R_e, p.R_id, p.R_ed, p.l))

@@ -1,4 +1,4 @@
-"""Readings of an engagement that was followed in time: peaks, work, friction, sliding."""
+"""Results of an engagement computed in time: peaks, work, friction, sliding."""
 
 import math
 
@@ -11,7 +11,7 @@ from analytic.sprag.history import Engagement, Phase
 
 
 def put_in(found: Engagement) -> float:
-    """Work [J] of torque and blades till the first peak, on the parabola through three samples."""
+    """Work [J] of torque and springs up to the first peak, from a parabola of 3 samples."""
     ahead = found.t / found.dt - found.first_peak[0] / found.dt
     near = np.argsort(np.abs(ahead))[:3]
     kept = balance(found)
@@ -19,19 +19,19 @@ def put_in(found: Engagement) -> float:
 
 
 def missing(found: Engagement) -> float:
-    """Largest energy that is missing [J]."""
+    """Largest error of the energy balance [J]."""
     return float(np.abs(balance(found).missing).max())
 
 
 def later_peak(found: Engagement) -> float:
-    """Largest N [N] after the first peak and the following trough; 0 without such a peak."""
+    """Largest N [N] after the first peak and the following minimum; 0 without such a peak."""
     after = found.N[found.t > found.first_peak[0]]
     rising = np.flatnonzero(np.diff(after) > 0)
     return float(after[rising[0] :].max()) if len(rising) else 0.0
 
 
 def asked(found: Engagement) -> float:
-    """Largest |T|/N while both contacts stick: required friction of sticking."""
+    """Required friction coefficient of sticking: largest |T|/N while both contacts stick."""
     pressed = (found.N > 0) & (found.phases == Phase.STICK).all(axis=1)
     if not pressed.any():
         return math.nan
@@ -40,7 +40,7 @@ def asked(found: Engagement) -> float:
 
 
 def highest(found: Events) -> tuple[float, float]:
-    """Time [s] and N [N] of the largest force."""
+    """Time [s] and value [N] of the largest normal force."""
     tops = found.peaks[np.argmax(found.peaks[:, 1])] if len(found.peaks) else (0.0, 0.0)
     k = int(np.argmax(found.N))
     if tops[1] >= found.N[k]:
@@ -49,7 +49,7 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """Relative change of the mean N by the swing: N and the arms of its moment vary together."""
+    """Relative change of the mean N because N and its lever arm oscillate together."""
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
@@ -60,7 +60,8 @@ def swings(found: Engagement, mu: float) -> float:
 def sticks(found: Engagement) -> float:
     """Time [s] at which the inner contact first comes to rest; 0 if it never slides.
 
-    Its speed is followed on the parabola of its last three samples outside the band.
+    The time is extrapolated from the parabola through the last three sliding speeds outside the
+    sticking band.
     """
     slid = np.flatnonzero(found.phases[:, 0] == Phase.SLIP)
     if not len(slid):
@@ -73,13 +74,13 @@ def sticks(found: Engagement) -> float:
 
 
 def first_trough(found: Engagement) -> float:
-    """The least force [N] between the first peak and the rise behind it."""
+    """Smallest force [N] between the first peak and the following rise."""
     behind = _behind(found)
     return float(behind[: int(np.argmax(np.diff(behind) > 0)) + 1].min())
 
 
 def second_peak(found: Engagement) -> float:
-    """The largest force [N] after the first trough."""
+    """Largest force [N] after the first minimum."""
     behind = _behind(found)
     trough = int(np.argmax(np.diff(behind) > 0))
     return float(behind[trough:].max())
@@ -97,9 +98,9 @@ def slid(found: Engagement) -> tuple[float, float]:
 
 
 def steady(found: Engagement) -> tuple[float, float]:
-    """Mean N [N] of the later half, and its difference from that around the middle.
+    """Mean N [N] of the second half, and its difference from the mean around the middle.
 
-    In a window at whose ends parts of a period weigh next to nothing.
+    A Hann window reduces the effect of incomplete periods at its ends.
     """
     half = len(found.N) // 2
     window = np.hanning(half)
@@ -111,9 +112,9 @@ def steady(found: Engagement) -> tuple[float, float]:
 
 
 def first_slip(found: Engagement, mu: float) -> float:
-    """Time [s] at which T/N of the inner contact first reaches the friction `mu` and it slides.
+    """Time [s] at which T/N of the inner contact first reaches the friction `mu` and slip begins.
 
-    On the straight line through the steps before.
+    The time is extrapolated linearly from the two previous steps.
     """
     k = int(np.flatnonzero(found.phases[:, 0] == Phase.SLIP)[0])
     before, last = found.T_i[k - 2 : k] / found.N[k - 2 : k]

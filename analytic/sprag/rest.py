@@ -1,4 +1,4 @@
-"""Start of an engagement: only the energizing springs press the sprags on their races."""
+"""Initial state of an engagement: only the energizing springs press the sprags on the races."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -9,13 +9,13 @@ from analytic.sprag.table import Table
 
 
 def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
-    r"""theta_i, theta_e, phi, alpha [rad] and their speeds [rad/s] at the start, (8,).
+    r"""Initial angles theta_i, theta_e, phi, alpha [rad] and their speeds [rad/s], (8,).
 
     N and T_e balance the moment of the energizing springs; T_i = 0. With c_e = OB - b_e
 
     .. math:: T_e = -\frac{h N}{c_e}, \qquad K_r(\alpha_{max} - \alpha) = h N - b_e T_e.
 
-    ValueError if the energizing springs would rotate the sprag to the end of its profile.
+    Raises ValueError if the energizing springs would rotate the sprag to the end of its profile.
     """
     slack = motion.alpha_max - table.origin
 
@@ -26,8 +26,8 @@ def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
 
     if excess(table.end) <= 0:
         raise ValueError(
-            f"the springs alone rotate the sprag to its end at {table.end:.4g} rad, got "
-            f"K_r={motion.K_r} N m/rad, alpha_max={motion.alpha_max} rad"
+            f"the energizing springs must not rotate the sprag to its end at {table.end:.4g} rad, "
+            f"got K_r={motion.K_r} N m/rad, alpha_max={motion.alpha_max} rad"
         )
     alpha = brentq(excess, 0.0, table.end, xtol=1e-15) if excess(0.0) < 0 else 0.0
     g = table.at(alpha)

@@ -15,10 +15,11 @@ HALVINGS = 60
 
 
 def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -> Array:
-    """Least N [N], found in a path of growing steps, with value(N) = goal; nan if there is none.
+    """Smallest N [N] with value(N) = goal; nan if there is none.
 
-    `start` is a first guess of N; if it is 0, 0 is returned. The path ends at the first nan.
-    Bisection on ln N to round-off.
+    The search takes steps that increase by a constant factor from a fraction of `start`, the
+    initial estimate of N, and ends at the first nan. Bisection on ln N to round-off follows. Where
+    `start` is 0, 0 is returned.
     """
     shape = np.broadcast_shapes(np.shape(value(start)), goal.shape)
     start, goal = np.broadcast_to(start, shape), np.broadcast_to(goal, shape)
@@ -33,7 +34,7 @@ def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -
 def _bracket(
     value: Callable[[Array], Array], goal: Array, low: Array, sought: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
-    """Two loads of the path between which the value reaches its goal or ends."""
+    """Two consecutive loads between which the value reaches its goal or becomes nan."""
     for _ in range(PACES):
         above = sought & (value(low) >= goal)
         if not above.any():
@@ -49,7 +50,7 @@ def _bracket(
 
 
 def _last(value: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """`high`, or the last load before `high` with a value."""
+    """`high`, or the largest load below `high` at which the value is not nan."""
     ends = np.isnan(value(high))
     if not ends.any():
         return high

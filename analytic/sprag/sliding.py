@@ -1,13 +1,14 @@
-"""Sprags that slide permanently: their forces, and which contact slides.
+"""Sprags that slide permanently: their forces, and the contact that slides.
 
 If one contact slides at a constant speed, N follows from the two equations of the sprag (Eq. 14)
-and the moment of the blades. If the clutch is driven, the inner contact slides, T_i = mu N:
+and the moment of the energizing springs. If the clutch is driven, the inner contact slides with
+T_i = mu N:
 
-    N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
+    N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)).
 
-which grows without limit if mu approaches the friction required at rest. If the race overruns, the
-outer contact has the larger required friction and slides with T_e = -mu N, and the sprags rotate
-with the race.
+N increases without limit as mu approaches the required friction coefficient at rest. If the race
+overruns, the required friction of the outer contact is larger: it slides with T_e = -mu N, and the
+sprags rotate with the inner race.
 """
 
 import math
@@ -21,7 +22,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 @dataclass(frozen=True)
 class Sliding:
-    """N [N] of a sliding sprag, T_i/N, and whether the outer contact slides."""
+    """Normal force N [N] of a sliding sprag, ratio T_i/N, and True if the outer contact slides."""
 
     N: float
     share: float
@@ -29,10 +30,10 @@ class Sliding:
 
 
 def sliding(w: RaceSpring, mu: float) -> Sliding:
-    """State with the friction `mu` at the sliding contact; mu is negative if the race overruns.
+    """Steady state with the friction `mu` at the sliding contact; mu < 0 if the race overruns.
 
-    The contact slides that would otherwise have to transmit more than friction. If this applies to
-    both contacts (|mu| below h/2 over OC_g), no such state exists, and N is nan.
+    The contact slides whose friction force would otherwise exceed mu N. If this applies to both
+    contacts (|mu| below h/2 over OC_g), no such state exists, and N is nan.
     """
     blades, now = w.blades, w.states
     h = now.h_i - now.h_e

@@ -1,10 +1,10 @@
-r"""Start of an engagement: the blade spring presses the sprag, without drag of the inner race.
+r"""Start of an engagement: only the energizing spring acts on the sprag, without inner drag.
 
 With T_i = 0, the tangential equilibrium of Eq. 14 gives
 
 .. math:: T_e = -N_0\,\frac{\sin(\beta+\gamma) - \sin\gamma}{\cos\gamma}
 
-and the moment, in which the centroid's place cancels but for gamma,
+and the moment equilibrium, in which the position of the centroid cancels except for gamma, gives
 
 .. math:: N_0 = \frac{K_r(\alpha_{max} - \alpha)}{(h_i - h_e)
           + b_e\,\dfrac{\sin(\beta+\gamma)-\sin\gamma}{\cos\gamma}}
@@ -24,10 +24,12 @@ from analytic.sprag.search import first_reach
 def spring_equilibrium(
     clutch: SpragClutch, *, K_r: ArrayLike, alpha_max: ArrayLike
 ) -> tuple[Wedged, Array]:
-    """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
+    """State under N_0, and the force T_e [N] of the outer race.
 
-    N and the geometry of the state are valid, but not its forces of a wedged strut. ValueError if
-    the spring is unloaded already at first contact; ArithmeticError if no state is in equilibrium.
+    K_r [N m/rad] and alpha_max [rad] are the stiffness and the unloaded rotation of the energizing
+    spring. N and the geometry of the state are valid, but not the tangential forces of a wedged
+    strut. Raises ValueError if the spring is already unloaded at first contact, ArithmeticError if
+    no equilibrium exists.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
     first = wedged(clutch, 0.0)
@@ -44,12 +46,13 @@ def spring_equilibrium(
     N = first_reach(pressed, np.asarray(K_r * alpha_max), start=np.asarray(stiff))
     if np.isnan(N).any():
         raise ArithmeticError(
-            f"no equilibrium was found: no normal force balances springs of K_r={K_r} N m/rad"
+            f"no equilibrium was found: no normal force balances energizing springs of K_r={K_r} N "
+            "m/rad"
         )
     now = wedged(clutch, N)
     return now, np.asarray(-now.N * drag(now))
 
 
 def drag(now: Wedged) -> Array:
-    """(sin(beta + gamma) - sin(gamma))/cos(gamma), -T_e/N_0."""
+    """Ratio -T_e/N_0 = (sin(beta + gamma) - sin(gamma))/cos(gamma)."""
     return np.asarray((np.sin(now.beta + now.gamma) - np.sin(now.gamma)) / np.cos(now.gamma))

@@ -1,4 +1,4 @@
-"""Whether the time steps of an engagement were short enough, by its energy balance."""
+"""Check of the time step of an engagement by its energy balance."""
 
 import math
 
@@ -14,7 +14,7 @@ RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then b
 
 
 class LongStepError(ArithmeticError):
-    """The energy balance is violated by more than a hundredth of the work put in."""
+    """Error: the energy balance is violated by more than a hundredth of the work done."""
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
         self.enough = enough(table, motion, dt)
@@ -25,12 +25,12 @@ class LongStepError(ArithmeticError):
 
 
 def enough(table: Table, motion: Motion, dt: float) -> float:
-    """Sufficient time step [s], rounded to one digit, if `dt` [s] was too long."""
+    """Sufficient time step [s], rounded down to one digit, if `dt` [s] was too long."""
     return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 
 def missing(engagement: Engagement) -> float:
-    """Largest violation of the energy balance, over the work put in and the energy at the start."""
+    """Largest error of the energy balance, divided by the work done plus the initial energy."""
     energies, motion, table = balance(engagement), engagement.motion, engagement.table
     inner, outer = engagement.states[0, 4:6]
     start = (motion.I_bi * inner**2 + motion.I_be * outer**2) / 2
@@ -41,9 +41,10 @@ def missing(engagement: Engagement) -> float:
 
 
 def fastest(table: Table, motion: Motion) -> float:
-    """Upper bound [rad/s] of the engagement's frequencies and rates of decay.
+    """Upper bound [rad/s] of the frequencies and decay rates of an engagement.
 
-    Rolling races on stiff sprags, the support, the damping, and a sprag that slides alone.
+    It covers rolling races on stiff sprags, the support, the damping, and a sprag that slides
+    alone.
     """
     _, OA, OB, OC_g, b_i, b_e, *_ = table.values[:, 1:]
     alpha = (table.step * np.arange(table.values.shape[1])) ** 2
@@ -57,6 +58,6 @@ def fastest(table: Table, motion: Motion) -> float:
 
 
 def _rounded(x: float) -> float:
-    """Down to one digit."""
+    """`x` rounded down to one digit."""
     unit = 10.0 ** math.floor(math.log10(x))
     return math.floor(x / unit * (1 + 1e-9)) * unit

@@ -1,4 +1,4 @@
-"""Engagement of a sprag clutch from its dimensions, in one call."""
+"""Engagement of a sprag clutch under a sudden torque, computed from its dimensions in one call."""
 
 from analytic.sprag.closure import at_torque
 from analytic.sprag.clutch import SpragClutch
@@ -14,12 +14,12 @@ REACH = 3.0  # normal force up to which states are tabulated, over that at rest
 def engage_suddenly(
     parts: SpragClutchParts, motion: Motion, *, T: float, duration: float, dt: float = 1e-5
 ) -> Engagement:
-    """The clutch of `parts` under the torque T [N m] that acts from the start, over `duration` [s].
+    """Engagement of the clutch of `parts` under a constant torque T [N m] over `duration` [s].
 
-    SI units; contacts by Palmgren's law; steps of `dt` [s]. The result has the normal force `N` [N]
-    over `t` [s], its largest value `N_max`, that at rest `N_static`, their ratio `peak_factor` and
-    the `verdict`. Forces up to 3 times the static force are tabulated. ValueError for impossible
-    inputs, ArithmeticError if steps are too long.
+    SI units; the contacts follow Palmgren's law; the time step is `dt` [s]. The result contains the
+    normal force `N` [N] over `t` [s], its largest value `N_max`, its value at rest `N_static`,
+    their ratio `peak_factor` and the `verdict`. Forces up to 3 times the static force are
+    tabulated. Raises ValueError for invalid inputs, ArithmeticError if time steps are too long.
     """
     clutch = SpragClutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
     table = tabulated(clutch, N_end=REACH * float(at_torque(clutch, T).N))

@@ -1,10 +1,10 @@
-r"""Oscillation in time of two races, with a sprag clutch as the spring between them.
+r"""Oscillation of two races with a sprag clutch as the spring between them.
 
 .. math::
     I_{bi}\,\theta_i'' = C - T(\theta) - C_{rl}\,\theta', \qquad
     I_{be}\,\theta_e'' = T(\theta) + C_{rl}\,\theta' - k_{out}\,\theta_e
 
-This formula and the equations of motion (Eqs. 14-16) share only the closure equations.
+This model and the equations of motion (Eqs. 14-16) have only the closure equations in common.
 """
 
 import math
@@ -25,7 +25,7 @@ RTOL = 1e-8
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """Relative rotation of the races [rad], N [N], its largest and time [s], over times t [s]."""
+    """Relative rotation [rad] of the races and N [N] over times t [s]; time and value of peak N."""
 
     t: Array
     theta: Array
@@ -36,9 +36,9 @@ class Swing:
 
 @dataclass(frozen=True, kw_only=True)
 class Driven:
-    """Torque `T` [N m], reached after `t_ramp` [s], on a race with the speed `w_i` [rad/s].
+    """Torque `T` [N m], reached after `t_ramp` [s], on a race with the initial speed `w_i` [rad/s].
 
-    It is followed till `t_end` [s].
+    The motion is computed until `t_end` [s].
     """
 
     T: float
@@ -52,7 +52,7 @@ class Driven:
 
 
 def time_to_rest(q: Driven, motion: Motion) -> float:
-    """Time [s] after which the torque has stopped a race that overruns, without drag."""
+    """Time [s] after which the torque has stopped an overrunning race, without drag."""
     if q.w_i >= 0:
         return 0.0
 
@@ -67,10 +67,10 @@ def time_to_rest(q: Driven, motion: Motion) -> float:
 
 
 def swing(w: RaceSpring, q: Driven, motion: Motion) -> Swing:
-    """Two races on the clutch as a spring: rolling, massless sprags.
+    """Motion of two races with the clutch as a spring: rolling, massless sprags.
 
-    A race that overruns first comes to rest and then engages. ArithmeticError if the integration
-    ends prematurely.
+    An overrunning race first comes to rest and then engages. Raises ArithmeticError if the
+    integration ends prematurely.
     """
     rest = time_to_rest(q, motion)
     force, start = w.force(), w.start

@@ -1,21 +1,23 @@
 r"""Force and geometry of one sprag tabulated over its rotation alpha.
 
-The closure equations give all quantities explicitly as functions of N; an engagement needs them as
+The closure equations give all quantities explicitly as functions of N. An engagement needs them as
 functions of alpha, four times per step. The table has equal intervals of s = sqrt(alpha) from the
-first contact (alpha = 0, N = 0) to its end, and contains value and slope d/ds of each column.
-Between the points, columns are cubic (Hermite) with continuous slope. An engagement begins under
-the few newtons of the blades, at a ten-thousandth of its rotation, and whether the sprag slips is
-determined there: equal intervals of alpha would be too coarse.
+first contact (alpha = 0, N = 0) to its end, and contains the value and the slope d/ds of each
+column. Between the points, columns are interpolated by cubic Hermite polynomials with continuous
+slope. An engagement begins at a ten-thousandth of its rotation, under a few newtons of the
+energizing springs, and this range determines if the sprag slips. Equal intervals of alpha would be
+too coarse there.
 
 The columns are those of the equations of motion,
 
     N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
 
-W is the elastic energy of one sprag, as measured by the motion. It is U = \int N dH except for the
-terms that Eqs. 14-16 omit. The paper has one normal force, N_e = N_i = N. With it, the tangential
-forces are not in equilibrium: the static force is 4e-4 above that of the strut, and it changes by
-1.4e-3 if the centroid moves by 0.5 mm. With `balanced`, N_e = N cos(omega)/cos(nu) and h = h_i -
-h_e N_e/N: the statics are exactly those of the strut for any position of the centroid.
+W is the elastic energy of one sprag in the equations of motion. It equals U = \int N dH except for
+the terms that Eqs. 14-16 omit. The paper has one normal force, N_e = N_i = N. Then, the tangential
+forces are not in equilibrium: the static force is higher than that of the two-force strut by the
+fraction 4e-4, and it changes by 1.4e-3 if the centroid moves by 0.5 mm. With `balanced`, N_e = N
+cos(omega)/cos(nu) and h = h_i - h_e N_e/N. Then, the static equilibrium is exactly that of the
+strut for every position of the centroid.
 """
 
 from dataclasses import dataclass
@@ -38,9 +40,10 @@ BISECTIONS = 40
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Table:
-    """`values` and `slopes` d/ds, each (columns, intervals + 1), every `step` [rad^(1/2)] of s.
+    """Table of a clutch: `values` and `slopes` d/ds, (columns, intervals + 1), at steps of s.
 
-    alpha is measured from the first contact, which at speed is later than at rest by `origin`.
+    The `step` of s is in rad^(1/2). alpha is measured from the first contact. At speed, the first
+    contact is later than at rest by `origin`.
     """
 
     n_s: int
@@ -51,7 +54,7 @@ class Table:
 
     @property
     def end(self) -> float:
-        """Alpha [rad] up to which there are values: the end of the profile."""
+        """Largest tabulated alpha [rad]: the end of the profile."""
         return float(self.step * (self.values.shape[1] - 1)) ** 2
 
     @cached_property
@@ -60,14 +63,14 @@ class Table:
         return CubicHermiteSpline(knots, self.values.T, self.slopes.T)
 
     def at(self, alpha: ArrayLike) -> dict[str, Array]:
-        """Columns at `alpha` [rad]; nan beyond the end, the values of first contact below 0."""
+        """Columns by name at `alpha` [rad]; nan beyond the end, values of first contact below 0."""
         alpha = np.asarray(alpha, dtype=np.float64)
         inside = np.clip(alpha, 0.0, self.end)
         found = np.where((alpha > self.end)[..., None], np.nan, self._curve(np.sqrt(inside)))
         return dict(zip(COLUMNS, np.moveaxis(found, -1, 0), strict=True))
 
     def static_ratio(self, alpha: ArrayLike) -> Array:
-        r"""T_i/N at which Eq. 14 is in equilibrium without blades: tan(nu), except for N_e = N_i.
+        r"""Ratio T_i/N in equilibrium (Eq. 14) without energizing springs.
 
         .. math:: \frac{T_i}{N} = \frac{h\,OB}{OA\, b_e + OB\, b_i}
         """
@@ -75,7 +78,7 @@ class Table:
         return np.asarray(g["h"] * g["OB"] / (g["OA"] * g["b_e"] + g["OB"] * g["b_i"]))
 
     def static_torque(self, alpha: ArrayLike) -> Array:
-        """Torque [N m] of the clutch at rest at `alpha`."""
+        """Torque [N m] of the clutch in equilibrium at the sprag rotation `alpha` [rad]."""
         g = self.at(alpha)
         return np.asarray(self.n_s * g["N"] * self.static_ratio(alpha) * g["OA"])
 
@@ -93,15 +96,16 @@ def table(
     N_e_over_N: ArrayLike = 1.0,
     intervals: int = INTERVALS,
 ) -> Table:
-    """Table of the closure's states, which begin at N = 0 and rise; angles in rad, SI.
+    """Table from states of the closure equations; angles in rad, SI units.
 
-    ValueError if a larger force does not rotate the sprag further.
+    The states must begin at N = 0 with increasing N. Raises ValueError if a larger force does not
+    rotate the sprag further.
     """
     alpha, N, OA, OB, OC_g, beta, gamma = (
         np.asarray(x, dtype=np.float64) for x in (alpha, N, OA, OB, OC_g, beta, gamma)
     )
     if N[0] != 0 or np.any(np.diff(N) <= 0) or np.any(np.diff(alpha) <= 0):
-        raise ValueError("states of a table must begin at N = 0 N; N and alpha must ascend")
+        raise ValueError("states of a table must begin at N = 0 N, and N and alpha must increase")
     h = OC_g * (np.sin(beta + gamma) - np.asarray(N_e_over_N) * np.sin(gamma))
     b_i, b_e = OC_g * np.cos(beta + gamma) - OA, OB - OC_g * np.cos(gamma)
     root = np.sqrt(alpha - alpha[0])
@@ -130,17 +134,19 @@ def tabulated(
     theta_max: float = np.inf,
     balanced: bool = False,
 ) -> Table:
-    """Table of a clutch up to the normal force `N_end` [N] or the spiral's end `theta_max` [rad].
+    """Table of a clutch up to the normal force `N_end` [N] or the spiral angle `theta_max` [rad].
 
-    ValueError if no force up to `N_end` has a state, or if a larger force does not rotate the
-    sprag.
+    Raises ValueError if the sprag has no equilibrium under small forces, or if a larger force does
+    not rotate the sprag further.
     """
     N = float(positive(N_end, "normal force at the end", "N")) * np.linspace(0, 1, STATES) ** 2
     states = wedged(clutch, N)
     whole = np.isfinite(states.alpha) & (states.turned <= theta_max)
     count = len(N) if whole.all() else int(np.argmin(whole))
     if count < FEWEST:
-        raise ValueError(f"the sprag has no state under N between 0 and {N[FEWEST]:.4g} N")
+        raise ValueError(
+            f"the sprag has no equilibrium under normal forces between 0 and {N[FEWEST]:.4g} N"
+        )
     if count < len(N):  # the end lies between two states: come near it, then tabulate to there
         inside = N[count - 1]
         gap = N[count] - inside

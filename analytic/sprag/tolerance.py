@@ -1,8 +1,8 @@
-r"""Sensitivity of the wedge angle of a given sprag to the dimensions around it.
+r"""Sensitivity of the wedge angle of a given sprag to the dimensions of sprag and races.
 
-A spiral is similar to itself at every scale. The angles of first contact of a given sprag therefore
-depend only on R_i, R_e, its outer radius r_e and m, with OC_e = R_e - r_e; a change of the races
-moves the contact along the spiral but keeps the angles. With c = AB,
+A logarithmic spiral is self-similar. Therefore, the angles at first contact depend only on R_i,
+R_e, m and the outer radius r_e of the sprag, with OC_e = R_e - r_e. The position of the contact
+along the spiral has no effect on the angles. With c = AB,
 
 .. math::
     d\nu_0 &= \frac{R_e(R_e - R_i\cos\beta)}{c^2}\,d\beta
@@ -23,7 +23,7 @@ STEP = 1e-6  # relative to a radius, for slopes
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sensitivities:
-    """Derivatives of nu_0 by R_i, R_e and r_e [rad/length] and by m [rad]."""
+    """Derivatives of the wedge angle nu_0 by R_i, R_e and r_e [rad/length] and by m [rad]."""
 
     R_i: Array
     R_e: Array
@@ -32,7 +32,7 @@ class Sensitivities:
 
 
 def wedge_angle_sensitivities(sprag: LogSprag) -> Sensitivities:
-    """Derivatives of the wedge angle nu_0, the other dimensions of sprag and races fixed."""
+    """Derivatives of the wedge angle nu_0 by one dimension each; all others are constant."""
     R_i, R_e, m = (np.asarray(x, dtype=np.float64) for x in (sprag.R_i, sprag.R_e, sprag.m))
     beta, eta, OC_e = sprag.beta_0, sprag.eta_0, sprag.OC_e
     c2 = R_i**2 + R_e**2 - 2 * R_i * R_e * np.cos(beta)
@@ -51,7 +51,9 @@ sensitivities = wedge_angle_sensitivities  # its name in version 0.1
 
 
 def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:
-    """Changes of wedge angle and turn [rad] of the same sprag between races with deviations dR [m].
+    """Wedge angle and rotation [rad] of a sprag at first contact, with deviations of the races.
+
+    dR_i and dR_e [m] are the deviations of the radii R_i and R_e.
 
     >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
     >>> nu, turned = first_contact(sprag, dR_i=-0.02)  # a smaller inner race lets it turn
@@ -66,7 +68,7 @@ def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> t
 
 
 def slope(sprag: LogSprag, radius: str) -> tuple[float, float]:
-    """Sensitivity of wedge angle and unloaded sprag rotation to "dR_i" or "dR_e" [rad/m]."""
+    """Derivatives [rad/m] of wedge angle and sprag rotation by `radius`, "dR_i" or "dR_e"."""
     h = STEP * float(np.asarray(sprag.R_i))
     low, high = (first_contact(sprag, **{radius: s * h}) for s in (-1, 1))
     return (high[0] - low[0]) / (2 * h), (high[1] - low[1]) / (2 * h)

@@ -1,4 +1,4 @@
-"""Engagements: a clutch's table, its motion and a torque in; forces over time and a verdict out."""
+"""Engagements in time: forces and verdict from the table of a clutch, its motion and a torque."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ TRIALS = 20
 
 
 class NarrowBandError(ArithmeticError):
-    """In one step, the sliding speed passed the whole band in which a contact may stick."""
+    """Error: in one step, the sliding speed passed the whole band in which a contact may stick."""
 
     def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
         self.change = change
@@ -40,13 +40,14 @@ def engage(
     speeds: Speeds | None = None,
     guard: bool = True,
 ) -> Engagement:
-    """Engagement over `duration` [s] in steps of `dt` [s], from rest with the blades as only load.
+    """Engagement over `duration` [s] in steps of `dt` [s]; at the start, only the springs act.
 
     `D_V` [m/s] is the half-width of the band of sliding speed in which a contact may stick. With
     None, it is twice the change of the sliding speed of the inner contact in one step from rest; if
-    the guard stops, it is twice the change at this step. NarrowBandError (an ArithmeticError) if a
-    given band is too narrow; LongStepError if the error of the energy balance is a hundredth of the
-    work put in. Without `guard`, the wrong result is returned. ValueError for impossible inputs.
+    the guard rejects a step, it is at least twice the change in this step. Raises NarrowBandError
+    (an ArithmeticError) if a given band is too narrow, LongStepError if the error of the energy
+    balance exceeds a hundredth of the work done, and ValueError for invalid inputs. Without
+    `guard`, the wrong result is returned without these errors.
     """
     positive(duration, "duration", "s")
     positive(dt, "dt", "s")

@@ -1,8 +1,8 @@
-"""Results of a clutch as a spring between its races for an engagement, without motion in time.
+"""Results of an engagement from the clutch as a spring between its races, without time steps.
 
 The work balance needs only statics: without damping and with the outer race fixed, the first peak
-is the state at which the work of the torque equals the energy of the spring. This formula and the
-equations of motion (Eqs. 14-16) share only the closure equations.
+is the state at which the work of the torque equals the energy of the spring. This model and the
+equations of motion (Eqs. 14-16) have only the closure equations in common.
 """
 
 import math
@@ -19,7 +19,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 
 def at_rest(w: RaceSpring, T: float) -> float:
-    """Rotation [rad] at rest under T [N m]; nan if the profile ends before."""
+    """Rotation theta [rad] in equilibrium under T [N m]; nan if the profile ends before."""
     resists = w.resistance()
     if float(resists(w.theta[-1])) < T:
         return math.nan
@@ -27,7 +27,11 @@ def at_rest(w: RaceSpring, T: float) -> float:
 
 
 def undamped(w: RaceSpring, T: float) -> float:
-    """Angle [rad] of the first peak without damping, outer race fixed: T theta = stored work."""
+    """Rotation theta [rad] at the first peak, without damping and with a fixed outer race.
+
+    At this rotation, T theta equals the stored energy. The result is nan if the profile ends
+    before.
+    """
     work, rest, start = w.resistance().antiderivative(), at_rest(w, T), w.start
 
     def left(x: float) -> float:
@@ -39,18 +43,24 @@ def undamped(w: RaceSpring, T: float) -> float:
 
 
 def stored(w: RaceSpring, N: float) -> float:
-    """Work [J] of the forces on all deflections, from the start of the blades to N [N]."""
+    """Work [J] of the forces on all deflections, from the action of the springs to N [N]."""
     return w.n_s * float(work(w.clutch, N) - work(w.clutch, w.pressed.N))
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Work of the torque on rotation by rolling, to the last state, over the work of deflection."""
+    """Ratio of the work of the torque on the rolling rotation to the work on deflections.
+
+    Both works are taken up to the last state.
+    """
     turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
     return float(turned) / (w.n_s * float(work(w.clutch, w.end)))
 
 
 def left_out(w: RaceSpring, N: float) -> float:
-    """Share of that work, to N [N], on the centroid's outward travel, omitted by Eq. 14."""
+    """Fraction of the work of `stored` done on the outward motion of the centroid.
+
+    Eq. 14 omits this work. It is taken up to N [N].
+    """
     now = w.states
     per_way = np.sin(now.beta + now.gamma) / now.OA - np.sin(now.gamma) / now.OB
     on_way = cumulative_trapezoid(now.T * per_way, now.OC_g, initial=0.0)
@@ -58,7 +68,7 @@ def left_out(w: RaceSpring, N: float) -> float:
 
 
 def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
-    """Inertia [kg m²] of the sprags, referred to the inner race; outer race fixed."""
+    """Inertia [kg m²] of the sprags, referred to the inner race, with a fixed outer race."""
     now = w.states
     alpha_b = np.gradient(now.alpha_b, w.theta, edge_order=2)
     alpha = np.gradient(now.alpha, w.theta, edge_order=2)
@@ -69,7 +79,7 @@ def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
 
 
 def frequency(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Frequency [Hz] of small oscillations about the equilibrium under T, outer race fixed."""
+    """Frequency [Hz] of small oscillations about equilibrium under T, outer race fixed."""
     rest = at_rest(w, T)
     if math.isnan(rest):
         return math.nan
@@ -78,22 +88,22 @@ def frequency(w: RaceSpring, T: float, motion: Motion) -> float:
 
 
 def asked(w: RaceSpring, theta: float) -> float:
-    """Required T_i/N at the rotation [rad]: tan(nu), less the share of the springs."""
+    """Required T_i/N at the rotation theta [rad]: tan(nu), reduced by the energizing springs."""
     N, OA = (np.interp(theta, w.theta, x) for x in (w.states.N, w.states.OA))
     return float(w.resistance()(theta) / (w.n_s * OA * N))
 
 
 def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Largest |T|/N at which both contacts would begin to roll under the whole torque."""
+    """Largest required |T|/N at which both contacts begin to roll under the whole torque."""
     system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
     _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
     return float(np.abs(tangential).max() / N)
 
 
 def passed_on(w: RaceSpring, T: float) -> float:
-    """Relative change of the undamped peak's N per change of the torque at every rotation.
+    """Relative change of N at the undamped peak per relative change of the torque at all rotations.
 
-    From T theta = work: (T* - T) dtheta = -work dT/T at the turn and torque T* of the peak.
+    From T theta = work: (T* - T) dtheta = -work dT/T at the rotation and the torque T* of the peak.
     """
     peak = undamped(w, T)
     if math.isnan(peak):
