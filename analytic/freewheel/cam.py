@@ -1,20 +1,22 @@
 r"""Roller wedged between a flat and a circle (Nagler, Lohrengel, Eqs. 3 to 6, corrected).
 
-The circular race has the radius R, the flat the distance X from the axis. An inner cam (star) has
-the flat inside and the race is the ring's bore; an outer cam (cup) has the flat outside and the
-race is the shaft R_s. The roller's centre stands at the angle psi = 2 alpha from the flat's normal,
-at the distance rho from the axis and at the height y over the flat's parallel through the axis:
+The circular race has the radius R, the flat has the distance X from the axis. An inner cam (star)
+has the flat inside, and the race is the bore of the ring. An outer cam (cup) has the flat outside,
+and the race is the shaft with the radius R_s. The centre of the roller is at the angle 2 alpha = psi
+from the normal of the flat, at the distance rho from the axis. y is the distance of the centre from
+a line through the axis parallel to the flat:
 
 .. math::
     \text{inner cam:}\quad & \rho = R - r + d_o, & y = X + r - d_i, \\
     \text{outer cam:}\quad & \rho = R_s + r - d_i, & y = X_o - r + d_o,
 
-cos psi = y/rho (Eqs. 4 and 5). The roller's two contact forces are on the line through both
-contacts, which makes alpha with each normal: F_t = F_n tan(alpha). d_i and d_o are how far the
-roller approaches the inner and the outer part. Load widens an inner cam's angle and narrows an
-outer cam's, down to psi = 0, where the rollers pop through (rollover).
+cos psi = y/rho (Eqs. 4 and 5). The two contact forces of the roller act along the line through both
+contacts. The angle between this line and each normal is alpha: F_t = F_n tan(alpha). d_i and d_o
+are the approaches of the roller to the inner and the outer part. Under load, the angle of an inner
+cam increases. The angle of an outer cam decreases down to psi = 0, where the rollers pop through
+(rollover).
 
-Lengths in any one unit, angles in rad; fields and arguments broadcast against each other.
+All lengths have the same unit, angles are in rad; fields and arguments broadcast.
 
 References
 ----------
@@ -35,10 +37,10 @@ from analytic.freewheel.rules import require
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cam(ABC):
-    """z rollers between flats and a circular race: base of both kinds.
+    """Cam with z rollers between flats and a circular race: base class of both kinds.
 
-    `race` and `flat` are R and X of either kind, `sense` is +1 where load widens the angle (inner
-    cam) and -1 where it narrows it (outer cam).
+    `race` and `flat` are R and X of either kind. `sense` is +1 if load increases the angle (inner
+    cam) and -1 if load decreases it (outer cam).
     """
 
     sense: ClassVar[float]
@@ -48,7 +50,7 @@ class Cam(ABC):
     @property
     @abstractmethod
     def race(self) -> Array:
-        """Radius [length] of the circular race, the lever of F_t."""
+        """Radius [length] of the circular race, the lever arm of F_t."""
 
     @property
     @abstractmethod
@@ -67,12 +69,12 @@ class Cam(ABC):
 
     @property
     def pop_through(self) -> Array:
-        """The sum d_i + d_o [length] at which psi is 0; negative: an inner cam never gets there."""
+        """Sum d_i + d_o [length] at which psi is 0; negative for an inner cam (not reached)."""
         return np.asarray(-self.sense * (self.race - self.flat) + 2 * self.roller)
 
     @property
     def room(self) -> Array:
-        """Distance [length] from the loss of the wedge, R - 2 r - X, of a cup R_s + 2 r - X."""
+        """Clearance [length] from the loss of the wedge: R - 2 r - X, for a cup R_s + 2 r - X."""
         _, y = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
 
@@ -82,7 +84,7 @@ class Cam(ABC):
         return self.alpha(d_i=0.0, d_o=0.0)
 
     def distance(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Distance rho [length] of the roller's centre from the axis."""
+        """Distance rho [length] of the centre of the roller from the axis."""
         to_race = d_o if self.sense > 0 else d_i
         return np.asarray(self.race - self.sense * (self.roller - np.asarray(to_race)))
 
@@ -95,13 +97,13 @@ class Cam(ABC):
         return np.where(valid, np.arcsin(np.sqrt(np.where(valid, share, 0.0))), np.nan)
 
     def centre(self, *, d_i: ArrayLike, d_o: ArrayLike) -> tuple[Array, Array]:
-        """Roller's centre x, y [length] along the flat and along its normal."""
+        """Position x, y [length] of the roller's centre along the flat and along its normal."""
         psi = 2 * self.alpha(d_i=d_i, d_o=d_o)
         rho = self.distance(d_i=d_i, d_o=d_o)
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc s [length] of the roller's centre relative to the cam, from no load on (Eq. 6)."""
+        """Arc s [length] of the centre of the roller relative to the cam, from no load (Eq. 6)."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha0)
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 
@@ -110,20 +112,20 @@ class Cam(ABC):
         return np.asarray(self.count * self.race * np.asarray(F_t))
 
     def torque_on_cam(self, *, F_n: ArrayLike, F_t: ArrayLike) -> Array:
-        """Torque [force x length] of both forces of the contacts on the flats without load (Eq. 3).
+        """Torque [force x length] of both force components on the undeformed flats (Eq. 3).
 
-        z (F_n x - F_t X): the flat's normal misses the axis by x.
+        It is z (F_n x - F_t X), where x is the distance of the normal of the flat from the axis.
         """
         x, _ = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.count * (np.asarray(F_n) * x - np.asarray(F_t) * self.flat))
 
     @property
     def corner(self) -> Array:
-        """Half the length [length] of a flat, X tan(pi/z)."""
+        """Half-length [length] of a flat, X tan(pi/z)."""
         return np.asarray(self.flat * np.tan(np.pi / self.count))
 
     def check_rollers(self) -> None:
-        """ValueError if rollers overlap or are beyond the end of their flats."""
+        """Raise ValueError if rollers overlap or are beyond the end of their flats."""
         rho, (x, _) = self.distance(d_i=0.0, d_o=0.0), self.centre(d_i=0.0, d_o=0.0)
         pitch = rho * np.sin(np.pi / self.count)
         require(

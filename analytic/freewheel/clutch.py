@@ -1,4 +1,4 @@
-"""A roller freewheel: geometry, width and materials of its parts."""
+"""Roller freewheel: geometry, width and materials of its parts."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,14 +18,14 @@ Star = Literal["annulus", "half space"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ContactMaterial:
-    """Young's modulus [stress], infinite for a rigid body, and Poisson's ratio."""
+    """Young's modulus [stress], infinite for a rigid body, and Poisson's ratio of a part."""
 
     E: ArrayLike
     nu: ArrayLike
 
     @cached_property
     def plane(self) -> tuple[Array, Array]:
-        """E' and nu' of plane strain."""
+        """Elastic constants E' and nu' of plane strain."""
         return in_plane(self.E, self.nu, "plane strain")
 
 
@@ -34,11 +34,11 @@ Material = ContactMaterial  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollerClutch:
-    """Cam, rollers of the length L, bore r_b of the inner part and rim R_a of the outer part.
+    """Clutch with a cam, rollers of length L, bore r_b of the inner and rim R_a of the outer part.
 
-    The star of an inner cam is clamped on its bore, a shaft is free on it and may be solid
-    (r_b = 0); the rim is free. `star` chooses the star's compliance, see `compliance`.
-    ValueError if a part has no wall.
+    The star of an inner cam is clamped on its bore. A shaft has a free bore and may be solid
+    (r_b = 0). The rim is free. `star` selects the compliance model of the star, see `compliance`.
+    Raises ValueError if a part has no wall.
     """
 
     cam: Cam
@@ -65,7 +65,7 @@ class RollerClutch:
         )
         require(R_a > hollow, f"outer part needs R_a above its {outer}", R_a=R_a, limit=hollow)
         if self.star not in get_args(Star):
-            raise ValueError(f"star is one of {', '.join(get_args(Star))}, got {self.star!r}")
+            raise ValueError(f"star must be one of {', '.join(get_args(Star))}, got {self.star!r}")
 
     @property
     def _corner_distance(self) -> Array:
@@ -73,7 +73,7 @@ class RollerClutch:
 
     @cached_property
     def _contacts(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        """Relative radius and contact modulus at the inner and the outer contact."""
+        """Relative radius and contact modulus of the inner and of the outer contact."""
         r, race = self.cam.roller, self.cam.race
         radii = [hertz_line.relative_radius(R_1=r, R_2=-self.cam.sense * race), r]
         if isinstance(self.cam, InnerCam):
@@ -89,25 +89,25 @@ class RollerClutch:
         return (R_i, E_i), (R_o, E_o)
 
     def half_widths(self, P: ArrayLike) -> tuple[Array, Array]:
-        """Hertz's a_i, a_o [length] under P = N/L [force/length]; 0 without load."""
+        """Hertz's half-widths a_i, a_o [length] under P = N/L [force/length]; 0 without load."""
         P = np.asarray(P, dtype=np.float64)
         a_i, a_o = (np.sqrt(4 * P * R / (np.pi * E)) for R, E in self._contacts)
         return np.asarray(a_i), np.asarray(a_o)
 
     def pressures(self, P: ArrayLike) -> tuple[Array, Array]:
-        """Hertz's p_i, p_o [stress] under P = N/L [force/length]; 0 without load."""
+        """Hertz's peak pressures p_i, p_o [stress] under P = N/L [force/length]; 0 without load."""
         P = np.asarray(P, dtype=np.float64)
         p_i, p_o = (np.sqrt(P * E / (np.pi * R)) for R, E in self._contacts)
         return np.asarray(p_i), np.asarray(p_o)
 
     def loads_at_pressure(self, p: ArrayLike) -> tuple[Array, Array]:
-        """P = N/L [force/length] for the pressure p [stress] of the inner and outer contact."""
+        """Loads P = N/L [force/length] of peak pressure p at the inner and the outer contact."""
         p = positive(p, "pressure", "Pa")
         P_i, P_o = (p**2 * np.pi * R / E for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)
 
     def loads_at_half_width(self, a: ArrayLike) -> tuple[Array, Array]:
-        """P = N/L [force/length] for the half-width a [length] of the inner and outer contact."""
+        """Loads P = N/L [force/length] of half-width a at the inner and the outer contact."""
         a = positive(a, "half-width", "m")
         P_i, P_o = (a**2 * np.pi * E / (4 * R) for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)

@@ -1,19 +1,19 @@
-r"""Approach of the roller to both parts under P = N/L (plane strain).
+r"""Approaches of the roller to both parts under P = N/L (plane strain).
 
-The displacement of every body is a logarithm of the distance between the contact and a named point,
-so that only the whole of each approach, d = f + u, can be compared:
+The displacement of each body contains a logarithm of the distance between the contact and a
+reference point. Therefore, only the total approaches, d = f + u, can be compared:
 
 .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{l}{a} + k + c\,\frac{a}{l}\right]
 
-- half a roller, from contact to centre: l = r, k = 2 ln 4 - 1;
-- a circular race on a ring that is free on its other wall, or on a shaft: l = R, `series`, with
-  its bending and its growth under all z loads;
-- a star, clamped on its bore: "annulus", a disc through the contact, l = sqrt(X² + x²), under all
-  loads (`series`); "half space", l = 2 (X - r_b), k = -nu', the displacement down to the depth
-  X - r_b of a half space, which has no clamp and is some 2 % of d_i too stiff;
-- a cup with z flats: the ring whose bore encloses as much as the flats do.
+- half a roller, from the contact to the centre: l = r, k = 2 ln 4 - 1;
+- a circular race on a shaft or on a ring with a free rim: l = R, k from `series`, with the bending
+  and the expansion under all z loads;
+- a star that is clamped on its bore. "annulus": a disc through the contact, l = sqrt(X² + x²),
+  under all loads (`series`). "half space": l = 2 (X - r_b), k = -nu', the displacement of a half
+  space down to the depth X - r_b, without clamping; it underestimates d_i by about 2 %;
+- a cup with z flats: a ring whose bore encloses the same area as the flats.
 
-The tangential force has no effect here: on a ring it makes no radial displacement at the load.
+The tangential force has no effect: on a ring, it causes no radial displacement at the load.
 
 References
 ----------
@@ -35,7 +35,7 @@ ROLLER = 2 * np.log(4) - 1  # k of half a roller
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Body:
-    """Constants of one body's approach: E', l [length], k, c."""
+    """Constants of the approach of one body: E' [stress], l [length], k and c (no unit)."""
 
     E: Array
     l: Array  # noqa: E741
@@ -43,7 +43,7 @@ class Body:
     c: Array | float = 0.0
 
     def approach(self, P: Array, a: Array) -> tuple[Array, Array]:
-        """Approach [length] and its derivative by P, with a growing like the root of P."""
+        """Approach [length] and its derivative by P; a is proportional to the square root of P."""
         loaded = np.where(a > 0, a, self.l)  # the product vanishes for P = 0 with any logarithm
         bracket = 2 * np.log(self.l / loaded) + self.k
         linear = self.c * loaded / self.l
@@ -53,7 +53,7 @@ class Body:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Approaches:
-    """d_i, d_o [length] and their derivatives by P [length²/force]."""
+    """Approaches d_i, d_o [length] and their derivatives by P [length²/force]."""
 
     d_i: Array
     d_o: Array
@@ -63,7 +63,7 @@ class Approaches:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Compliance:
-    """The bodies of a clutch: half a roller at either contact, inner and outer part."""
+    """Bodies of a clutch: half a roller at each contact, inner part and outer part."""
 
     clutch: RollerClutch
     inner: Body
@@ -71,7 +71,7 @@ class Compliance:
     half_roller: Body
 
     def approaches(self, P: ArrayLike) -> Approaches:
-        """Approaches under P = N/L [force/length]."""
+        """Approaches d_i and d_o under P = N/L [force/length]."""
         P = not_negative(P, "load per length", "N/m")
         found = [
             np.add(part.approach(P, a), self.half_roller.approach(P, a))
@@ -81,9 +81,9 @@ class Compliance:
         return Approaches(d_i=d_i, d_o=d_o, slope_i=slope_i, slope_o=slope_o)
 
     def tangent(self, N: ArrayLike) -> tuple[Array, Array]:
-        """tan(alpha) at the normal force N and its derivative by N [1/force].
+        """tan(alpha) at the normal force N, and its derivative by N [1/force].
 
-        From tan² alpha = (rho - y)/(rho + y); nan beyond pop-through.
+        It follows from tan² alpha = (rho - y)/(rho + y). The values are nan beyond pop-through.
         """
         cam, L = self.clutch.cam, np.asarray(self.clutch.L)
         d = self.approaches(np.asarray(N) / L)
@@ -96,7 +96,7 @@ class Compliance:
 
 
 def compliance(clutch: RollerClutch) -> Compliance:
-    """The bodies of `clutch`."""
+    """Compliances of the bodies of `clutch`."""
     E, _ = clutch.roller.plane
     half = Body(E=E, l=clutch.cam.roller, k=np.asarray(ROLLER))
     flat = _star(clutch) if isinstance(clutch.cam, InnerCam) else _cup(clutch)

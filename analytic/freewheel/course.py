@@ -1,10 +1,11 @@
-"""Required friction along a load path: its peak, when the clutch slips, its class.
+"""Required friction coefficient along a load path: its peak, time of slip, class.
 
-After the torque has passed through zero the clutch overruns and needs no friction (nan). As torque
-goes to zero at constant F_ax/T, alpha goes to alpha_0 and mu_req to
-tan(alpha_0) sqrt(1 + (R F_ax/T)²): finite, the least of an inner cam, whose angle grows with the
-torque, and the most of an outer cam. Where torque passes through zero while the axial load does
-not, mu_req is infinite at the last locked time: no friction holds without normal force.
+After the torque has passed through zero, the clutch overruns and needs no friction (nan). As the
+torque goes to zero at constant F_ax/T, alpha goes to alpha_0, and mu_req goes to the finite value
+tan(alpha_0) sqrt(1 + (R F_ax/T)²). This is the smallest value of an inner cam, whose angle
+increases with the torque, and the largest value of an outer cam. If the torque passes through zero
+but the axial load does not, mu_req is infinite at the last locked time, because friction is zero
+without normal force.
 """
 
 from dataclasses import dataclass
@@ -34,12 +35,12 @@ class Course:
 
     @property
     def safety(self) -> Array:
-        """mu/mu_req over time."""
+        """Ratio mu/mu_req over time."""
         return criterion.safety(mu=self.mu, mu_req=self.mu_req)
 
     @property
     def peak(self) -> float:
-        """Largest mu_req."""
+        """Largest mu_req of the path."""
         return float(np.nanmax(self.mu_req))
 
     @property
@@ -49,22 +50,22 @@ class Course:
 
     @property
     def slips_at(self) -> float:
-        """First time [s] of these at which mu_req exceeds mu; infinite if it never does."""
+        """First of the times [s] at which mu_req exceeds mu; infinite if it never does."""
         slipping = np.flatnonzero(self.mu_req > self.mu)
         return float(self.t[slipping[0]]) if slipping.size else np.inf
 
     @property
     def light(self) -> str:
-        """Class of the path, by its largest mu_req."""
+        """Class (traffic light) of the path, from its largest mu_req."""
         return str(criterion.traffic_light(self.mu / self.peak))
 
 
 def follow(
     clutch: RollerClutch, path: LoadPath, *, mu: float, t: ArrayLike | None = None
 ) -> Course:
-    """Course of one clutch along `path`, at evenly spaced times unless `t` [s] names them.
+    """Required friction of one clutch along `path`, at equally spaced times or at `t` [s].
 
-    A cycle needs some 100 times: the peak is then too small by at most 5e-4.
+    A load cycle needs about 100 times: the error of the peak is then at most 5e-4 (too low).
     """
     t = np.linspace(0, path.duration, POINTS) if t is None else np.asarray(t, dtype=np.float64)
     criterion.friction(mu)
@@ -79,14 +80,15 @@ def follow(
 
 
 def _without_round_off(load: Array) -> Array:
-    """The load over time, with values that are zero within round-off set to 0."""
+    """Load over time; values that are zero within round-off are set to 0."""
     return np.where(np.abs(load) <= AT_ZERO * np.abs(load).max(initial=0.0), 0.0, load)
 
 
 def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
-    """Locked times next to overrunning times, with an axial load of constant sign in between.
+    """True for locked times at which the clutch is released under axial load.
 
-    A time without torque but with an axial load is one of them.
+    These are locked times next to overrunning times if the axial load between them does not change
+    its sign, and times without torque but with an axial load.
     """
     passing = (T[1:] * T[:-1] < 0) & (F_ax[1:] * F_ax[:-1] > 0)
     beside = np.zeros(T.shape, dtype=np.bool_)

@@ -1,17 +1,18 @@
-r"""Required friction of a clutch under torque and axial load (Nagler et al., Eqs. 1, 8 to 10).
+r"""Required friction coefficient of a clutch under torque and axial load (Nagler, Eqs. 1, 8 to 10).
 
-Of one roller, with the clamping angle alpha from geometry,
+For one roller with the geometric clamping angle alpha,
 
 .. math:: \mu_{req} = \frac{\sqrt{F_t^2 + F_a^2}}{F_n}
           = \tan\alpha \sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2},
 
-F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s of an outer cam). Printed Eq. 8 calls the
-left side tan(alpha), which is F_t/F_n (Eq. 1), and takes the same F_ax in both.
+with F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s for an outer cam). The left side of
+Eq. 8 as printed is tan(alpha), which is F_t/F_n (Eq. 1). The paper also uses the same symbol F_ax
+for both axial forces.
 
-The torque counts in the locking direction alone (T > 0). An overrunning clutch (T < 0) is not
-wedged and the criterion does not apply: nan. At T = 0 there is no normal force to carry
-F_ax: infinite; if both are zero, tan(alpha), as Eq. 1 requires. On a path on which both vanish
-together the limit depends on the ratio F_ax/T: `required_friction_of_ratio`.
+The criterion applies only in the locking direction (T > 0). An overrunning clutch (T < 0) is not
+wedged: mu_req is nan. At T = 0, no normal force exists to transmit F_ax: mu_req is infinite. If
+both T and F_ax are zero, mu_req is tan(alpha), as Eq. 1 requires. If both approach zero together
+along a load path, the limit depends on the ratio F_ax/T: `required_friction_of_ratio`.
 
 References
 ----------
@@ -28,7 +29,7 @@ RED, GREEN = 0.8, 1.0  # mu/mu_req of Sec. 7, observed, not derived
 
 
 def required_friction_of_contact(*, F_n: ArrayLike, F_t: ArrayLike, F_a: ArrayLike) -> Array:
-    """mu_req from the forces [force] on one contact of one roller (Eq. 8).
+    """Required friction coefficient mu_req from the forces [force] on one contact (Eq. 8).
 
     >>> float(required_friction_of_contact(F_n=100.0, F_t=3.0, F_a=4.0))
     0.05
@@ -38,7 +39,7 @@ def required_friction_of_contact(*, F_n: ArrayLike, F_t: ArrayLike, F_a: ArrayLi
 
 
 def required_friction(*, alpha: ArrayLike, T: ArrayLike, F_ax: ArrayLike, R: ArrayLike) -> Array:
-    """mu_req under the torque T [force x length] and the axial load F_ax [force] (Eq. 9).
+    """Required friction coefficient mu_req under T [force x length] and F_ax [force] (Eq. 9).
 
     >>> mu_req = required_friction(alpha=np.arctan(0.03), T=30.0, F_ax=4.0, R=10.0)
     >>> round(float(mu_req), 12)  # 0.03 sqrt(1 + (4/3)²)
@@ -52,13 +53,13 @@ def required_friction(*, alpha: ArrayLike, T: ArrayLike, F_ax: ArrayLike, R: Arr
 
 
 def required_friction_of_ratio(*, alpha: ArrayLike, ratio: ArrayLike, R: ArrayLike) -> Array:
-    """mu_req if the axial load is `ratio` = F_ax/T [1/length] times the torque."""
+    """Required friction coefficient mu_req for the ratio F_ax/T [1/length]."""
     lever = np.asarray(ratio, dtype=np.float64) * positive(R, "race's radius", "m")
     return np.asarray(np.tan(np.asarray(alpha)) * np.hypot(1.0, lever))
 
 
 def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: ArrayLike) -> Array:
-    """F_ax [force] on the whole clutch at which mu_req = mu; nan if it slips without F_ax (Eq. 9).
+    """Axial load F_ax [force] of the clutch at mu_req = mu (Eq. 9); nan if it slips at F_ax = 0.
 
     >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
     4.0
@@ -70,14 +71,14 @@ def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: Arra
 
 
 def safety(*, mu: ArrayLike, mu_req: ArrayLike) -> Array:
-    """Available over required friction, mu/mu_req (Eq. 10): the clutch holds if >= 1."""
+    """Ratio of available to required friction, mu/mu_req (Eq. 10); a clutch holds if it is >= 1."""
     return np.asarray(friction(mu) / np.asarray(mu_req))
 
 
 def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -> NDArray[np.str_]:
     """Class of mu/mu_req: "red" below `red`, "green" from `green` on, "yellow" between (Sec. 7).
 
-    "free" if the ratio is nan: the clutch overruns.
+    The class is "free" if the ratio is nan, because the clutch overruns.
 
     >>> traffic_light([0.79, 0.8, 1.0]).tolist()
     ['red', 'yellow', 'green']
@@ -89,10 +90,10 @@ def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -
 
 
 def self_releasing(*, alpha: ArrayLike, mu: ArrayLike) -> NDArray[np.bool_]:
-    """Whether a roller slips out under torque alone, tan(alpha) > mu (Eq. 1)."""
+    """True if a roller slips out of the wedge under torque alone: tan(alpha) > mu (Eq. 1)."""
     return np.asarray(np.tan(np.asarray(alpha)) > friction(mu))
 
 
 def friction(mu: ArrayLike) -> Array:
-    """Coefficient of friction as an array; ValueError unless positive."""
+    """Coefficient of friction as an array; raises ValueError unless positive."""
     return positive(mu, "coefficient of friction mu", "")

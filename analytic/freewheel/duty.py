@@ -1,7 +1,7 @@
 """First limit of a clutch as its torque increases or decreases at constant axial load.
 
-Each limit is determined alone: the axial load is constant for increasing torque, and vice versa. SI
-units.
+Each limit is determined separately: the axial load is constant while the torque changes, and vice
+versa. SI units.
 """
 
 import math
@@ -39,24 +39,24 @@ SEVERITY = ("pop_through", "corner", "hertz", "slip", "pressure_inner", "pressur
 
 @dataclass(frozen=True)
 class Limit:
-    """A limit of the torque [N m] or the axial load [N]: its key in `WORDS` and its value."""
+    """Limit of the torque [N m] or of the axial load [N]: its key in `WORDS` and its value."""
 
     key: str
     at: float
 
     @property
     def words(self) -> str:
-        """Description of the limit."""
+        """Description of the limit in words."""
         return WORDS[self.key]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Duty:
-    """A clutch with the friction mu under a torque and an axial load on the whole clutch.
+    """Clutch with the friction mu under a torque and an axial load (both for the whole clutch).
 
-    T [N m] is positive in the locking direction, F_ax [N] not negative. `p_lim` [Pa] is the
-    permissible pressure, if any; `e_lim` is the largest permissible e/L of tilting rollers, by
-    default that at which one end lifts off.
+    T [N m] is positive in the locking direction; F_ax [N] is not negative. `p_lim` [Pa] is the
+    permissible pressure, if there is one. `e_lim` is the largest permissible e/L of tilted rollers;
+    by default, it is the value at which one end lifts off.
     """
 
     clutch: RollerClutch
@@ -68,32 +68,32 @@ class Duty:
 
     @cached_property
     def under(self) -> RollerClutchState | None:
-        """The state under the torque; None if the clutch overruns, rests or has no state."""
+        """State under the torque T; None if overrunning, unloaded or without equilibrium."""
         if self.T <= 0:
             return None
         now = state.loaded(self.clutch, self.T)
         return now if np.isfinite(now.N) else None
 
     def required(self, T: Array | float, alpha: Array | float) -> Array:
-        """mu_req under the axial load and a torque [N m] at the clamping angle [rad] (Eq. 9)."""
+        """Required friction mu_req under F_ax and T [N m] at the angle alpha [rad] (Eq. 9)."""
         R = self.clutch.cam.race
         return criterion.required_friction(alpha=alpha, T=T, F_ax=self.F_ax, R=R)
 
     @cached_property
     def of_torque_alone(self) -> RollerClutchLimits:
-        """Limits of the torque that are independent of the axial load."""
+        """Limits of the torque that do not depend on the axial load."""
         p_lim = self.p_lim or NONE * float(np.asarray(self.clutch.roller.E))
         return roller_torque_limits(self.clutch, mu=self.mu, p_lim=p_lim)
 
     @property
     def end(self) -> float:
-        """The largest torque [N m] that has a state."""
+        """Largest torque [N m] with an equilibrium."""
         found = self.of_torque_alone
         return float(min(found.pop_through, found.hertz))
 
     @cached_property
     def friction_holds(self) -> tuple[tuple[float, float], ...]:
-        """Ranges of torque [N m] in which friction transmits it and F_ax; inf: an open end."""
+        """Torque ranges [N m] in which friction transmits torque and F_ax; inf: no upper end."""
         T = np.geomspace(LEAST * self.end, (1 - 1e-9) * self.end, POINTS)
         held = self._held(T)
         found, ends = [], np.flatnonzero(np.diff(np.concatenate([[0], held.astype(int), [0]])))
@@ -107,7 +107,7 @@ class Duty:
         return np.asarray(self.required(T, state.loaded(self.clutch, T).alpha) <= self.mu)
 
     def _crossing(self, low: float, high: float) -> float:
-        """Torque [N m] between two others at which the clutch begins or ceases to hold."""
+        """Torque [N m] between `low` and `high` at which the clutch begins or ceases to hold."""
         for _ in range(ROUNDS):
             T = np.linspace(low, high, POINTS)
             held = self._held(T)
@@ -117,20 +117,20 @@ class Duty:
 
     @property
     def _range(self) -> tuple[tuple[float, float], ...]:
-        """Range of `friction_holds` that contains the torque; empty without one."""
+        """Range of `friction_holds` that contains the torque T; empty if there is none."""
         return tuple(one for one in self.friction_holds if one[0] <= self.T <= one[1])
 
     @property
     def least_torque(self) -> float:
-        """Torque [N m] above which friction transmits the axial load; 0 if it does at any torque.
+        """Torque [N m] above which friction transmits the axial load; 0 if it does at every torque.
 
-        nan if no range of transmitted torques contains T.
+        nan if no range of `friction_holds` contains T.
         """
         return next((low for low, _ in self._range), math.nan)
 
     @property
     def of_torque(self) -> list[Limit]:
-        """Limits of the torque [N m] at this axial load, the first one first."""
+        """Limits of the torque [N m] at this axial load, in ascending order."""
         alone = self.of_torque_alone
         names = (f.name for f in fields(alone) if f.name != "release")
         found = [Limit(name, float(getattr(alone, name))) for name in names]
@@ -139,12 +139,12 @@ class Duty:
 
     @property
     def allowed_shift(self) -> float:
-        """Largest e/L without tilting of the rollers."""
+        """Largest permissible e/L: `e_lim`, or the value at lift-off of one end."""
         return LIFT_OFF if self.e_lim is None else self.e_lim
 
     @property
     def of_axial_load(self) -> list[Limit]:
-        """Limits of the axial load [N] at this torque, the first one first."""
+        """Limits of the axial load [N] at this torque, in ascending order."""
         if (now := self.under) is None:
             return []
         cam = self.clutch.cam
@@ -161,7 +161,10 @@ class Duty:
         return sorted(found, key=lambda x: x.at)
 
     def largest_axial_load(self, T: Array) -> Array:
-        """Axial force [N] at which roller ends reach p_lim or rollers tilt at T [N m]; else nan."""
+        """Axial load [N] at T [N m] at which roller ends reach p_lim or the largest e/L.
+
+        nan without an equilibrium.
+        """
         now, cam = state.loaded(self.clutch, T), self.clutch.cam
         share = np.full(T.shape, self.allowed_shift)
         if self.p_lim is not None:
@@ -173,7 +176,7 @@ class Duty:
 
 
 def uneven(factor: float) -> float:
-    """e/L at which Hertz's pressure at one end is `factor` times the mean; 0 if it is less than 1.
+    """Ratio e/L at which the pressure at one end is `factor` times its mean; 0 if `factor` < 1.
 
     >>> uneven(2**0.5), uneven(2.0)  # of a line load of 2 and of 4 times its mean: see `tilt`
     (0.16666666666666674, 0.33333333333333337)

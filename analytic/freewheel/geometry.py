@@ -1,6 +1,7 @@
-"""Both kinds of cams: a star with flats in a ring, a cup with flats around a shaft.
+"""Geometry of both kinds of cams: a star with flats in a ring, a cup with flats around a shaft.
 
-Lengths in any one unit; ValueError for rollers that cannot wedge. `cam` has the formulas.
+All lengths have the same unit. Raises ValueError for rollers that cannot wedge. `cam` contains the
+formulas.
 """
 
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from analytic.freewheel.rules import require, rollers
 class InnerCam(Cam):
     """Star with z flats at the distance X from the axis in a ring of bore radius R [length].
 
-    ValueError for rollers that cannot wedge.
+    Raises ValueError for rollers that cannot wedge.
 
     >>> cam = InnerCam(R=16.5, r=2.5, X=14 * np.cos(np.radians(7)) - 2.5, z=8)
     >>> round(float(np.degrees(cam.alpha0)), 12)  # cos 2 alpha = (X + r)/(R - r)
@@ -52,7 +53,7 @@ class InnerCam(Cam):
 class OuterCam(Cam):
     """Cup with z inner flats at the distance X_o from the axis, on a shaft of radius R_s [length].
 
-    ValueError for rollers that cannot wedge.
+    Raises ValueError for rollers that cannot wedge.
 
     >>> cam = OuterCam(R_s=10.0, r=2.0, X_o=12 * np.cos(np.radians(8)) + 2, z=8)
     >>> round(float(np.degrees(cam.alpha0)), 12)  # cos 2 alpha = (X_o - r)/(R_s + r)

@@ -1,9 +1,9 @@
-"""Loss of clamping force if a ring without rotation slips axially under torque.
+"""Loss of clamping force if a ring that cannot rotate slips axially under torque.
 
-Slip is along the resultant of the friction; its axial and circumferential components are
-proportional to F_a and F_t. If the ring cannot rotate, the rollers move out of their wedges: the
-circumferential component equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R dphi,
-until both are zero.
+The slip has the direction of the resultant friction force: its axial and circumferential components
+are proportional to F_a and F_t. If the ring cannot rotate, the rollers move out of their wedges.
+The circumferential component equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R
+dphi, until both are zero.
 """
 
 import numpy as np
@@ -16,9 +16,10 @@ GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 
 
 def let_out(clutch: RollerClutch, *, T: float, mu: float) -> tuple[Array, Array]:
-    """Axial slip (m,) [length] with the friction mu, and the torque (m,) over T.
+    """Axial slip [length] with the friction mu, and torque divided by T, each (m,).
 
-    In reverse order: the first state has no force. nan if T alone slips, tan(alpha) > mu.
+    The order is reversed: the first state has no force. The values are nan if the clutch slips
+    under T alone, tan(alpha) > mu.
     """
     state = at_normal_force(clutch, GRID * loaded(clutch, T).N)
     tan = np.tan(state.alpha)

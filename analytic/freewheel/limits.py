@@ -1,7 +1,8 @@
-"""Torques at which a clutch reaches its limits, and which limit is the first.
+"""Torques at which a clutch reaches its limits, and the limit that is reached first.
 
-Infinite if a limit is not reached up to the last equilibrium state: the maximum of an outer
-cam's torque, beyond which the rollers pop through, or contacts wider than r/2.
+A torque is infinite if the limit is not reached up to the last equilibrium. The last equilibrium is
+the torque maximum of an outer cam, beyond which the rollers pop through, or the state in which a
+contact is wider than r/2.
 """
 
 from collections.abc import Callable
@@ -31,7 +32,7 @@ MEANINGS = {
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollerClutchLimits:
-    """Torque [force x length] at each limit; `MEANINGS` describes them."""
+    """Torques [force x length] at the limits; `MEANINGS` describes the limits."""
 
     release: Array
     pressure_inner: Array
@@ -42,17 +43,17 @@ class RollerClutchLimits:
 
     @property
     def torque(self) -> Array:
-        """The least of them."""
+        """Smallest of the torques [force x length]."""
         return np.asarray(self._all.min(axis=0))
 
     @property
     def first(self) -> NDArray[np.str_]:
-        """Name of the least of them."""
+        """Name of the limit with the smallest torque."""
         names = np.array([field.name for field in fields(self)])
         return np.asarray(names[self._all.argmin(axis=0)])
 
     def passed(self, T: ArrayLike) -> NDArray[np.str_]:
-        """Message on the limit that the torque T exceeds; empty within all limits."""
+        """Message on the limit that the torque T exceeds; empty if T is within all limits."""
         messages = np.array([MEANINGS[field.name] for field in fields(self)])[
             self._all.argmin(axis=0)
         ]
@@ -69,7 +70,7 @@ Limits = RollerClutchLimits  # its name in version 0.1
 def roller_torque_limits(
     clutch: RollerClutch, *, mu: ArrayLike, p_lim: ArrayLike
 ) -> RollerClutchLimits:
-    """Limits of `clutch` with the coefficient of friction mu and the allowed pressure [stress]."""
+    """Torque limits of `clutch` for friction coefficient mu and permissible pressure [stress]."""
     mu, cam = friction(mu), clutch.cam
     L = np.asarray(clutch.L)
     last = _last(clutch)
@@ -95,7 +96,7 @@ limits = roller_torque_limits  # its name in version 0.1
 
 
 def pop_through(clutch: RollerClutch) -> Array:
-    """Torque [force x length] at the maximum; infinite without a maximum."""
+    """Torque [force x length] at its maximum, the pop-through; infinite without a maximum."""
     last = _last(clutch)
     summit = _summit(clutch, last)
     within = last >= summit
@@ -104,7 +105,7 @@ def pop_through(clutch: RollerClutch) -> Array:
 
 
 def _last(clutch: RollerClutch) -> Array:
-    """Normal force [force] at which contacts become too wide."""
+    """Normal force [force] at which a contact reaches the half-width limit of Hertz's theory."""
     widths = clutch.loads_at_half_width(state.WIDEST * clutch.cam.roller)
     return np.asarray(np.asarray(clutch.L) * np.minimum(*widths))
 
@@ -115,7 +116,7 @@ def _summit(clutch: RollerClutch, last: Array) -> Array:
 
 
 def _release(clutch: RollerClutch, mu: Array) -> Array:
-    """Torque at which tan(alpha) = mu: 0 if it is larger without load, infinite if never."""
+    """Torque at which tan(alpha) = mu: 0 if exceeded without load, infinite if never reached."""
     at = state.at_angle(clutch, 2 * np.arctan(mu))
     started = np.tan(clutch.cam.alpha0) > mu
     reached = np.where(clutch.cam.sense > 0, at.T, np.inf)
@@ -123,14 +124,14 @@ def _release(clutch: RollerClutch, mu: Array) -> Array:
 
 
 def _growth(now: RollerClutchState) -> Array:
-    """dT/dN over T/N."""
+    """Ratio of dT/dN to T/N."""
     N = np.where(np.isfinite(now.N), now.N, 0.0)  # beyond the last state: any value
     tangent, slope = now.bodies.tangent(N)
     return np.asarray(1 + N * slope / tangent)
 
 
 def _corner_angle(now: RollerClutchState) -> Array:
-    """Half of the angle psi [rad] for which the contact is at the corner."""
+    """Half of the angle psi [rad] at which the contact is at the corner of the flat."""
     cam = now.bodies.clutch.cam
     _, y = cam.centre(d_i=now.d_i, d_o=now.d_o)
     return np.asarray(np.arctan(cam.corner / y) / 2)
@@ -139,7 +140,7 @@ def _corner_angle(now: RollerClutchState) -> Array:
 def _first(
     clutch: RollerClutch, last: Array, met: Callable[[RollerClutchState], NDArray[np.bool_]]
 ) -> Array:
-    """Least normal force [force] at which `met` is true, by bisection; infinite if never."""
+    """Smallest normal force [force] at which `met` is true, by bisection; infinite if never."""
     shape = np.broadcast_shapes(last.shape, clutch.cam.alpha0.shape)
     low, high = np.broadcast_to(LEAST * last, shape), np.broadcast_to(last, shape)
     never = ~met(state.at_normal_force(clutch, high))

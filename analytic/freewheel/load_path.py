@@ -1,12 +1,13 @@
-r"""Load paths of the test rig (Nagler, Lohrengel, Sec. 6): T and F_ax over time.
+r"""Load paths of the test rig (Nagler, Lohrengel, Sec. 6): T and F_ax as functions of time.
 
-1. `AxialRamp`: torque first, then a growing axial load;
-2. `AlternatingAxial`: torque first, then an alternating axial load of growing amplitude;
-3. `BothAlternating`: both alternate in phase, the axial load with a growing amplitude.
+1. `AxialRamp`: first the torque increases, then the axial load;
+2. `AlternatingAxial`: first the torque increases, then the axial load alternates with increasing
+   amplitude;
+3. `BothAlternating`: both alternate in phase, the axial load with increasing amplitude.
 
-`ratio` is F_ax/T. In phase about zero it stays finite where both vanish, the amplitudes' ratio;
-with a mean torque smaller than its amplitude T passes through zero under axial load: infinite.
-Times in s.
+`ratio` is F_ax/T. If both loads alternate about zero in phase, the ratio is that of their
+amplitudes, also where both are zero. If the mean torque is positive but smaller than the amplitude,
+T passes through zero under axial load, where the ratio is infinite. Times are in s.
 
 References
 ----------
@@ -24,20 +25,20 @@ from analytic.freewheel.rules import require
 
 
 class LoadPath(ABC):
-    """Torque and axial load over the time from 0 to `duration` [s]."""
+    """Torque and axial load as functions of the time from 0 to `duration` [s]."""
 
     duration: float
 
     @abstractmethod
     def torque(self, t: ArrayLike) -> Array:
-        """T [force x length], positive in the locking direction."""
+        """Torque T [force x length], positive in the locking direction."""
 
     @abstractmethod
     def axial_load(self, t: ArrayLike) -> Array:
-        """F_ax [force]."""
+        """Axial load F_ax [force]."""
 
     def ratio(self, t: ArrayLike) -> Array:
-        """F_ax/T [1/length]; 0 without axial load."""
+        """Ratio F_ax/T [1/length]; 0 without axial load."""
         T, F_ax = self.torque(t), self.axial_load(t)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(F_ax == 0, 0.0, F_ax / T)
@@ -45,7 +46,7 @@ class LoadPath(ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class AxialRamp(LoadPath):
-    """Torque up to T in `rise`, then F_ax from 0 to F until `duration` (load case 1).
+    """Load path 1: torque rises to T within `rise`, then F_ax from 0 to F until `duration`.
 
     >>> path = AxialRamp(T=20.0, F=3000.0, rise=1.0, duration=3.0)
     >>> path.torque([0.5, 2.0]).tolist(), path.axial_load([0.5, 2.0]).tolist()
@@ -71,9 +72,10 @@ class AxialRamp(LoadPath):
 
 @dataclass(frozen=True, kw_only=True)
 class AlternatingAxial(AxialRamp):
-    """Torque up to T in `rise`, then F_ax alternates with `frequency` [1/s], its amplitude growing
-    from 0 to F until `duration` (load case 2).
-    """  # noqa: D205
+    """Load path 2: torque rises to T within `rise`, then F_ax alternates with rising amplitude.
+
+    F_ax has the `frequency` [1/s], and its amplitude rises from 0 to F until `duration`.
+    """
 
     frequency: float
 
@@ -88,7 +90,7 @@ class AlternatingAxial(AxialRamp):
 
 @dataclass(frozen=True, kw_only=True)
 class BothAlternating(LoadPath):
-    """T_m + T sin and F_ax in phase, its amplitude growing from 0 to F (load case 3).
+    """Load path 3: torque T_m + T sin, and F_ax in phase with an amplitude that rises from 0 to F.
 
     >>> path = BothAlternating(T=20.0, F=3000.0, frequency=1.0, duration=10.0)
     >>> path.ratio([0.0, 5.0]).tolist()  # ratio of the amplitudes if F_ax and T vanish

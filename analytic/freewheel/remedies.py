@@ -1,4 +1,4 @@
-"""Changes with which a clutch holds, and the margin of a clutch that holds. Lengths in m."""
+"""Changes after which a clutch holds, and the margins of a clutch that holds. Lengths in m."""
 
 import math
 from collections.abc import Callable
@@ -22,19 +22,23 @@ Named = dict[str, str]
 
 
 def field_of(clutch: RollerClutch, name: str) -> str:
-    """Name of the field of the clutch's cam for `name` X, r or R."""
+    """Name of the cam's field for the common name X, r or R."""
     outer: Named = {"X": "X_o", "R": "R_s"}
     return name if isinstance(clutch.cam, InnerCam) else outer.get(name, name)
 
 
 def shifted(clutch: RollerClutch, name: str, by: Array | float) -> RollerClutch:
-    """Clutches whose X, r or R deviate `by` [m]; ValueError if one has no wedge."""
+    """Clutches whose X, r or R deviates by `by` [m]; raises ValueError if one has no wedge."""
     cam, field = clutch.cam, field_of(clutch, name)
     return replace(clutch, cam=replace(cam, **{field: getattr(cam, field) + by}))
 
 
 def ratios(duty: Duty, clutch: RollerClutch) -> Array:
-    """mu/mu_req of `clutch` under these loads; 0 if it releases itself or has no state at T."""
+    """Ratio mu/mu_req of `clutch` under the loads of `duty`.
+
+    It is 0 if the clutch releases itself, has no equilibrium at T or its rollers are beyond the
+    corners.
+    """
     now = state.loaded(clutch, duty.T)
     asked = criterion.required_friction(
         alpha=now.alpha, T=duty.T, F_ax=duty.F_ax, R=clutch.cam.race
@@ -45,18 +49,18 @@ def ratios(duty: Duty, clutch: RollerClutch) -> Array:
 
 
 def moved_to(duty: Duty, goal: float) -> float:
-    """The least outward dX [m] at which mu/mu_req is `goal`; nan if none is sufficient."""
+    """Smallest outward shift dX [m] of the flats with mu/mu_req = `goal`; nan if none suffices."""
     return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
 
 
 def to_spare(duty: Duty) -> float:
-    """Largest shift [m] of the flats towards the axis for which it holds; nan if unlimited."""
+    """Largest inward shift [m] of the flats at which the clutch holds; nan if unlimited."""
     far = -_first(duty, -1.0, lambda dX: ratios(duty, _nearer(duty, dX)) < 1)
     return far if far > 0 else math.nan
 
 
 def until_pop_through(duty: Duty) -> float:
-    """Largest shift [m] of the flats from the axis with an equilibrium at T; nan if unlimited."""
+    """Largest outward shift [m] of the flats with an equilibrium at T; nan if unlimited."""
 
     def is_lost(dX: Array) -> NDArray[np.bool_]:
         return ~np.isfinite(state.loaded(shifted(duty.clutch, "X", dX), duty.T).N)
@@ -66,7 +70,10 @@ def until_pop_through(duty: Duty) -> float:
 
 
 def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) -> float:
-    """The first dX [m] of this sign, down to nearly no wedge, with `met` true; nan if none."""
+    """First shift dX [m] in the direction `sense` at which `met` is true; nan if there is none.
+
+    The search ends when the wedge has nearly disappeared.
+    """
     dX = sense * np.linspace(0.0, MAX_SHIFT * duty.clutch.cam.room, POINTS)
     there = met(dX)
     if not np.any(there):
@@ -78,7 +85,7 @@ def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) 
 
 
 def _nearer(duty: Duty, dX: Array) -> RollerClutch:
-    """Clutches with flats nearer to the axis; at a corner, the last possible clutch is repeated."""
+    """Clutches with flats nearer to the axis; beyond the last possible clutch, it is repeated."""
     for share in np.linspace(1.0, 0.0, 50):
         try:
             return shifted(duty.clutch, "X", np.maximum(dX, share * dX.min()))
@@ -88,9 +95,9 @@ def _nearer(duty: Duty, dX: Array) -> RollerClutch:
 
 
 def friction_for(duty: Duty, goal: float) -> float:
-    """Friction at which mu/mu_req is `goal`, or more if it is needed to hold the rollers.
+    """Friction coefficient at which mu/mu_req is `goal`, and rollers do not slip out.
 
-    ValueError if no equilibrium exists at the torque.
+    Raises ValueError if no equilibrium exists at the torque.
     """
     if (now := duty.under) is None:
         raise ValueError(f"no equilibrium exists at T = {duty.T:g} N m")
@@ -99,7 +106,7 @@ def friction_for(duty: Duty, goal: float) -> float:
 
 
 def per_micrometre(duty: Duty) -> dict[str, float]:
-    """Relative change of mu/mu_req by 1 µm on X, r and R; empty without a state."""
+    """Relative change of mu/mu_req by 1 µm on X, r and R; empty if there is no equilibrium."""
     if duty.under is None:
         return {}
     found, step = {}, min(FINE, NARROW * float(duty.clutch.cam.room))
@@ -117,9 +124,10 @@ def per_micrometre(duty: Duty) -> dict[str, float]:
 
 
 def bearing(duty: Duty) -> list[tuple[str, float]]:
-    """L, R_a, X [m] with a limiting equilibrium at T, for which `duty` has none; if they exist.
+    """Values of L, R_a, X [m] with a limiting equilibrium at T, for a clutch without equilibrium.
 
-    All torques are proportional to L; R_a is the outer radius of the part with its housing.
+    Only existing values are listed. All torques are proportional to L; R_a is the outer radius of
+    the part including its housing.
     """
     clutch, cam = duty.clutch, duty.clutch.cam
     L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))
@@ -143,7 +151,7 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
 def _towards(
     T: float, near: float, far: float, made: Callable[[float], RollerClutch]
 ) -> float | None:
-    """The value between `near` and `far` from which the clutch `made` with it carries T [N m]."""
+    """Value between `near` and `far` from which on the clutch `made` with it transmits T [N m]."""
 
     def bears(value: float) -> bool:
         return bool(np.isfinite(state.loaded(made(value), T).N))

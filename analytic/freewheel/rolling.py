@@ -1,19 +1,20 @@
 r"""Wind-up of the clutch from the rolling of its rollers (Nagler, Lohrengel, Eq. 7, corrected).
 
-A roller that rolls on the flat and on the race turns the parts against each other by
+A roller that rolls on the flat and on the race rotates the parts relative to each other by
 
 .. math:: R\,d\varphi = \pm\left[(1 + \cos\psi)\,dx - \sin\psi\,dy\right],
 
-+ for an inner cam, - for an outer one. With x = y tan(psi) all but the change of y integrates,
+with + for an inner cam and - for an outer cam. With x = y tan(psi), all terms except for the change
+of y can be integrated,
 
 .. math:: R\,\varphi = \pm\left(\left[x + y\,G\right] - \int G\,dy\right),
           \qquad G = \operatorname{arsinh}\tan\psi .
 
-With the constraint of Eq. 5 the same is R dphi = (dd_i + dd_o)/tan(alpha), that is T dphi = dU.
+With the constraint of Eq. 5, this equals R dphi = (dd_i + dd_o)/tan(alpha), that is T dphi = dU.
 
-Rolling is all that is in it. F_t also winds the contacts and the parts up: as a contact is about as
-compliant along the surface as across, tan(alpha) (d_i + d_o)/R is added, some tan²(alpha) of
-phi (0.4 % at 3.7 deg).
+The formula contains only rolling. F_t causes an additional wind-up of contacts and parts. As the
+tangential compliance of a contact is about its normal compliance, the additional wind-up is
+tan(alpha) (d_i + d_o)/R, the fraction tan²(alpha) of phi (0.4 % at 3.7 deg).
 """
 
 import numpy as np
@@ -24,7 +25,7 @@ from analytic.freewheel.cam import Cam
 
 
 def integrated(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-    """R phi [length] of the integrated part, x + y G against no load, of an inner cam's sign."""
+    """Integrated part x + y G of R phi [length], minus its value without load, without the sign."""
     (x_0, y_0), (x, y) = cam.centre(d_i=0.0, d_o=0.0), cam.centre(d_i=d_i, d_o=d_o)
     return np.asarray(x - x_0 + y * np.arcsinh(x / y) - y_0 * np.arcsinh(x_0 / y_0))
 
@@ -32,8 +33,9 @@ def integrated(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
 def torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
     """Wind-up phi [rad] along a path of approaches (..., points) that starts without load.
 
-    Cumulative, shaped like the path. Between points the small integral of G dy is the trapezoid's.
-    Fields of the cam broadcast against a last axis of points.
+    The result is cumulative and has the shape of the path. The integral of G dy, which is small, is
+    computed by the trapezoidal rule. The fields of the cam must broadcast against a last axis of
+    points.
     """
     d_i, d_o = np.broadcast_arrays(np.asarray(d_i, np.float64), np.asarray(d_o, np.float64))
     x, y = cam.centre(d_i=d_i, d_o=d_o)

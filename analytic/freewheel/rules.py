@@ -1,4 +1,4 @@
-"""Checks of the arguments of the freewheel's formulas; errors name rule, value, unit."""
+"""Checks of the arguments of freewheel formulas; error messages name rule, value and unit."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -7,7 +7,7 @@ from analytic.contact.checks import Array, positive
 
 
 def require(holds: ArrayLike, rule: str, unit: str = "m", **values: ArrayLike) -> None:
-    """ValueError with the rule and the first values that break it, unless `holds` throughout."""
+    """Raise ValueError with the rule and the first violating values, unless `holds` is true."""
     valid: NDArray[np.bool_] = np.asarray(holds, dtype=np.bool_)
     if np.all(valid):
         return
@@ -20,7 +20,7 @@ def require(holds: ArrayLike, rule: str, unit: str = "m", **values: ArrayLike) -
 
 
 def rollers(z: ArrayLike) -> Array:
-    """The number of rollers as an array; ValueError unless whole and at least 2."""
+    """Number of rollers as an array; raises ValueError unless integer and at least 2."""
     z = positive(z, "number of rollers", "")
     require((z >= 2) & (z == np.round(z)), "number of rollers must be whole, 2 or more", "", z=z)
     return z

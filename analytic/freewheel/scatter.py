@@ -1,4 +1,4 @@
-"""Clutches out of tolerance under load: share of slipping clutches, most influential dimension."""
+"""Clutches with tolerances under load: share of slipping clutches, most influential dimension."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -29,18 +29,18 @@ NAMES = {"R_s": "R", "X_o": "X"}  # fields of an outer cam by the names common t
 
 @dataclass(frozen=True)
 class Scatter:
-    """An ensemble under load, and its statistics."""
+    """Sample of clutches under load, and its statistics."""
 
     drawn: Ensemble
 
     @property
     def safety(self) -> Array:
-        """mu/mu_req of the clutches that wedge and have a state."""
+        """Ratio mu/mu_req of the clutches that have a wedge and an equilibrium."""
         kept = np.isfinite(self.drawn.mu_req)
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles and shares, SI; shares of zero are omitted, except that of slip."""
+        """Percentiles and shares by name (SI units); zero shares are omitted, except of slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
         found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}
@@ -60,9 +60,9 @@ class Scatter:
 
 
 def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | None:
-    """Clutches drawn with the standard deviations `sigma`, by the cam's fields and mu.
+    """Sample of clutches with the standard deviations `sigma`, by the fields of the cam and mu.
 
-    None if nothing scatters or the clutch has no equilibrium.
+    None if all dimensions are exact or the clutch has no equilibrium.
     """
     if not sigma or duty.under is None:
         return None
@@ -80,7 +80,7 @@ class Slope:
 
 
 def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
-    """Slopes for X, r and R, in this order; `sigma` [m] by the fields of `cam`.
+    """Sensitivities to X, r and R, in this order; `sigma` [m] by the fields of `cam`.
 
     >>> from analytic.freewheel.geometry import InnerCam
     >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)
@@ -94,5 +94,5 @@ def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
 
 
 def deviation(cam: Cam, sigma: Mapping[str, float]) -> float:
-    """Standard deviation of alpha_0 [rad] to first order; 0 without scatter."""
+    """Standard deviation of alpha_0 [rad] to first order; 0 if all dimensions are exact."""
     return first_order(cam, sigma)[0] if sigma else 0.0

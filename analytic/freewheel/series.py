@@ -1,16 +1,17 @@
-r"""Remainder of a part's approach without its logarithm: one constant per shape.
+r"""Constants k of the approach of a part: the remainder without its logarithm.
 
-Under z line loads P on evenly spaced Hertz patches of half-width a on a wall of radius r the wall
-deflects at each load, in the direction of the load, by
+Under z line loads P on equally spaced Hertz patches of half-width a on a wall of radius r, the
+deflection of the wall at each load, in the direction of the load, is
 
 .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{r}{a} + k + c\,\frac{a}{r}\right] + O(a^2),
           \qquad c = \mp\frac{2}{3}(1 - \nu')
 
-(upper sign for a bore): of the waves m = z, 2z, ... with the share 2 J_1(m a/r)/(m a/r) only the
-first order 1/m makes the logarithm, the next, of -/+(1 - nu')/(2 m²), makes c, as the mean of |t|
-over the semi-ellipse is 4/(3 pi), and the rest contains no a. k is read off `LoadedRace` for one
-narrow patch. The stresses in a ring under given loads do not contain nu', so that k is linear.
-A star's k, with its bore clamped, comes from the four powers of `clamped_race`.
+(upper sign for a bore). The load is a series of waves m = z, 2z, ... with the factor 2 J_1(m
+a/r)/(m a/r). The terms of order 1/m of the deflection give the logarithm. The next terms, -/+(1 -
+nu')/(2 m²), give c, because the mean of |t| over the semi-ellipse is 4/(3 pi). The remainder does
+not contain a. k is computed by `LoadedRace` for one narrow patch. The stresses in a ring under
+given loads do not depend on nu'. Therefore, k is linear in nu'. For a star with a clamped bore, k
+is computed from the four powers of `clamped_race`.
 """
 
 from collections.abc import Callable
@@ -31,7 +32,9 @@ SOLID = 1e6  # ratio of a shaft without bore
 
 
 def race_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike, loaded: Wall) -> Array:
-    """K of a ring with r_o/r_i = `ratio` under n loads on a wall; nu of Hooke's law in the plane.
+    """Constants k of a ring with r_o/r_i = `ratio` under n loads on one wall.
+
+    `nu` is Poisson's ratio of Hooke's law in the plane.
 
     >>> k = race_constant(ratio=[1.2, 2.0], n=8, nu=0.4, loaded="bore")
     >>> bool(k[0] > k[1])  # a thin ring deflects more
@@ -43,7 +46,7 @@ def race_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike, loaded: Wall
 
 
 def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
-    """K of a disc under n loads on its rim, clamped on a bore r_i = r_o/`ratio`."""
+    """Constants k of a disc under n loads on its rim, clamped on a bore r_i = r_o/`ratio`."""
     ratio, nu = np.broadcast_arrays(np.asarray(ratio, dtype=np.float64), np.asarray(nu))
     found = np.empty(np.broadcast_shapes(ratio.shape, np.shape(n)))
     for value in np.unique(nu):
@@ -53,7 +56,7 @@ def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
 
 
 def _over_ratios(function: Callable[..., float], ratio: Array, n: ArrayLike) -> Array:
-    """`function` of ratio and n, interpolated in ln(ratio - 1) if there are many values."""
+    """`function` of ratio and n, interpolated over ln(ratio - 1) if there are many values."""
     ratio, n = np.broadcast_arrays(ratio, np.asarray(n))
     found = np.empty(ratio.shape)
     for count in np.unique(n):
@@ -87,7 +90,7 @@ def _race(ratio: float, *, n: int, nu: float, loaded: Wall) -> float:
 
 
 def curvature_term(*, nu: ArrayLike, loaded: Wall) -> Array:
-    """The factor c of a/r."""
+    """Constants c of the term a/r."""
     return np.asarray((-1 if loaded == "bore" else 1) * 2 / 3 * (1 - np.asarray(nu)))
 
 
@@ -102,9 +105,10 @@ def _star(ratio: float, *, n: int, nu: float) -> float:
 
 
 def _clamped_waves(m: Array, s: float, nu: float) -> Array:
-    """E' U/(p r_o) of the pressures cos(m theta), m >= 2, on the rim 1, with the bore s clamped.
+    """Dimensionless displacements E' U/(p r_o) under pressures cos(m theta), m >= 2, on the rim.
 
-    The powers of `clamped_race`; those that decrease outwards are scaled to 1 at the bore.
+    The rim has the radius 1; the bore of radius s is clamped. The solution consists of the powers
+    of `clamped_race`; powers that decrease outwards are scaled to 1 at the bore.
     """
     k, one = (3 - nu) / (1 + nu), np.ones(m.size)
     U = np.array([one, one, k - m - 1, k + m - 1])

@@ -1,12 +1,12 @@
-r"""Clutch under torque: clamping angle, forces, approaches, pressures and wind-up.
+r"""State of a clutch under torque: clamping angle, forces, approaches, pressures and wind-up.
 
-Everything follows from the normal force N of one contact: d_i, d_o from `compliance`, psi from
-Eq. 5, F_t = N tan(alpha), T = z R F_t (Eq. 3). Torque or angle is turned into N by Newton's method
-on logarithms, where both are nearly straight lines (slope 1 to 1.5 for an inner cam).
+All quantities follow from the normal force N of one contact: d_i, d_o from `compliance`, psi from
+Eq. 5, F_t = N tan(alpha), T = z R F_t (Eq. 3). N is computed from the torque or the angle by
+Newton's method on logarithms, in which both are nearly linear (slope 1 to 1.5 for an inner cam).
 
-The torque of an outer cam has a maximum before the rollers pop through: no equilibrium exists at
-more torque, nor with a contact wider than r/2, where Hertz's theory ends. There the state is nan;
-`limits` has the torques.
+The torque of an outer cam has a maximum, beyond which the rollers pop through; no equilibrium
+exists at a larger torque. Hertz's theory is not applied to contacts wider than r/2. In both cases,
+the state is nan; `limits` gives the limiting torques.
 """
 
 from collections.abc import Callable
@@ -29,9 +29,9 @@ POINTS = 20  # of Gauss' rule for the wind-up
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollerClutchState:
-    """State of a clutch [rad, force, force x length, length, stress], shaped like the load.
+    """State of a clutch [rad, force, force x length, length, stress]; arrays have the load's shape.
 
-    `N`, `F_t` of one contact of one roller, `T` of the clutch.
+    `N` and `F_t` are forces of one contact of one roller, `T` is the torque of the clutch.
     """
 
     bodies: Compliance
@@ -48,12 +48,12 @@ class RollerClutchState:
 
     @property
     def psi(self) -> Array:
-        """Angle [rad] of the roller's centre from the flat's normal, 2 alpha."""
+        """Angle psi = 2 alpha [rad] between the centre of the roller and the normal of the flat."""
         return np.asarray(2 * self.alpha)
 
     @property
     def s(self) -> Array:
-        """Arc [length] of the roller's centre relative to the cam (Eq. 6)."""
+        """Arc s [length] of the centre of the roller relative to the cam (Eq. 6)."""
         return self.bodies.clutch.cam.arc(d_i=self.d_i, d_o=self.d_o)
 
     @property
@@ -88,7 +88,7 @@ State = RollerClutchState  # its name in version 0.1
 
 
 def loaded(clutch: RollerClutch, T: ArrayLike) -> RollerClutchState:
-    """State under the torque T [force x length], not negative; nan without an equilibrium."""
+    """State under the torque T [force x length], at least 0; nan without an equilibrium."""
     bodies, T = compliance(clutch), not_negative(T, "torque", "N m")
     F_t = T / (clutch.cam.count * clutch.cam.race)
 
@@ -106,7 +106,7 @@ def at_normal_force(clutch: RollerClutch, N: ArrayLike) -> RollerClutchState:
 
 
 def at_angle(clutch: RollerClutch, psi: ArrayLike) -> RollerClutchState:
-    """State at the angle psi [rad] of the roller's centre; nan if no load brings it there."""
+    """State at the angle psi [rad] of the roller's centre; nan if no load causes it."""
     bodies, cam = compliance(clutch), clutch.cam
     cos = np.cos(finite(psi, "angle", "rad"))
     # y = rho cos(psi) leaves for the approaches: d of the flat + cos(psi) d of the race
@@ -129,7 +129,10 @@ def at_angle(clutch: RollerClutch, psi: ArrayLike) -> RollerClutchState:
 def _newton(
     residual: Callable[[Array], tuple[Array, Array]], start: Array, clutch: RollerClutch
 ) -> Array:
-    """N [force] at which `residual`, a function of ln N with its slope, vanishes; 0 remains 0."""
+    """Normal force N [force] at which `residual` is zero; 0 remains 0.
+
+    `residual` returns a function of ln N and its slope.
+    """
     N, ceiling = np.minimum(start, _widest(clutch)), _widest(clutch)
     with np.errstate(divide="ignore", invalid="ignore"):
         for _ in range(STEPS):
@@ -143,7 +146,7 @@ def _newton(
 
 
 def _widest(clutch: RollerClutch) -> Array:
-    """N [force] at which the wider contact reaches the half-width limit of Hertz's theory."""
+    """Normal force N [force] at which the wider contact reaches the limit of Hertz's theory."""
     return np.asarray(
         clutch.L * np.minimum(*clutch.loads_at_half_width(WIDEST * clutch.cam.roller))
     )

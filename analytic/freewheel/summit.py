@@ -1,4 +1,4 @@
-"""The state of an outer cam's largest torque, beyond which the rollers pop through."""
+"""State at the largest torque of an outer cam, beyond which the rollers pop through."""
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -12,9 +12,9 @@ FOUND = 1e-9  # relative to N
 
 
 def summit(clutch: RollerClutch) -> RollerClutchState | None:
-    """The state of one clutch at its largest torque.
+    """State of one clutch at its largest torque.
 
-    None if contacts are wider than half the rollers' radius before, and of an inner cam.
+    None for an inner cam, and if contacts are already wider than half the radius of the rollers.
     """
     T = float(pop_through(clutch))
     if not np.isfinite(T):

@@ -1,13 +1,14 @@
-r"""Tilt of a roller under its axial forces, which the criterion does not contain.
+r"""Tilt of a roller under its axial forces, which the criterion neglects.
 
-The axial forces F_a at both contacts, at the distance 2 r cos(alpha) (a chord), are a couple. The
-resultants F_n/cos(alpha) along the chord balance it by moving along the roller, to either side, by
+The axial forces F_a at both contacts, at the distance 2 r cos(alpha) (the chord), form a couple.
+For equilibrium, the resultants F_n/cos(alpha) along the chord move along the roller in opposite
+directions by
 
 .. math:: e = r \cos^2\alpha\,\frac{F_a}{F_n}.
 
-A linear line load then has the peak N/L (1 + 6 e/L) at one end; from e = L/6 on it lifts off the
-other and is a triangle over 3 (L/2 - e). Hertz's pressure follows the root of the line load. Ends
-and crowns are left out.
+A linear line load then has its peak N/L (1 + 6 e/L) at one end. From e = L/6 on, the other end
+lifts off, and the line load is a triangle over the length 3 (L/2 - e). Hertz's pressure is
+proportional to the root of the line load. End effects and crowns are neglected.
 """
 
 import numpy as np
@@ -17,7 +18,7 @@ from analytic.contact.checks import Array, not_negative, positive
 
 
 def offset(*, F_a: ArrayLike, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike) -> Array:
-    """Shift e [length] of the contact's resultant along the roller.
+    """Shift e [length] of the resultant of the contact along the roller.
 
     >>> float(offset(F_a=10.0, F_n=100.0, r=2.5, alpha=0.0))
     0.25
@@ -27,7 +28,7 @@ def offset(*, F_a: ArrayLike, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike) ->
 
 
 def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
-    """Peak of the line load over its mean; infinite if e reaches the end of the roller.
+    """Ratio of peak to mean line load; infinite if e reaches the end of the roller.
 
     >>> peak_factor(e=[0.0, 1.0, 2.0], L=6.0).tolist()  # 1 + 6 e/L, then 4/(3 (1 - 2 e/L))
     [1.0, 2.0, 4.0]
@@ -39,14 +40,14 @@ def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
 
 
 def pressure_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
-    """Peak of Hertz's pressure over its value for uniform line load: the root of `peak_factor`."""
+    """Ratio of Hertz's peak pressure to that of a uniform line load: root of `peak_factor`."""
     return np.asarray(np.sqrt(peak_factor(e=e, L=L)))
 
 
 def axial_force_at_lift_off(
     *, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike, L: ArrayLike
 ) -> Array:
-    """Axial force F_a [force] of one roller at which one end lifts off, e = L/6.
+    """Axial force F_a [force] of one roller at which one end lifts off (e = L/6).
 
     >>> float(axial_force_at_lift_off(F_n=100.0, r=2.5, alpha=0.0, L=3.0))
     20.0

@@ -1,14 +1,14 @@
-r"""Clutches out of tolerance: sensitivities of the clamping angle and Monte Carlo.
+r"""Clutches with tolerances: sensitivities of the clamping angle, and Monte Carlo samples.
 
-From cos psi = y/rho, with 2 rho sin psi below,
+The derivatives of cos psi = y/rho give
 
 .. math::
     \frac{\partial\alpha_0}{\partial X} = \frac{-1}{2\rho\sin\psi}, \quad
     \frac{\partial\alpha_0}{\partial r} = \mp\frac{1 + \cos\psi}{2\rho\sin\psi}, \quad
     \frac{\partial\alpha_0}{\partial R} = \frac{\cos\psi}{2\rho\sin\psi},
 
-the upper sign for an inner cam. All rollers of a clutch of an ensemble are equal: that
-rollers and flats of one clutch differ and share its load unevenly is not contained.
+with the upper sign for an inner cam. All rollers and flats of one clutch are assumed to be equal;
+unequal load sharing in one clutch is not considered.
 """
 
 from collections.abc import Mapping, Sequence
@@ -31,7 +31,7 @@ Outcome = Literal["holds", "slips", "no wedge", "past the corners", "no state"]
 
 
 def clamping_angle_sensitivities(cam: Cam) -> dict[str, Array]:
-    """Derivatives of alpha0 [rad/length] by the fields R, r, X (R_s, r, X_o) of `cam`.
+    """Derivatives of alpha0 [rad/length] by the fields R, r, X (outer cam: R_s, r, X_o) of `cam`.
 
     >>> cam = InnerCam(R=16.5, r=2.5, X=14 * np.cos(np.radians(7)) - 2.5, z=8)
     >>> by_X = clamping_angle_sensitivities(cam)["X"]
@@ -49,7 +49,7 @@ sensitivities = clamping_angle_sensitivities  # its name in version 0.1
 
 
 def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, float]]:
-    """Standard deviation of alpha0 [rad] and each field's share of its variance.
+    """Standard deviation of alpha0 [rad], and the share of each field in its variance.
 
     >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)
     >>> first_order(cam, {"X": 5e-3})[1]
@@ -65,10 +65,11 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Ensemble:
-    """Sampled clutches: arrays for those that wedge, and the outcome of each of all.
+    """Sample of clutches: arrays for clutches with a wedge, and the outcomes of all clutches.
 
-    Angles in rad; alpha and mu_req under the load, nan if there is no state. `outcomes` are
-    `Outcome`s; "no state" if the rollers of an outer cam pop through or contacts are too wide.
+    Angles in rad; alpha and mu_req under the load, nan without an equilibrium. `outcomes` are of
+    the type `Outcome`; "no state" means that the rollers of an outer cam pop through or contacts
+    are too wide.
     """
 
     drawn: dict[str, Array]
@@ -80,7 +81,7 @@ class Ensemble:
     mu: Array
 
     def share(self, outcome: Outcome) -> float:
-        """Of all clutches drawn."""
+        """Fraction of all sampled clutches with this outcome."""
         return float(np.count_nonzero(self.outcomes == outcome) / self.outcomes.size)
 
 
@@ -95,11 +96,11 @@ def draw(
     seed: int,
     kind: Kind = "normal",
 ) -> Ensemble:
-    """Draw n clutches about `clutch` with standard deviations `sigma` and load them.
+    """Sample of n clutches about `clutch` with standard deviations `sigma`, under load.
 
-    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. `kind` is the distribution of the
-    dimensions, "uniform" with the same deviations; mu is always normal: no inspection cuts its
-    tails.
+    `sigma` contains standard deviations by name: R, r, X (outer cam: R_s, r, X_o) [length], mu.
+    `kind` is the distribution of the dimensions; "uniform" has the same standard deviations. mu is
+    always normally distributed, because no inspection limits it.
     """
     names = {*_names(clutch.cam), "r", "mu"}
     _known(sigma, names)
@@ -123,7 +124,7 @@ def _drawn(
     means: Mapping[str, float], sigma: Mapping[str, float], n: int, seed: int, kind: Kind
 ) -> dict[str, Array]:
     if kind not in get_args(Kind):
-        raise ValueError(f"kind is one of {', '.join(get_args(Kind))}, got {kind!r}")
+        raise ValueError(f"kind must be one of {', '.join(get_args(Kind))}, got {kind!r}")
     rng = np.random.default_rng(seed)
     found = {}
     for name in sorted(means):  # so that a seed means the same draw always
@@ -135,7 +136,7 @@ def _drawn(
 
 
 def _unloaded(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.str_]:
-    """Outcomes of the clutches before any load; "holds" if there is a wedge."""
+    """Outcomes of the clutches without load; "holds" if there is a wedge."""
     R, X, r = (drawn[name] for name in (*_names(cam), "r"))
     rho, y = R - cam.sense * r, X + cam.sense * r
     x = np.sqrt(np.maximum(rho**2 - y**2, 0.0))
@@ -145,7 +146,7 @@ def _unloaded(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.str_]:
 
 
 def _loaded(cam: Cam, now: RollerClutchState, asked: Array, mu: Array) -> NDArray[np.str_]:
-    """Outcomes under the load of the clutches that wedge."""
+    """Outcomes under load of the clutches with a wedge."""
     x, _ = cam.centre(d_i=now.d_i, d_o=now.d_o)
     slips = (asked > mu) | criterion.self_releasing(alpha=cam.alpha0, mu=mu)
     return _first([(np.isnan(asked), "no state"), (x > cam.corner, "past the corners"),
@@ -153,7 +154,7 @@ def _loaded(cam: Cam, now: RollerClutchState, asked: Array, mu: Array) -> NDArra
 
 
 def _first(found: Sequence[tuple[NDArray[np.bool_], Outcome]]) -> NDArray[np.str_]:
-    """The first outcome that occurs; "holds" if none does."""
+    """First of the outcomes that occurs; "holds" if none occurs."""
     text = np.dtype("<U16")  # of the longest outcome
     return np.select([met for met, _ in found], [name for _, name in found], "holds").astype(text)
 
@@ -165,4 +166,6 @@ def _names(cam: Cam) -> tuple[str, str]:
 def _known(given: Mapping[str, float], known: Mapping[str, Array] | set[str]) -> None:
     strange = sorted(set(given) - set(known))
     if strange:
-        raise ValueError(f"tolerances are those of {', '.join(sorted(known))}, got {strange[0]!r}")
+        raise ValueError(
+            f"tolerances must be given for {', '.join(sorted(known))} only, got {strange[0]!r}"
+        )

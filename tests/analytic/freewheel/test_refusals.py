@@ -25,14 +25,14 @@ REFUSED = [
     (lambda star: replace(star, r_b=12e-3), "r_b below"),
     (lambda star: replace(star, r_b=0.0), "clamped"),
     (lambda star: replace(star, R_a=16e-3), "R_a above"),
-    (lambda star: replace(star, star="disc"), "star is one of"),
+    (lambda star: replace(star, star="disc"), "star must be one of"),
     (lambda star: state.loaded(star, -1.0), "torque"),
     (lambda _: criterion.traffic_light(1.0, red=1.2, green=1.0), "red <= green"),
     (lambda _: AxialRamp(T=1.0, F=1.0, rise=2.0, duration=1.0), "rise"),
     (lambda _: AlternatingAxial(T=1.0, F=1.0, rise=1.0, duration=2.0, frequency=0.0), "freq"),
     (lambda _: BothAlternating(T=1.0, F=-1.0, frequency=1.0, duration=2.0), "axial load"),
     (lambda star: tolerance.draw(star, {"Y": 1e-6}, **LOAD), "'Y'"),
-    (lambda star: tolerance.draw(star, {}, kind="flat", **LOAD), "kind is one of"),
+    (lambda star: tolerance.draw(star, {}, kind="flat", **LOAD), "kind must be one of"),
     (lambda star: tolerance.first_order(star.cam, {"X": 0.0}), "above 0"),
 ]  # fmt: skip
 

@@ -41,14 +41,14 @@ WITHOUT_CLUTCH = [
     (lambda: sprag(r_i=9.0), "pole C_e must lie inside the bore"),
     (lambda: LogSprag.from_wedge_angle(nu_0=2.0, **TABLE), "below pi/2"),
     (lambda: LogSprag.from_wedge_angle(nu_0=0.8, **TABLE), "no spiral has this wedge angle"),
-    (lambda: Column(sprag=sprag(), b=9.0), "wider than spiral or arc reach"),
+    (lambda: Column(sprag=sprag(), b=9.0), "must not exceed the width of spiral and arc"),
     (lambda: dented((0.0, 0.1)), "half-width"),
     (lambda: friction.coefficient(0.0, mu_c=0.2, mu_s=0.1, gamma_b=1.0), "0 < mu_c <= mu_s < 1"),
     (lambda: pressure.along([-1.0], np.zeros(5), length=9e-3, R=2.95e-3, E_star=113.2e9),
      "normal force must be finite and not negative"),
     (lambda: torque([0.0, 0.0], [1.0, 2.0]), "times of a torque must increase"),
-    (lambda: torque([0.0, 1.0], [1.0]), "one value for each time"),
-    (lambda: tabled(n_s=3, alpha=RISING * (1 - RISING), N=RISING, **COLUMNS), "alpha must ascend"),
+    (lambda: torque([0.0, 1.0], [1.0]), "one value per time"),
+    (lambda: tabled(n_s=3, alpha=RISING * (1 - RISING), N=RISING, **COLUMNS), "must increase"),
     (lambda: tabled(n_s=3, alpha=RISING, N=RISING + 1, **COLUMNS), "begin at N = 0"),
     (lambda: replace(PARTS, b=6e-3), "sprags touch each other"),
     (lambda: replace(PARTS, R_id=12e-3), "R_id below R_i"),
@@ -71,8 +71,8 @@ OF_CLUTCH = [
     (lambda c: limits.sprag_torque_limits(c, mu=0.0, theta_max=0.3), "friction"),
     (lambda c: limits.sprag_torque_limits(c, mu=0.1, theta_max=-1.0), "theta_max"),
     (lambda c: spring_equilibrium(c, K_r=0.01, alpha_max=-0.1), "alpha_max above alpha"),
-    (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "balances springs of K_r"),
-    (lambda c: tabulated(c, N_end=20e3, theta_max=1e-9), "no state"),
+    (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "balances energizing springs of K_r"),
+    (lambda c: tabulated(c, N_end=20e3, theta_max=1e-9), "no equilibrium under normal forces"),
 ]
 
 
@@ -87,8 +87,8 @@ def test_loads_without_equilibrium_are_refused(clutch, call, message):
     [
         ({"m_g": 0.0}, "m_g must be positive and finite, got 0.0 kg"),
         ({"C_rl": -0.1}, "C_rl must be finite and not negative, got -0.1 N m s/rad"),
-        ({"mu_c": 0.2}, "mu_c <= mu_s, got mu_c=0.2, mu_s=0.12"),
-        ({"K_r": 1e5, "alpha_max": 3.0}, "springs alone rotate the sprag to its end"),
+        ({"mu_c": 0.2}, "mu_c <= mu_s\\), got mu_c=0.2, mu_s=0.12"),
+        ({"K_r": 1e5, "alpha_max": 3.0}, "springs must not rotate the sprag to its end"),
     ],
 )
 def test_a_motion_that_makes_no_sense_is_refused(table, motion, change, message):
