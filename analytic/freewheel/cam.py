@@ -2,9 +2,9 @@ r"""Roller wedged between a flat and a circle (Nagler, Lohrengel, Eqs. 3 to 6, c
 
 The circular race has the radius R, the flat has the distance X from the axis. An inner cam (star)
 has the flat inside, and the race is the bore of the ring. An outer cam (cup) has the flat outside,
-and the race is the shaft with the radius R_s. The centre of the roller is at the angle 2 alpha = psi
-from the normal of the flat, at the distance rho from the axis. y is the distance of the centre from
-a line through the axis parallel to the flat:
+and the race is the shaft with the radius R_s. The centre of the roller is at the angle
+psi = 2 alpha from the normal of the flat, at the distance rho from the axis. y is the distance of
+the centre from a line through the axis parallel to the flat:
 
 .. math::
     \text{inner cam:}\quad & \rho = R - r + d_o, & y = X + r - d_i, \\

@@ -1,6 +1,6 @@
-"""Clutch and rotor: stiffness in closed form, rotating shafts, exact transfer matrices.
+"""Clutch and rotor: closed-form stiffness, rotating shafts, exact transfer matrices.
 
-SI units, where a docstring does not say otherwise.
+SI units, except where a docstring states other units.
 """
 
 from analytic.public import lazily

@@ -1,9 +1,9 @@
-r"""Eq. 3 if the sprags' forces act along their struts, inclined by nu.
+r"""Stiffness of a clutch if the sprag forces act along their struts, inclined by nu (Eq. 3).
 
 .. math:: \delta = (\cos\psi - \tan\nu \sin\psi)\, dx + \dots
    = \cos(\psi + \nu)\, dx / \cos\nu + \dots
 
-are the same formulas with turned angles and stretched displacements.
+has the same form as Eq. 3, with rotated angles and scaled displacements.
 """
 
 import math
@@ -17,7 +17,7 @@ from analytic.rotor.clutch_state import under_torque
 
 
 def inclined_stiffness(clutch: SpragCoupling, *, T: float, dx: float = 0.0) -> Array:
-    """K (5, 5) under T [N m] at an offset dx [m], with forces along the struts.
+    """Stiffness K (5, 5) under T [N m] at an offset dx [m], with forces along the struts.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=0.1, L=1.0, k_n=3.0)
@@ -33,26 +33,30 @@ def inclined_stiffness(clutch: SpragCoupling, *, T: float, dx: float = 0.0) -> A
 
 
 def leaning(clutch: SpragCoupling, at: ArrayLike) -> float:
-    """Decrease of K_tilt [N m/rad] by the forces, as their points on the race tilt with it.
+    """Decrease of K_tilt [N m/rad] because the contact points on the race tilt with the race.
 
-    At displacements `at` (5,). A force along e at a point y of the race, which turns while the
-    force keeps its direction, does the work e . w x (w x y)/2 more: -N R_i cos^2 psi for a tilt
-    about y.
+    It is evaluated at the displacements `at` (5,). If the race rotates by w and a force along e at
+    its point y retains its direction, the additional work is e . w x (w x y)/2: -N R_i cos^2 psi
+    for a tilt about y.
     """
     N = clutch.forces(at).sum(-1)
     return float(clutch.R_i * N @ np.cos(clutch.psi) ** 2)
 
 
 def coupling_across(gone: Array, *, k: float, nu: float) -> float:
-    """K_xy [N/m] of a clutch without sprags at `gone` (m,) [rad], the slope k [N/m] of the others.
+    """Stiffness K_xy [N/m] of a clutch without the sprags at the angles `gone` (m,) [rad].
 
-    -k tan(nu) sum cos(2 psi): the whole clutch has none.
+    k [N/m] is the slope of the other sprags. K_xy = -k tan(nu) sum cos(2 psi); it is zero for the
+    complete clutch.
     """
     return float(-k * math.tan(nu) * np.cos(2 * gone).sum())
 
 
 def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> float:
-    """K_yz [N] of the same with the lever d_t [m]: tan(nu) K_xz."""
+    """Stiffness K_yz [N] of a clutch without the sprags at `gone` (m,) [rad]: tan(nu) K_xz.
+
+    k [N/m] is the slope of the other sprags, d_t [m] the lever arm of their normal forces.
+    """
     lever = k * d_t
     return float(-lever * math.tan(nu) * np.cos(gone).sum())
 
@@ -60,10 +64,11 @@ def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> fl
 def held_torsional_stiffness(
     *, Z: int, R_i: float, R_e: float, nu: float, k: float, N: float
 ) -> float:
-    """K_zz [N m/rad] of struts pinned in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
+    """Torsional stiffness K_zz [N m/rad] of Z struts that are pinned to both races.
 
-    The distance of their ends obeys l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta; h = R_i sin nu. N [N]
-    is the normal force of a sprag, k [N/m] its slope.
+    Each strut contributes F' h^2 - F (R_i R_e cos beta - h^2)/l with h = R_i sin nu and the length
+    l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta. N [N] is the normal force of a sprag, k [N/m] its
+    slope.
 
     Without a force, K_zz is Z k d_t^2 with d_t = R_i tan nu:
 

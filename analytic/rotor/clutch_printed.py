@@ -1,4 +1,4 @@
-r"""Equations 9 to 11 as they are printed, to show the effect of their misprints.
+r"""Equations 9 to 11 as printed, to quantify the effect of their misprints.
 
 References
 ----------
@@ -13,7 +13,7 @@ from analytic.rotor.clutch import Array, SpragCoupling
 
 
 def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
-    """F_r [N] of Eq. 9 as printed: every sprag counts with the cosine of sprag i.
+    """Radial force F_r [N] of Eq. 9 as printed: the cosine of sprag i applies to every sprag.
 
     Four sprags with 3 N each give 12 N without any lateral displacement:
 
@@ -26,7 +26,7 @@ def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
 
 
 def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
-    """dF_r/d delta_r [N/m] of the same: its sum over even sprags vanishes.
+    """Radial stiffness dF_r/d delta_r [N/m] as printed; its sum over equally spaced sprags is zero.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
@@ -38,7 +38,7 @@ def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> floa
 
 
 def stiffness_with_lever(clutch: SpragCoupling, q: ArrayLike, *, lever: float) -> Array:
-    """K (5, 5) if the torque has another lever [m] than d_t: its last row times lever/d_t.
+    """Stiffness K (5, 5) if the lever arm [m] of the torque is not d_t: last row times lever/d_t.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> psi = even_angles(Z=4, missing=(0,))

@@ -1,7 +1,7 @@
 """Clutch under load: twist under a torque, displacements under all loads.
 
-The deformation is linear in the displacements; the potential is therefore convex. The torque
-increases progressively with the twist, and Newton's method from too large a twist converges
+The deflections are linear in the displacements. Therefore, the potential is convex. The torque
+increases progressively with the twist, so that Newton's method from a too large twist converges
 monotonically to the root. For all loads together, the potential minus their work has one minimum.
 """
 
@@ -19,10 +19,11 @@ HALVINGS = 60
 def preload_twist(
     clutch: SpragCoupling, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
 ) -> Array:
-    """Twist g0 (...) [rad] at which the torque is T (...) [N m], at a fixed offset.
+    """Twist g0 (...) [rad] under the torques T (...) [N m], at a fixed offset.
 
-    `offset` (4,) holds dx, dy [m] and the tilts gx, gy [rad], which the bearings impose. The start
-    is the closed form of a uniform clutch, moved until every slice is pressed as much.
+    `offset` (4,) contains dx, dy [m] and the tilts gx, gy [rad], which the bearings impose. The
+    initial twist is that of a uniform clutch in closed form, increased until the deflection of
+    every slice is at least that of the uniform clutch.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
@@ -31,16 +32,14 @@ def preload_twist(
 
     Raises
     ------
-    ValueError
-        If a torque is not positive, or the offset not four finite numbers.
-    ArithmeticError
-        If the twist is not found to 1e-12 of a uniform clutch's twist, or to round-off.
+    ValueError If a torque is not positive, or the offset not four finite numbers. ArithmeticError
+    If the twist does not converge to 1e-12 of the twist of a uniform clutch, or to round-off.
     """
     T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
     if not (np.isfinite(T).all() and (T > 0).all()):
         raise ValueError(f"T must be positive and finite, got {np.min(T):g} N m: no preload")
     if offset.shape != (4,) or not np.isfinite(offset).all():
-        raise ValueError(f"offset needs four finite numbers (dx, dy, gx, gy), got {offset}")
+        raise ValueError(f"offset must be four finite numbers (dx, dy, gx, gy), got {offset}")
     needed = (T / (clutch.Z * clutch.d_t * clutch.k_n)) ** (1 / clutch.n)
     untwisted = clutch.deformation(np.append(offset, 0.0))
     g = (needed - untwisted.min()) / clutch.d_t
@@ -52,7 +51,7 @@ def preload_twist(
         # steps shorten quadratically, so that an error is far below the last one
         if (np.abs(step) <= TOLERANCE * needed / clutch.d_t + ROUND_OFF * np.abs(g)).all():
             return np.asarray(g)
-    raise ArithmeticError(f"the twist under {np.max(T):g} N m was not found in {STEPS} steps")
+    raise ArithmeticError(f"the twist under {np.max(T):g} N m did not converge in {STEPS} steps")
 
 
 def under_torque(
@@ -67,7 +66,8 @@ def under_torque(
 def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
     """Displacements q (5,) [m, rad] under `loads` (F_x, F_y, M_x, M_y, M_z) (5,) [N, N m].
 
-    One slice leaves the tilts free: `loads` must then have no bending moments, which stay zero.
+    With one slice, the tilts are undetermined. Then, `loads` must not contain bending moments, and
+    the tilts are zero.
 
     Raises
     ------
@@ -78,9 +78,9 @@ def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
     """
     P = np.asarray(loads, dtype=np.float64)
     if P.shape != (5,) or not np.isfinite(P).all() or P[4] <= 0:
-        raise ValueError(f"loads need five finite numbers, the torque positive, got {P}")
+        raise ValueError(f"loads must be five finite numbers with a positive torque, got {P}")
     if clutch.n_s == 1 and (P[2:4] != 0).any():
-        raise ValueError("one slice carries no bending moment: n_s must be at least 2")
+        raise ValueError("one slice cannot transmit a bending moment: n_s must be at least 2")
     free = [0, 1, 4] if clutch.n_s == 1 else [0, 1, 2, 3, 4]
     size = np.array([1.0, 1.0, clutch.L, clutch.L, clutch.d_t])  # levers, to scale residuals
     largest = np.abs(P / size).max()
@@ -100,14 +100,15 @@ def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
         q = q + share * step
     raise ArithmeticError(
         f"no equilibrium under F = ({P[0]:g}, {P[1]:g}) N and T = {P[4]:g} N m: too few sprags "
-        "stay in contact"
+        "remain in contact"
     )
 
 
 def _shortened(clutch: SpragCoupling, q: Array, step: Array, P: Array) -> float:
-    """Share of a step, halved until the potential does not increase steeply at its end; 0 if never.
+    """Fraction of a step for which the slope of the potential at its end is not too steep; else 0.
 
-    Slopes are compared, because round-off affects values of the potential long before loads.
+    The fraction is halved until this is true. Slopes are compared, because round-off affects values
+    of the potential long before it affects loads.
     """
     slope = float((clutch.loads(q) - P) @ step)
     share = 1.0

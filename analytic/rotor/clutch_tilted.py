@@ -1,8 +1,9 @@
-"""A clutch with simultaneous offset and tilt: coupling of bending forces and tilts.
+"""Clutch with simultaneous offset and tilt: coupling of bending forces and tilts.
 
-The offset is twice as large at one end of the sprags and zero at the other; the load is therefore
-not uniform around and along. Eq. 7 then couples a force along y with a tilt about x, and a force
-along x with a tilt about y; a uniform load, or a load that varies around only, couples neither.
+The offset is twice as large at one end of the sprags and zero at the other end. Therefore, the load
+is non-uniform both around the circumference and along the sprags. Eq. 7 then couples a force along
+y with a tilt about x, and a force along x with a tilt about y. A uniform load, or a load that
+varies only around the circumference, causes no such coupling.
 """
 
 import math
@@ -16,7 +17,7 @@ TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 
 def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
-    """Offset along x [m] and tilt about y [rad] of sprags L long that deflect by `delta_0` [m].
+    """Offset along x [m] and tilt about y [rad] of sprags of length L deflected by `delta_0`.
 
     >>> aside(1.0, 4.0, 8.0)  # the given offset; then a quarter of the deflection
     (1.0, 0.5)
@@ -28,9 +29,9 @@ def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
 
 
 def couplings(clutch: SpragCoupling, *, T: float, dx: float, tilt: float) -> dict[str, float]:
-    """Both entries [N] by Eqs. 3 to 11 under T [N m], with sprags from half a pitch on.
+    """Coupling stiffnesses [N] by Eqs. 3 to 11 under T [N m], with the first sprag at half a pitch.
 
-    Four of them at 0 deg would couple nothing.
+    With four sprags, of which one is at 0 deg, both would be zero.
     """
     turned = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z))
     K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, tilt)))

@@ -1,14 +1,16 @@
-r"""Uniform clutch in closed form: Z >= 3 even sprags, pressed equally, without a crown.
+r"""Closed form of a uniform clutch: Z >= 3 equally spaced and loaded sprags without crown.
 
 .. math:: N = \frac{T}{Z d_t}, \quad \delta_0 = \left(\frac{N}{k_n}\right)^{1/n}, \quad
    k = n k_n \delta_0^{n-1}
 
-Sums of cos^2 and sin^2 over even angles are Z/2 each; sums of cos, sin and their product vanish:
+Over equally spaced angles, the sums of cos^2 and sin^2 are Z/2 each; the sums of cos, sin and their
+product are zero. Hence
 
 .. math:: K_{xx} = K_{yy} = \frac{Z k}{2}, \quad K_{zz} = Z k d_t^2, \quad
    K_{tilt} = \frac{Z k}{2} \frac{L^2}{12} \left(1 - \frac{1}{n_s^2}\right)
 
-and nothing off the diagonal. The stiffness grows with :math:`T^{1 - 1/n}`, 0.1 for n = 10/9.
+and all off-diagonal elements are zero. The stiffness is proportional to :math:`T^{1 - 1/n}`,
+exponent 0.1 for n = 10/9.
 
 References
 ----------
@@ -30,7 +32,9 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
     2500.0
     """
     if Z < 3:
-        raise ValueError(f"Z must be at least 3, got {Z}: two sprags carry no lateral load")
+        raise ValueError(
+            f"Z must be at least 3, got {Z}: two sprags cannot transmit every lateral load"
+        )
     return np.asarray(_positive(T, "T", "N m") / (Z * _positive(d_t, "d_t", "m")))
 
 
@@ -44,7 +48,7 @@ def approach(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
 
 
 def contact_stiffness(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
-    """Slope k [N/m] of a sprag's force over its deflection: n N/delta_0 = n k_n delta_0^(n-1).
+    """Contact stiffness k [N/m] of a sprag: n N/delta_0 = n k_n delta_0^(n-1).
 
     >>> float(contact_stiffness(N=8.0, k_n=1.0, n=3.0))  # 3 2^2
     12.0
@@ -53,7 +57,7 @@ def contact_stiffness(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) 
 
 
 def radial_stiffness(*, Z: int, k: ArrayLike) -> Array:
-    """K_xx = K_yy [N/m] of Z sprags with slopes k [N/m]: Z k/2.
+    """Radial stiffness K_xx = K_yy [N/m] of Z sprags with contact stiffness k [N/m]: Z k/2.
 
     >>> float(radial_stiffness(Z=12, k=2.0))
     12.0
@@ -62,7 +66,7 @@ def radial_stiffness(*, Z: int, k: ArrayLike) -> Array:
 
 
 def torsional_stiffness(*, Z: int, k: ArrayLike, d_t: ArrayLike) -> Array:
-    """K_zz [N m/rad]: Z k d_t^2.
+    """Torsional stiffness K_zz [N m/rad] of Z sprags: Z k d_t^2.
 
     >>> float(torsional_stiffness(Z=12, k=2.0, d_t=0.5))
     6.0
@@ -71,15 +75,16 @@ def torsional_stiffness(*, Z: int, k: ArrayLike, d_t: ArrayLike) -> Array:
 
 
 def tilting_stiffness(*, Z: int, k: ArrayLike, L: ArrayLike, n_s: float = math.inf) -> Array:
-    """K_tilt [N m/rad] with n_s slices: (Z k/2)(L^2/12)(1 - 1/n_s^2); infinitely many at first.
+    """Tilting stiffness K_tilt [N m/rad] with n_s slices: (Z k/2)(L^2/12)(1 - 1/n_s^2).
 
-    Two slices have their middles at +-L/4, and (L/4)^2 = (L^2/12)(3/4):
+    The default is an infinite number of slices. The centres of two slices are at +-L/4, and
+    (L/4)^2 = (L^2/12)(3/4):
 
     >>> float(tilting_stiffness(Z=4, k=2.0, L=4.0, n_s=2))
     4.0
     """
     if not n_s >= 1:
-        raise ValueError(f"n_s must be at least 1 slice, got {n_s:g}")
+        raise ValueError(f"n_s must be at least 1, got {n_s:g}")
     L = _positive(L, "L", "m")
     return np.asarray(radial_stiffness(Z=Z, k=k) * L**2 / 12 * (1 - 1 / n_s**2))
 
@@ -88,10 +93,10 @@ def offset_coupling(
     *, Z: int, k: ArrayLike, d_t: ArrayLike, dx: ArrayLike, delta_0: ArrayLike,
     n: float = LINE_CONTACT,
 ) -> Array:  # fmt: skip
-    r"""K_xz [N] that a static offset dx [m] brings: (Z/2) k (n - 1) dx d_t/delta_0.
+    r"""Coupling stiffness K_xz [N] due to a static offset dx [m]: (Z/2) k (n - 1) dx d_t/delta_0.
 
-    The first term of a series in dx/delta_0, which is not valid once sprags leave contact, beyond
-    delta_0. Slopes are proportional to delta^(n-1):
+    This is the first term of a series in dx/delta_0. It is not valid for dx > delta_0, where sprags
+    lose contact. The contact stiffness of each sprag is proportional to delta^(n-1):
 
     .. math:: \sum_j k \left(1 + (n-1) \frac{dx}{\delta_0} \cos\psi_j\right) d_t \cos\psi_j
 
@@ -104,7 +109,7 @@ def offset_coupling(
 
 
 def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
-    """Load over tangent times displacement, 1/n: P is homogeneous of degree n (Euler).
+    """Ratio of secant to tangent stiffness, 1/n, because P is homogeneous of degree n (Euler).
 
     >>> round(secant_over_tangent(), 12)
     0.9
@@ -114,7 +119,9 @@ def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
 
 def _number(Z: int) -> int:
     if Z < 3:
-        raise ValueError(f"Z must be at least 3, got {Z}: two sprags carry no lateral load")
+        raise ValueError(
+            f"Z must be at least 3, got {Z}: two sprags cannot transmit every lateral load"
+        )
     return Z
 
 

@@ -1,17 +1,18 @@
-r"""Whirl of a turning solid or hollow cylinder in three-dimensional elasticity.
+r"""Whirl of a rotating solid or hollow cylinder in three-dimensional elasticity.
 
-Ends at z = 0 and L are held across and free along; mode j is then a sine exactly,
+The ends at z = 0 and L are fixed in the transverse direction and free axially. Then, mode j is
+exactly a sine,
 
 .. math:: u = (U(r)\sin kz,\ -iV(r)\sin kz,\ W(r)\cos kz)\,e^{i(\varphi - wt)},\quad k = j\pi/L,
 
-and a single dimension remains. U, V and W are polynomials whose coefficients make the action
+and the problem is one-dimensional. U, V and W are polynomials whose coefficients make the action
 
 .. math::
     \int \sigma:\varepsilon + \rho\,[2wW(U^2+V^2+2UV+W^2) - w^2(U^2+V^2+W^2)]\,r\,dr
 
-stationary; W in front of the bracket is the speed. Smooth solutions: each further power adds a
-digit or more. Terms of the speed's square are left out, with the stiffness that centrifugal stress
-adds; they balance where a section turns as if rigid.
+stationary; W in front of the bracket is the rotational speed. The solutions are smooth: each
+further power adds at least one digit. Terms with the square of the speed and the stiffening by
+centrifugal stress are neglected; both cancel where a section rotates like a rigid body.
 
 References
 ----------
@@ -32,9 +33,10 @@ POWERS = 13  # of each amplitude: two more change no frequency by 1e-9 for r_i >
 
 @dataclass(frozen=True, kw_only=True)
 class Cylinder:
-    """Radii r_o and r_i [length], E [stress], nu and rho [mass/volume]; `powers` an amplitude.
+    """Cylinder with radii r_o, r_i [length], E [stress], nu, rho [mass/volume].
 
-    ValueError unless 0 <= r_i < r_o, E and rho are positive and -1 < nu < 0.5.
+    `powers` is the number of powers per amplitude. Raises ValueError unless 0 <= r_i < r_o, E and
+    rho are positive and -1 < nu < 0.5.
 
     >>> steel = Cylinder(r_o=1.0, E=1.0, nu=0.3, rho=1.0)
     >>> ahead, behind = steel.whirl(0.02, count=1)
@@ -52,20 +54,21 @@ class Cylinder:
     def __post_init__(self) -> None:
         if not 0 <= self.r_i < self.r_o < np.inf:
             raise ValueError(
-                f"a cylinder needs 0 <= r_i < r_o, got r_i={self.r_i:g} m, r_o={self.r_o:g} m"
+                f"radii of a cylinder must satisfy 0 <= r_i < r_o, got r_i={self.r_i:g} m, "
+                f"r_o={self.r_o:g} m"
             )
         if not (0 < self.E < np.inf and 0 < self.rho < np.inf and -1 < self.nu < 0.5):
             raise ValueError(
-                "a cylinder needs E > 0, rho > 0 and -1 < nu < 0.5, got "
-                f"E={self.E:g} Pa, rho={self.rho:g} kg/m^3, nu={self.nu:g}"
+                f"a cylinder must have E > 0, rho > 0 and -1 < nu < 0.5, got E={self.E:g} Pa, "
+                f"rho={self.rho:g} kg/m^3, nu={self.nu:g}"
             )
         if self.powers < 2:
-            raise ValueError(f"an amplitude needs at least two powers, got {self.powers}")
+            raise ValueError(f"an amplitude must have at least two powers, got {self.powers}")
 
     def whirl(self, k: float, *, Omega: float = 0.0, count: int = 1) -> tuple[Array, Array]:
-        """Lowest angular frequencies (count,) at the wave number k: forward and backward, positive.
+        """Lowest angular frequencies (count,), forward and backward, at the wave number k.
 
-        The first is bending's. ValueError unless k > 0.
+        The first frequency is that of bending. Raises ValueError unless k > 0.
         """
         K, M, G = self._matrices(k)
         zero = np.zeros_like(K)
@@ -75,13 +78,13 @@ class Cylinder:
         return 1 / inverse[::-1][:count], -1 / inverse[:count]
 
     def critical_speeds(self, k: float, *, count: int = 1, backward: bool = False) -> Array:
-        """Speeds (up to count,) [1/time] that equal a whirling frequency, forward or backward."""
+        """Critical speeds (at most `count`) [1/time] of forward or backward whirl."""
         K, M, G = self._matrices(k)
         inverse = eigh(M + G if backward else M - G, K, eigvals_only=True)[::-1][:count]
         return np.asarray(1 / np.sqrt(inverse[inverse > 0]))
 
     def _matrices(self, k: float) -> tuple[Array, Array, Array]:
-        """Stiffness, mass and gyroscopic matrix for unit length."""
+        """Stiffness, mass and gyroscopic matrices per unit length."""
         if not 0 < k < np.inf:
             raise ValueError(f"the wave number must be positive, got k={k:g} 1/m")
         u, du, weight, r = self._amplitudes()
@@ -102,11 +105,12 @@ class Cylinder:
         return tuple(scale[:, None] * part * scale for part in (K, M, G))  # type: ignore[return-value]
 
     def _amplitudes(self) -> tuple[Array, Array, Array, Array]:
-        """U, V, W and their slopes (3, points, coefficients), weights times r, and radii.
+        """Amplitudes U, V, W, their slopes (3, points, coefficients), weights times r, radii.
 
-        With polynomials f, g, h: U = f, V = -f + c g, W = b h. A solid cylinder has them in r^2 and
-        c = (r/r_o)^2, b = r/r_o, which keeps displacements and strains single-valued on the axis. A
-        hollow cylinder has them in ln r: Bessel's functions are entire in ln r, and c = b = 1.
+        With polynomials f, g, h: U = f, V = -f + c g, W = b h. For a solid cylinder, they are
+        polynomials in r^2 with c = (r/r_o)^2, b = r/r_o, so that displacements and strains are
+        single-valued on the axis. For a hollow cylinder, they are polynomials in ln r, because
+        Bessel's functions are entire in ln r, and c = b = 1.
         """
         p = self.powers
         x, w = legendre.leggauss(2 * p + 4)

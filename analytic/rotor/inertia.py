@@ -9,10 +9,9 @@ Array = NDArray[np.float64]
 
 
 def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: float) -> Array:
-    """Mass, polar moment and diametral moment about z = 0 (3,) of tubes that end at z = `end`.
+    """Mass, polar and diametral moment of inertia about z = 0, (3,), of tubes ending at `end`.
 
-    Places, lengths and diameters (e,) [m], density rho [kg/m^3]; annuli: rho pi (d_o^2 - d_i^2)/4,
-    and fourth powers over 32 or 64.
+    Positions, lengths and diameters are arrays (e,) [m]; rho is the density [kg/m^3].
 
     >>> one = np.ones(1)
     >>> shape = {"end": one, "length": one, "d_o": one, "d_i": 0 * one}
@@ -30,16 +29,16 @@ def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: flo
 
 
 def discs_inertia(*, z: Array, mass: Array, polar: Array, diametral: Array) -> Array:
-    """Mass, polar, diametral moment (3,) of thin discs at z (k,) [m], moments given [kg m^2]."""
+    """Mass, polar and diametral moment (3,) of thin discs at z (k,) [m] with moments [kg m^2]."""
     return np.array([mass.sum(), polar.sum(), (diametral + mass * z**2).sum()])
 
 
 def cylinder_inertia(
     *, d_o: float, d_i: float, width: float, rho: float, mass: float | None = None
 ) -> tuple[float, float, float]:
-    """Mass [kg], polar and diametral moment [kg m^2] of a cylinder about its middle.
+    """Mass [kg], polar and diametral moment of inertia [kg m^2] of a cylinder about its middle.
 
-    Diameters and width [m]; the density rho [kg/m^3] gives the mass where it is left out.
+    Diameters and width are in m. If `mass` is omitted, it follows from the density rho [kg/m^3].
 
     >>> cylinder_inertia(d_o=2.0, d_i=0.0, width=1.0, rho=1.0, mass=12.0)  # m r^2/2
     (12.0, 6.0, 4.0)

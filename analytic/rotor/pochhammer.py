@@ -1,14 +1,14 @@
-r"""Bending waves of a cylinder, exactly: the frequency equation of Pochhammer, Chree and Gazis.
+r"""Bending waves of a cylinder: exact frequency equation of Pochhammer, Chree and Gazis.
 
-Displacements from three potentials with the radial functions Z = J_1, Y_1 (I_1, K_1 where the
-square is negative) of alpha r and beta r,
+The displacements follow from three potentials with the radial functions Z = J_1, Y_1 of alpha r and
+beta r (I_1, K_1 if the square of alpha or beta is negative),
 
 .. math::
     u = \nabla\Phi + \nabla\times(\psi e_z) + \nabla\times\nabla\times(\chi e_z),\quad
     \alpha^2 = w^2/c_1^2 - k^2,\quad \beta^2 = w^2/c_2^2 - k^2,
 
-with Phi = Z(alpha r) cos t sin kz, psi = Z(beta r) sin t sin kz, chi = Z(beta r) cos t cos kz.
-Walls without stress give a determinant of order 3 (solid) or 6 (hollow).
+with Phi = Z(alpha r) cos t sin kz, psi = Z(beta r) sin t sin kz, chi = Z(beta r) cos t cos kz. The
+condition of stress-free walls gives a determinant of order 3 (solid) or 6 (hollow).
 
 References
 ----------
@@ -32,9 +32,10 @@ def bending_frequency(
 ) -> float:
     """Lowest angular frequency [1/time] of bending waves of the wave number k.
 
-    That of a cylinder of the length j pi/k whose ends are held across and free along, too. A shear
-    wave of this k is faster than any of them, and the search ends there. ValueError unless
-    0 <= r_i < r_o and k > 0; ArithmeticError if no root is found.
+    It is also the frequency of a cylinder of length j pi/k whose ends are fixed in the transverse
+    direction and free axially. The search ends at the frequency of the shear wave with this k,
+    which is higher. Raises ValueError unless 0 <= r_i < r_o and k > 0, ArithmeticError if no root
+    is found.
 
     >>> w = bending_frequency(k=0.1, r_o=1.0, E=1.0, nu=0.3, rho=1.0)
     >>> round(w / 0.1**2, 2)  # near sqrt(E I/(rho A)) = r_o/2 of a thin bar
@@ -42,7 +43,8 @@ def bending_frequency(
     """
     if not (0 <= r_i < r_o < np.inf and 0 < k < np.inf):
         raise ValueError(
-            f"waves need 0 <= r_i < r_o and k > 0, got r_i={r_i:g}, r_o={r_o:g} m, k={k:g} 1/m"
+            f"a bending wave must have 0 <= r_i < r_o and k > 0, got r_i={r_i:g}, r_o={r_o:g} m, "
+            f"k={k:g} 1/m"
         )
     walls = (r_o, r_i) if r_i else (r_o,)
     top = 0.999 * k * np.sqrt(E / (2 * (1 + nu) * rho))
@@ -54,7 +56,9 @@ def bending_frequency(
     signs = np.sign([value(x) for x in w])
     change = np.flatnonzero(signs[1:] != signs[:-1])
     if not change.size:
-        raise ArithmeticError(f"no bending wave of k={k:g} 1/m is slower than shear")
+        raise ArithmeticError(
+            f"no bending wave with k={k:g} 1/m was found below the frequency of the shear wave"
+        )
     a, b = w[change[0]], w[change[0] + 1]
     return float(brentq(value, a, b, xtol=1e-14 * b, rtol=1e-14))
 
@@ -62,7 +66,7 @@ def bending_frequency(
 def _determinant(
     w: float, k: float, walls: tuple[float, ...], E: float, nu: float, rho: float
 ) -> float:
-    """Determinant of the wall's stresses, columns of unit length."""
+    """Determinant of the stresses on the walls, with columns scaled to unit length."""
     lam, mu = E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
     squares = rho * w**2 / (lam + 2 * mu) - k**2, rho * w**2 / mu - k**2
     kinds = range(len(walls))
@@ -78,7 +82,7 @@ def _determinant(
 def _stresses(
     which: str, squares: tuple[float, float], k: float, kind: int, r: float, lam: float, mu: float
 ) -> Array:
-    """Amplitudes (3,) of the stresses rr, rt, rz at r from one potential, V with sin t."""
+    """Amplitudes (3,) of the stresses rr, rt, rz at r from the potential `which`."""
     q = squares[0] if which == "Phi" else squares[1]
     Z, D = _radial(q, r, kind)
     DD = -D / r + (1 / r**2 - q) * Z  # Bessel's equation
@@ -97,7 +101,7 @@ def _stresses(
 
 
 def _radial(q: float, r: float, kind: int) -> tuple[float, float]:
-    """Z and dZ/dr of order 1, the first or second kind, for the square q of the wave number."""
+    """Radial function Z of order 1 and dZ/dr; q is the square of the radial wave number."""
     s = float(np.sqrt(abs(q)))
     value, slope = (
         ((jv, jvp), (yv, yvp))[kind] if q > 0 else ((iv, ivp), (kv, kvp))[kind]

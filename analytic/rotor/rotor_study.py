@@ -1,4 +1,4 @@
-"""Results of exact transfer matrices for one rotor: modes, critical speeds, response, torsion."""
+"""Transfer-matrix results of one rotor: modes, critical speeds, response, torsion."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Excited:
-    """Critical speeds [rad/s] of the unbalance of shafts with one `ratio`, and their modes."""
+    """Critical speeds [rad/s] by unbalance of the shafts with one `ratio`, and their modes."""
 
     ratio: float
     shafts: tuple[str, ...]
@@ -34,13 +34,13 @@ class Excited:
 
     @property
     def speeds(self) -> Array:
-        """Critical speeds of the rotor, rising."""
+        """Critical speeds [rad/s] of the rotor in ascending order."""
         return self.modes.speeds
 
 
 @dataclass(frozen=True)
 class Study:
-    """Results of the formulas for a rotor."""
+    """Transfer-matrix results of a rotor."""
 
     modes: TransferModes
     excited: tuple[Excited, ...]
@@ -53,10 +53,10 @@ def study(
     rotor: TransferMatrixRotor, names: Sequence[str], speed: float,
     unbalances: Mapping[float, Mapping[int, complex]], count: int,
 ) -> Study:  # fmt: skip
-    """`count` modes at the speed [rad/s], critical speeds, response, the lowest torsion.
+    """Results at the `speed` [rad/s]: `count` modes, critical speeds, response, lowest torsion.
 
-    `names` are the names of the shafts; `unbalances` [kg m] are at stations from 0, by the ratio of
-    their shaft. A shaft that does not rotate excites nothing.
+    `names` are the names of the shafts. `unbalances` [kg m] are given at stations numbered from 0,
+    grouped by the speed ratio of their shaft. A shaft that does not rotate causes no excitation.
     """
     return Study(
         modes=modes(rotor, speed, count=count),
@@ -71,12 +71,15 @@ def study(
 
 
 def ratios(rotor: TransferMatrixRotor) -> list[float]:
-    """Speed ratios of rotating unbalances, in the order of the shafts."""
+    """Speed ratios of rotating shafts, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
 
 
 def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> Excited:
-    """On isotropic bearings unbalance excites whirl only in the direction of its rotation."""
+    """Critical speeds by unbalance of the shafts with one speed ratio.
+
+    On isotropic bearings, unbalance excites only whirl in the direction of its rotation.
+    """
     own = tuple(n for n, s in zip(names, rotor.shafts, strict=True) if s.ratio == ratio)
     sense: Whirl | None = None
     if rotor.isotropic:
@@ -86,10 +89,10 @@ def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> 
 
 
 def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
-    """Critical speeds [rad/s] of whirl opposite to the unbalance, excited by anisotropic bearings.
+    """Critical speeds [rad/s] of whirl opposite to the unbalance; empty for anisotropic bearings.
 
-    Unbalance excites them only if bearings differ in x and y; if they are stated to differ, all
-    critical speeds are also in `study`.
+    Unbalance excites them only if bearings differ in x and y. If the bearings of the model differ,
+    `study` already contains all critical speeds.
     """
     if not rotor.isotropic:
         return []
@@ -106,10 +109,10 @@ def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
 def branches(
     rotor: TransferMatrixRotor, top: float, at_speed: TransferModes, count: int
 ) -> tuple[Array, Array, tuple[int, ...]]:
-    """Speeds (n,) up to `top`, natural frequencies (n, branches) [rad/s], sense of each branch.
+    """Speeds (n,) up to `top`, natural frequencies (n, branches) [rad/s], whirl senses.
 
-    `count` branches, an even number. On anisotropic bearings with elliptical whirl, the sense of a
-    branch is that among the modes `at_speed`.
+    `count` is the even number of branches. On anisotropic bearings, whirl is elliptical, and the
+    senses are those of the modes `at_speed`.
     """
     speeds = np.linspace(0, top, CAMPBELL)
     if not rotor.isotropic:

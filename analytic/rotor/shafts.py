@@ -1,7 +1,7 @@
 r"""Simply supported uniform rotating shafts in closed form: whirl and critical speeds.
 
-Mode j of the length L has the wave number k = j pi/L. In the complex coordinate r = x + i y a whirl
-exp(i w t) at the speed W, forward where w > 0, follows from
+Mode j of a shaft of length L has the wave number k = j pi/L. In the complex coordinate r = x + i y,
+the frequency w of a whirl exp(i w t) at the rotational speed W (forward if w > 0) follows from
 
 .. math::
     EIk^4 = w^2 \rho A                                        &\quad\text{(Euler)}\\
@@ -9,7 +9,8 @@ exp(i w t) at the speed W, forward where w > 0, follows from
     (Sk^2 - \rho A w^2)(S + EIk^2 + 2Ww\rho I - \rho I w^2) = S^2k^2
                                                               &\quad\text{(Timoshenko)}
 
-with S = kappa G A: a slope turns about its diameter, and with 2 rho I about the shaft's axis.
+with S = kappa G A. The rotary inertia per length is rho I about a diameter and 2 rho I about the
+axis of the shaft.
 
 References
 ----------
@@ -32,11 +33,11 @@ Theory = Literal["euler", "rayleigh", "timoshenko"]
 
 
 def cowper(*, nu: float, m: float = 0.0) -> float:
-    r"""Shear coefficient [1] of a circular section, m = r_i/r_o (0: solid), by Cowper.
+    r"""Cowper's shear coefficient [1] of a circular section with m = r_i/r_o (0 if solid).
 
     .. math:: \kappa = \frac{6(1+\nu)(1+m^2)^2}{(7+6\nu)(1+m^2)^2 + (20+12\nu)m^2}
 
-    Ref. [2]. ValueError unless 0 <= m < 1 and -1 < nu <= 0.5.
+    Ref. [2]. Raises ValueError unless 0 <= m < 1 and -1 < nu <= 0.5.
 
     >>> round(cowper(nu=0.0), 6)  # 6/7
     0.857143
@@ -47,13 +48,13 @@ def cowper(*, nu: float, m: float = 0.0) -> float:
 
 
 def hutchinson(*, nu: float, m: float = 0.0) -> float:
-    r"""Shear coefficient [1] of a circular section, m = r_i/r_o (0: solid), by Hutchinson.
+    r"""Hutchinson's shear coefficient [1] of a circular section with m = r_i/r_o (0 if solid).
 
     .. math::
         \kappa = \frac{6(1+\nu)^2(1+m^2)^2}
         {(7+12\nu+4\nu^2)(1+m^2)^2 + 4(5+6\nu+2\nu^2)m^2}
 
-    Ref. [3], Eqs. 43 and 45, multiplied out. ValueError unless 0 <= m < 1 and -1 < nu <= 0.5.
+    Ref. [3], Eqs. 43 and 45, expanded. Raises ValueError unless 0 <= m < 1 and -1 < nu <= 0.5.
 
     >>> round(hutchinson(nu=0.5), 6)  # 13.5/14: 6 * 2.25 / (7 + 6 + 1)
     0.964286
@@ -66,7 +67,7 @@ def hutchinson(*, nu: float, m: float = 0.0) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class UniformShaft:
-    """Length L, diameters d_o and d_i [length], E [stress], nu, rho [mass/volume], shear kappa."""
+    """Shaft of length L, diameters d_o, d_i [length], E [stress], nu, rho [mass/volume], kappa."""
 
     L: float
     d_o: float
@@ -82,18 +83,19 @@ class UniformShaft:
                 raise ValueError(f"{name} must be positive, got {name}={getattr(self, name):g}")
         if not 0 <= self.d_i < self.d_o < np.inf:
             raise ValueError(
-                f"a shaft needs 0 <= d_i < d_o, got d_i={self.d_i:g} m, d_o={self.d_o:g} m"
+                f"diameters of a shaft must satisfy 0 <= d_i < d_o, got d_i={self.d_i:g} m, "
+                f"d_o={self.d_o:g} m"
             )
         _check_section(self.nu, 0.0)
 
     @property
     def A(self) -> float:
-        """Area of the section [length^2]."""
+        """Area of the cross-section [length^2]."""
         return np.pi / 4 * (self.d_o**2 - self.d_i**2)
 
     @property
     def I(self) -> float:  # noqa: E743 - the symbol of the books
-        """Second moment of the section about a diameter [length^4]."""
+        """Second moment of area about a diameter [length^4]."""
         return np.pi / 64 * (self.d_o**4 - self.d_i**4)
 
     @property
@@ -102,7 +104,7 @@ class UniformShaft:
         return self.kappa * self.E / (2 * (1 + self.nu)) * self.A
 
     def whirl(self, j: int, *, Omega: float = 0.0, theory: Theory) -> tuple[float, float]:
-        """Angular frequencies [1/time] of mode j at the speed Omega: forward, backward (both > 0).
+        """Angular frequencies [1/time] of mode j at the speed Omega: forward, backward; both > 0.
 
         Timoshenko's upper pair, in which shear and slope oscillate in opposition, is omitted.
 
@@ -123,9 +125,10 @@ class UniformShaft:
         return self._timoshenko(k, Omega)
 
     def critical_speed(self, j: int, *, theory: Theory, backward: bool = False) -> float:
-        """Speed [1/time] equal to the whirl frequency of mode j, forward or backward; or inf.
+        """Critical speed [1/time] of mode j, forward or backward; may be infinite.
 
-        Infinite if the gyroscopic stiffening outruns the speed.
+        It is infinite if the whirl frequency exceeds the speed at every speed, by gyroscopic
+        stiffening.
 
         >>> shaft = UniformShaft(L=np.pi, d_o=4.0, E=1.0, nu=0.3, rho=1.0, kappa=0.9)
         >>> shaft.critical_speed(1, theory="rayleigh")  # rho A = rho I k^2: never met
@@ -147,7 +150,7 @@ class UniformShaft:
         return float(np.sqrt(S * k**2 * bending / (half + np.sqrt(square))))
 
     def _timoshenko(self, k: float, Omega: float) -> tuple[float, float]:
-        """The inner two of the quartic's four real roots, found as u/w and so to all digits."""
+        """Inner two of the four real roots of the quartic, computed as u/w for full accuracy."""
         S, bending = self.S, self.E * self.I * k**2
         u = k * float(np.sqrt(bending / (self.rho * self.A)))  # Euler's, the unit of w
         A, turn = self.rho * self.A * u**2, self.rho * self.I * u**2
@@ -161,12 +164,12 @@ class UniformShaft:
 
 def _check_section(nu: float, m: float) -> None:
     if not -1 < nu <= 0.5:
-        raise ValueError(f"Poisson's ratio lies in -1 < nu <= 0.5, got nu={nu:g}")
+        raise ValueError(f"Poisson's ratio must lie in -1 < nu <= 0.5, got nu={nu:g}")
     if not 0 <= m < 1:
-        raise ValueError(f"a section needs 0 <= r_i/r_o < 1, got m={m:g}")
+        raise ValueError(f"a section must have 0 <= r_i/r_o < 1, got m={m:g}")
 
 
 def _wave_number(L: float, j: int) -> float:
     if j != int(j) or j < 1:
-        raise ValueError(f"modes are numbered from 1, got j={j}")
+        raise ValueError(f"the mode number must be an integer of at least 1, got j={j}")
     return float(j * np.pi / L)

@@ -1,7 +1,8 @@
-"""A stepped shaft as a Timoshenko beam, with nominal diameters or with the 45° rule.
+"""Stepped shaft as a Timoshenko beam, with nominal diameters or by the 45° rule.
 
-By the 45° rule, the diameter that determines the stiffness of the thick part is d_1 plus twice the
-distance from the nearer step, at most d_2: the corners are unloaded. Masses are the real masses.
+By the 45° rule, the diameter for the stiffness of the thick part is d_1 plus twice the distance
+from the nearer step, at most d_2, because the corners carry no load. The masses are the real
+masses.
 """
 
 from dataclasses import dataclass
@@ -23,7 +24,7 @@ SMALLEST = 1e-9  # relative to the length: a shorter piece is caused by round-of
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of the shaft: length, diameter, and diameter used for the stiffness [m]."""
+    """Piece of a shaft: length, diameter, and diameter for the stiffness [m]."""
 
     length: float
     d: float
@@ -50,7 +51,7 @@ class SteppedShape:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
     def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
-        """Pieces from end to end, with stations at the seats; `cone`: stiffness by the 45° rule.
+        """Pieces from end to end, with stations at the seats; stiffness by the 45° rule if `cone`.
 
         >>> shape = SteppedShape(L=8.0, d_1=1.0, d_2=3.0, L_2=4.0, start=2.0, seats=(0.5, 7.5))
         >>> [(p.length, p.d_stiff) for p in shape.pieces(cone=False)]
@@ -81,9 +82,10 @@ def stepped_beam(
     shape: SteppedShape, *, E: float, nu: float, rho: float, k: float, cone: bool = False,
     slices: int = SLICES,
 ) -> TransferMatrixRotor:  # fmt: skip
-    """The shaft on two bearings with the radial stiffness k [N/m].
+    """Rotor model of the shaft on two bearings with the radial stiffness k [N/m].
 
-    The rotary inertia that a cone lacks is added as lumps at the ends of its slices.
+    The reduced stiffness diameters of a cone have too little rotary inertia. The difference is
+    added as discs at the ends of the slices.
     """
     segments, lumps, node = [], [], 0
     for i, piece in enumerate(shape.pieces(cone=cone, slices=slices)):

@@ -1,8 +1,9 @@
-"""Dynamic stiffness of a whole rotor in bending, from the exact stiffness of its pieces.
+"""Dynamic bending stiffness of a whole rotor, from the exact stiffness of its pieces.
 
-Unknowns are (r, phi L) at the stations and between pieces, the length L scales the entries.
-Bearings that differ in x and y couple r = r+ e^{i omega t} + conj(r-) e^{-i omega t}: their force
-k r + d conj(r) makes (k, d; conj d, k) of (r+, r-), and r- has the matrix of the rotor at -omega.
+The unknowns are (r, phi L) at the stations and between pieces; the length L scales the entries.
+Bearings that differ in x and y couple the parts of r = r+ e^{i omega t} + conj(r-) e^{-i omega t}.
+Their force k r + d conj(r) has the matrix (k, d; conj d, k) for (r+, r-). The matrix of the rotor
+for r- is that at -omega.
 """
 
 from collections.abc import Sequence
@@ -28,7 +29,10 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Bending:
-    """A rotor cut into pieces: `parts` of each segment, so short that none has a clamped root."""
+    """Rotor divided into pieces: number `parts` for each segment.
+
+    The pieces are so short that no clamped piece has a natural frequency in the range.
+    """
 
     rotor: TransferMatrixRotor
     parts: tuple[int, ...]
@@ -46,12 +50,12 @@ class Bending:
 
     @cached_property
     def length(self) -> float:
-        """L [m], the factor of phi."""
+        """Length L [m] by which phi is multiplied."""
         return float(np.mean([s.length for s in self.segments]))
 
     @cached_property
     def ends(self) -> NDArray[np.int64]:
-        """Nodes (pieces, 2) at the near and the far end; stations first, then the cuts."""
+        """Nodes (pieces, 2) at the near and far ends of the pieces; stations first, then cuts."""
         first = [k for k, _ in stations_of(self.rotor)]
         found, cut = [], self.rotor.stations
         for near, count in zip(first, self.parts, strict=True):
@@ -66,18 +70,18 @@ class Bending:
 
     @cached_property
     def springs(self) -> Array:
-        """Mean stiffness (n, n) of all bearings, n = 2 nodes [N/m]."""
+        """Mean stiffness matrix (n, n) of all bearings, n = 2 nodes [N/m]."""
         return self._lumped([s.stiffness[0] for s in self.bearings],
                             [s.k_tilt for s in self.bearings]).real  # fmt: skip
 
     @cached_property
     def deviator(self) -> Complex:
-        """Terms by the bearings' difference in x and y, of conj(r) (n, n) [N/m]."""
+        """Matrix (n, n) [N/m] of conj(r), due to the difference of the bearings in x and y."""
         return self._lumped([s.stiffness[1] for s in self.bearings], [0.0] * len(self.bearings))
 
     @cached_property
     def dampers(self) -> tuple[Complex, Complex]:
-        """Mean and deviator of the bearings' damping (n, n) [N s/m]."""
+        """Mean and deviator of the damping matrices of the bearings, each (n, n) [N s/m]."""
         mean = self._lumped([s.damping[0] for s in self.bearings],
                             [s.c_tilt for s in self.bearings])  # fmt: skip
         other = self._lumped([s.damping[1] for s in self.bearings], [0.0] * len(self.bearings))
@@ -88,7 +92,7 @@ class Bending:
         return (*self.rotor.supports, *self.rotor.links)
 
     def stiffness(self, w: ArrayLike, Omega: ArrayLike) -> Array:
-        """D(w, Omega) (m, n, n) of isotropic bearings; w (m,) is negative for backward whirl."""
+        """Dynamic stiffness D(w, Omega) (m, n, n), isotropic bearings; w < 0 is backward whirl."""
         w, Omega = (np.atleast_1d(np.asarray(v, dtype=np.float64)) for v in (w, Omega))
         D = np.repeat(self.springs[None], w.size, axis=0)
         self._add_pieces(D, w, Omega)
@@ -101,7 +105,7 @@ class Bending:
         return D
 
     def coupled(self, w: ArrayLike, Omega: ArrayLike, *, damped: bool = False) -> Array | Complex:
-        """Stiffness of (r+, r-) (m, 2n, 2n), Hermitian without damping; real where possible."""
+        """Dynamic stiffness of (r+, r-), (m, 2n, 2n); Hermitian without damping."""
         w = np.atleast_1d(np.asarray(w, dtype=np.float64))
         n = 2 * self.nodes
         turned = damped or self.deviator.imag.any()
@@ -143,7 +147,7 @@ class Bending:
 
 
 def pairs(spring: Spring) -> tuple[tuple[int, int, float], ...]:
-    """Rows, columns and signs with which a bearing enters a stiffness of the stations."""
+    """Rows, columns and signs of the entries of a bearing in a stiffness matrix of the stations."""
     if isinstance(spring, StationSupport):
         return ((spring.node, spring.node, 1.0),)
     assert isinstance(spring, StationLink)
@@ -152,7 +156,7 @@ def pairs(spring: Spring) -> tuple[tuple[int, int, float], ...]:
 
 
 def stations_of(rotor: TransferMatrixRotor) -> list[tuple[int, int]]:
-    """Near station and shaft of each segment."""
+    """Near station and shaft index of each segment."""
     found, node = [], 0
     for k, shaft in enumerate(rotor.shafts):
         found += [(node + j, k) for j in range(len(shaft.segments))]
@@ -163,7 +167,7 @@ def stations_of(rotor: TransferMatrixRotor) -> list[tuple[int, int]]:
 def numbers(
     rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike
 ) -> tuple[Array, Array, Array]:
-    """The numbers s, b, t (m, segments) of whole segments; see `transfer_segment`."""
+    """Numbers s, b, t (m, segments) of whole segments; see `transfer_segment`."""
     w = np.asarray(w, dtype=np.float64)[..., None]
     spin = np.asarray(Omega, dtype=np.float64)[..., None] * np.array(
         [shaft.ratio for shaft in rotor.shafts for _ in shaft.segments]

@@ -1,7 +1,8 @@
-"""Rotors of several coaxial shafts, the input of the exact transfer-matrix model.
+"""Rotors of several coaxial shafts: input of the exact transfer-matrix model.
 
-Stations are the ends of the segments, numbered from 0 along the first shaft, then on along the
-next. Deflections are r = x + iy and phi = theta_y - i theta_x, which is dr/dz of a slender shaft.
+Stations are the ends of the segments. They are numbered from 0 along the first shaft, then along
+the next shafts. Deflections are r = x + iy and phi = theta_y - i theta_x, which is dr/dz of a
+slender shaft.
 """
 
 import math
@@ -14,10 +15,10 @@ THEORIES = ("timoshenko", "rayleigh", "euler")
 
 @dataclass(frozen=True, kw_only=True)
 class Segment:
-    """A tube of one section: `length`, diameters `d_o`, `d_i` [m], E [Pa], nu, rho [kg/m³].
+    """Tube of constant section: `length`, diameters `d_o`, `d_i` [m], E [Pa], nu, rho [kg/m³].
 
-    `kappa` is the shear coefficient; Hutchinson's for the tube where None.
-    ValueError: a length or modulus that is not positive, d_i not in [0, d_o).
+    `kappa` is the shear coefficient; None selects Hutchinson's value for the tube. Raises
+    ValueError if a length or modulus is not positive or d_i is not in [0, d_o).
     """
 
     length: float
@@ -38,19 +39,20 @@ class Segment:
                 raise ValueError(f"{what} must be positive, got {value:g} {unit}".rstrip())
         if not 0 <= self.d_i < self.d_o:
             raise ValueError(
-                f"a tube needs 0 <= d_i < d_o, got d_i = {self.d_i:g} m, d_o = {self.d_o:g} m"
+                f"diameters of a tube must satisfy 0 <= d_i < d_o, got d_i = {self.d_i:g} m, d_o = "
+                f"{self.d_o:g} m"
             )
         if not -1 < self.nu <= 0.5:
             raise ValueError(f"Poisson's ratio must be above -1 and at most 0.5, got {self.nu:g}")
 
     @property
     def A(self) -> float:
-        """Area of the section [m²]."""
+        """Area of the cross-section [m²]."""
         return math.pi / 4 * (self.d_o**2 - self.d_i**2)
 
     @property
     def I(self) -> float:  # noqa: E743 - the book's symbol
-        """Second moment of the section [m⁴]; the polar one is twice it."""
+        """Second moment of area about a diameter [m⁴]; the polar one is twice this value."""
         return math.pi / 64 * (self.d_o**4 - self.d_i**4)
 
     @property
@@ -60,7 +62,7 @@ class Segment:
 
     @property
     def shear(self) -> float:
-        """The shear coefficient in use."""
+        """Shear coefficient in use: `kappa`, or Hutchinson's value."""
         if self.kappa is not None:
             return self.kappa
         return hutchinson(nu=self.nu, m=self.d_i / self.d_o)
@@ -68,16 +70,16 @@ class Segment:
 
 @dataclass(frozen=True, kw_only=True)
 class SegmentedShaft:
-    """Segments end to end, turning at `ratio` times the rotor's speed (negative: against it)."""
+    """Segments end to end that rotate at `ratio` times the rotor speed (negative: opposite)."""
 
     segments: tuple[Segment, ...]
     ratio: float = 1.0
 
     def __post_init__(self) -> None:
         if not self.segments:
-            raise ValueError("a shaft needs a segment, got none")
+            raise ValueError("a shaft must have at least one segment, got none")
         if not math.isfinite(self.ratio):
-            raise ValueError(f"a shaft's ratio of speed must be finite, got {self.ratio:g}")
+            raise ValueError(f"the speed ratio of a shaft must be finite, got {self.ratio:g}")
 
 
 Shaft = SegmentedShaft  # its name in version 0.1
@@ -85,7 +87,7 @@ Shaft = SegmentedShaft  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class StationDisc:
-    """A rigid disc at a station: `mass` [kg], `polar` and `diametral` moment of inertia [kg m²]."""
+    """Rigid disc at a station: `mass` [kg], `polar` and `diametral` moment of inertia [kg m²]."""
 
     node: int
     mass: float
@@ -105,11 +107,11 @@ Disc = StationDisc  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class Spring:
-    """A bearing's stiffness [N/m; N m/rad] and damping [N s/m; N m s/rad].
+    """Stiffness [N/m; N m/rad] and damping [N s/m; N m s/rad] of a bearing.
 
-    F_x = kxx x + kxy y, F_y = kxy x + kyy y; None: kyy = kxx, cyy = cxx. `k_tilt` resists theta_x
-    and theta_y, `k_turn` theta_z.
-    ValueError: negative or not finite, or kxy^2 > kxx kyy: a stiffness that does not resist.
+    F_x = kxx x + kxy y, F_y = kxy x + kyy y. None stands for kyy = kxx or cyy = cxx. `k_tilt` acts
+    on theta_x and theta_y, `k_turn` on theta_z. Raises ValueError if a value is negative or not
+    finite, or if kxy^2 > kxx kyy, because the stiffness is then not positive.
     """
 
     kxx: float
@@ -138,7 +140,7 @@ class Spring:
 
     @property
     def stiffness(self) -> tuple[float, complex]:
-        """Mean and deviator (k, d): the force is k r + d conj(r) [N/m]."""
+        """Mean and deviator (k, d) of the stiffness [N/m]: the force is k r + d conj(r)."""
         return _parts(self.kxx, self.kyy, self.kxy)
 
     @property
@@ -154,7 +156,7 @@ def _parts(xx: float, yy: float | None, xy: float) -> tuple[float, complex]:
 
 @dataclass(frozen=True, kw_only=True)
 class StationSupport(Spring):
-    """A bearing between a station and the ground."""
+    """Bearing between a station and the ground."""
 
     node: int
 
@@ -164,7 +166,7 @@ Support = StationSupport  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class StationLink(Spring):
-    """A bearing or a clutch between the stations `a` and `b`."""
+    """Bearing or clutch between the stations `a` and `b`."""
 
     a: int
     b: int
@@ -172,7 +174,7 @@ class StationLink(Spring):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.a == self.b:
-            raise ValueError(f"a link joins two stations, got {self.a} twice")
+            raise ValueError(f"a link must connect two different stations, got {self.a} twice")
 
 
 Link = StationLink  # its name in version 0.1
@@ -180,10 +182,11 @@ Link = StationLink  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class TransferMatrixRotor:
-    """Shafts with discs, bearings to the ground and links between shafts, all undamped segments.
+    """Rotor of shafts with discs, bearings to the ground and links between shafts.
 
-    `theory`: "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia of the shafts).
-    ValueError: no shaft, an unknown theory, a station that does not exist.
+    The segments are undamped. `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (no shear,
+    no rotary inertia of the shafts). Raises ValueError if there is no shaft, the theory is unknown
+    or a station does not exist.
     """
 
     shafts: tuple[SegmentedShaft, ...]
@@ -194,16 +197,17 @@ class TransferMatrixRotor:
 
     def __post_init__(self) -> None:
         if not self.shafts:
-            raise ValueError("a rotor needs a shaft, got none")
+            raise ValueError("a rotor must have at least one shaft, got none")
         if self.theory not in THEORIES:
-            raise ValueError(f"theory is one of {', '.join(THEORIES)}, got {self.theory!r}")
+            raise ValueError(f"theory must be one of {', '.join(THEORIES)}, got {self.theory!r}")
         used = [(d.node, "disc") for d in self.discs]
         used += [(s.node, "support") for s in self.supports]
         used += [(n, "link") for link in self.links for n in (link.a, link.b)]
         for node, what in used:
             if not 0 <= node < self.stations:
                 raise ValueError(
-                    f"a {what} is at station {node}, there are 0 to {self.stations - 1}"
+                    f"a {what} must be at an existing station, got {node}, the last is "
+                    f"{self.stations - 1}"
                 )
 
     @property
@@ -213,14 +217,14 @@ class TransferMatrixRotor:
 
     @property
     def shaft_of(self) -> tuple[int, ...]:
-        """The number of the shaft of each station."""
+        """Index of the shaft of each station."""
         return tuple(
             k for k, shaft in enumerate(self.shafts) for _ in range(len(shaft.segments) + 1)
         )
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Places of the stations along each shaft [m]."""
+        """Positions of the stations along each shaft [m]."""
         found: list[float] = []
         for shaft in self.shafts:
             z = 0.0
@@ -232,7 +236,7 @@ class TransferMatrixRotor:
 
     @property
     def isotropic(self) -> bool:
-        """Whether all bearings are equal in x and y."""
+        """True if all bearings have equal properties in x and y."""
         springs = (*self.supports, *self.links)
         return all(s.stiffness[1] == 0 and s.damping[1] == 0 for s in springs)
 

@@ -1,4 +1,4 @@
-"""Whirl frequencies at a speed, and critical speeds, of rotors by exact transfer matrices."""
+"""Whirl frequencies at a speed, and critical speeds of rotors, by exact transfer matrices."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,10 +22,11 @@ SAME_SIZE = 1e-9  # relative to the largest: equal unknowns of a symmetric shape
 
 @dataclass(frozen=True)
 class TransferModes:
-    """Roots `w` (k,) [rad/s], rising, with the `whirl` of each: 1 forward, -1 backward, 0 planar.
+    """Natural frequencies `w` (k,) [rad/s] in ascending order, with whirl senses and mode shapes.
 
-    `unknowns` (k, 2n) are (r+, phi+ L) and then (r-, phi- L) of the nodes of `bending`, with
-    r = r+ e^{iwt} + conj(r-) e^{-iwt}; `speeds` (k,) of the rotor [rad/s].
+    `whirl` is 1 for forward, -1 for backward and 0 for planar modes. `unknowns` (k, 2n) are (r+,
+    phi+ L) and then (r-, phi- L) of the nodes of `bending`, with r = r+ e^{iwt} + conj(r-)
+    e^{-iwt}. `speeds` (k,) are the speeds of the rotor [rad/s].
     """
 
     w: Array
@@ -41,17 +42,20 @@ Modes = TransferModes  # its name in version 0.1
 def whirl_frequencies(
     rotor: TransferMatrixRotor, speeds: ArrayLike, *, count: int = 3, whirl: Whirl = "forward"
 ) -> Array:
-    """The lowest `count` natural frequencies (speeds, count) [rad/s] at `speeds` [rad/s].
+    """Lowest `count` natural frequencies [rad/s] at `speeds` [rad/s], shape (speeds, count).
 
-    Of isotropic bearings, whose modes are circles: forward is in the sense of a positive speed.
-    ValueError: bearings that differ in x and y, an unsupported rotor, count < 1.
+    Only for isotropic bearings, whose modes are circles: forward is the sense of a positive speed.
+    Raises ValueError if bearings differ in x and y, the rotor is unsupported or count < 1.
     """
     Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     return _Search(rotor, lambda _, item: Omega[item], Omega.size, whirl).lowest(count)[0]
 
 
 def natural_frequencies(rotor: TransferMatrixRotor, speeds: ArrayLike, *, count: int = 6) -> Array:
-    """The lowest `count` (speeds, count) [rad/s] of both whirls together, for any bearings."""
+    """Lowest `count` natural frequencies of both whirl senses, (speeds, count) [rad/s].
+
+    Valid for all bearings.
+    """
     if not rotor.isotropic:
         Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
         return _Search(rotor, lambda _, item: Omega[item], Omega.size, None).lowest(count)[0]
@@ -60,7 +64,7 @@ def natural_frequencies(rotor: TransferMatrixRotor, speeds: ArrayLike, *, count:
 
 
 def modes(rotor: TransferMatrixRotor, speed: float, *, count: int = 6) -> TransferModes:
-    """The lowest `count` modes at one speed [rad/s], of both whirls."""
+    """Lowest `count` modes of both whirl senses at one speed [rad/s]."""
     return _modes(rotor, lambda w, _: np.full_like(w, speed), count, None)
 
 
@@ -71,15 +75,15 @@ def transfer_critical_speeds(
     whirl: Whirl | None = None,
     excitation: float = 1.0,
 ) -> TransferModes:
-    """Speeds at which a whirl frequency is `excitation` times the speed, the lowest `count`.
+    """Lowest `count` speeds at which a whirl frequency is `excitation` times the speed.
 
-    Unbalance of a shaft of ratio q excites with |q|, forward if q > 0. `whirl` None includes both
-    senses; a single sense requires isotropic bearings. Fewer than `count` speeds may exist, since
-    with gyroscopic stiffening the number of forward critical speeds is finite.
-    ValueError: no excitation, count < 1, an unsupported rotor.
+    Unbalance of a shaft with speed ratio q excites with |q|, forward if q > 0. With `whirl` = None,
+    both senses are included; a single sense requires isotropic bearings. Fewer than `count` speeds
+    may exist, because gyroscopic stiffening limits the number of forward critical speeds. Raises
+    ValueError if the excitation is zero or not finite, count < 1 or the rotor is unsupported.
     """
     if not (np.isfinite(excitation) and excitation != 0):
-        raise ValueError(f"the excitation must be a number other than 0, got {excitation:g}")
+        raise ValueError(f"the excitation must be finite and not 0, got {excitation:g}")
     return _modes(rotor, lambda w, _: w / abs(excitation), count, whirl)
 
 
@@ -88,7 +92,7 @@ critical_speeds = transfer_critical_speeds  # its name in version 0.1
 
 @dataclass(frozen=True)
 class _Search:
-    """The roots w > 0 of `items` problems, the speed of each being `speed(w, item)`."""
+    """Search for the roots w > 0 of `items` problems with the speeds `speed(w, item)`."""
 
     rotor: TransferMatrixRotor
     speed: Callable[[Array, NDArray[np.int64]], Array]
@@ -96,11 +100,13 @@ class _Search:
     whirl: Whirl | None  # None: both, coupled by bearings that differ in x and y
 
     def lowest(self, count: int) -> tuple[Array, Bending]:
-        """Roots (items, count), NaN if there are no more, and their bending model."""
+        """Lowest roots (items, count), NaN if there are no more, and their bending model."""
         if count < 1:
             raise ValueError(f"count must be at least 1, got {count}")
         if self.whirl and not self.rotor.isotropic:
-            raise ValueError("bearings that differ in x and y have no forward and backward circles")
+            raise ValueError(
+                "forward and backward circles require bearings that are equal in x and y"
+            )
         check_supported(self.rotor)
         item, top = np.arange(self.items), np.full(self.items, _guess(self.rotor))
         while True:
@@ -128,7 +134,7 @@ class _Search:
 
 
 def _guess(rotor: TransferMatrixRotor) -> float:
-    """A frequency [rad/s] of the order of the lowest: all mass on all springs."""
+    """Estimate [rad/s] of the order of the lowest frequency: all masses on all springs."""
     k = sum(s.stiffness[0] for s in rotor.supports)
     m = sum(d.mass for d in rotor.discs)
     m += sum(s.rho * s.A * s.length for shaft in rotor.shafts for s in shaft.segments)
@@ -143,7 +149,7 @@ def _modes(
     count: int,
     whirl: Whirl | None,
 ) -> TransferModes:
-    """Modes of one item; forward and backward circles separately where bearings are isotropic."""
+    """Modes of one problem; on isotropic bearings, forward and backward circles separately."""
     senses: tuple[Whirl | None, ...] = (whirl,)
     if whirl is None and rotor.isotropic:
         senses = SENSES
@@ -168,7 +174,7 @@ def _modes(
 
 
 def _shape(search: _Search, bending: Bending, w: float, k: int) -> NDArray[np.complex128]:
-    """(r+, r-) of the root number k, the largest unknown 1."""
+    """Shape (r+, r-) of the root with index k, scaled to 1 at the largest unknown."""
     item = np.zeros(1, dtype=np.int64)
     _, vectors = np.linalg.eigh(search.stiffness(bending, np.array([w]), item)[0])
     v = vectors[:, k].astype(np.complex128)
@@ -181,7 +187,7 @@ def _shape(search: _Search, bending: Bending, w: float, k: int) -> NDArray[np.co
 
 
 def _sense(v: NDArray[np.complex128]) -> int:
-    """Forward, backward or in a plane, by the sizes of r+ and r- at all nodes."""
+    """Whirl sense (forward, backward or planar) from the magnitudes of r+ and r- at all nodes."""
     plus, minus = (np.linalg.norm(half[::2]) for half in np.split(v, 2))
     if abs(plus - minus) <= PLANAR * (plus + minus):
         return 0

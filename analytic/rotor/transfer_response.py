@@ -18,9 +18,8 @@ Array = NDArray[np.float64]
 class TransferResponse:
     """Deflections (speeds, 4 nodes) at the rotor speeds `speeds` [rad/s].
 
-    The excitation rotates at `w` >= 0 [rad/s].
-
-    `unknowns` are (r+, phi+ L) and then (r-, phi- L), r = r+ e^{iwt} + conj(r-) e^{-iwt}.
+    The excitation rotates at `w` >= 0 [rad/s]. `unknowns` are (r+, phi+ L) and then (r-, phi- L)
+    with r = r+ e^{iwt} + conj(r-) e^{-iwt}.
     """
 
     speeds: Array
@@ -29,17 +28,17 @@ class TransferResponse:
     bending: Bending
 
     def at(self, node: int) -> tuple[Complex, Complex]:
-        """r+ and r- (speeds,) of a station [m]."""
+        """Components r+ and r- [m] of the deflection of a station, each (speeds,)."""
         half = self.unknowns.shape[1] // 2
         return self.unknowns[:, 2 * node], self.unknowns[:, half + 2 * node]
 
     def amplitude(self, node: int) -> Array:
-        """The larger half-axis of a station's orbit (speeds,) [m]."""
+        """Major half-axis [m] of the orbit of a station, (speeds,)."""
         plus, minus = self.at(node)
         return np.asarray(np.abs(plus) + np.abs(minus))
 
     def force(self, spring: Spring) -> tuple[Complex, Complex]:
-        """F+ and F- (speeds,) of a bearing on its shaft, or on `a` of a link, turned round [N]."""
+        """Reversed force F+ and F- [N] of a bearing on its shaft, or on `a` of a link."""
         if isinstance(spring, StationSupport):
             plus, minus = self.at(spring.node)
         else:
@@ -53,7 +52,7 @@ class TransferResponse:
         ) * plus + mean * minus
 
     def load(self, spring: Spring) -> Array:
-        """The largest force of a bearing during a turn (speeds,) [N]."""
+        """Largest force [N] of a bearing during a revolution, (speeds,)."""
         plus, minus = self.force(spring)
         return np.asarray(np.abs(plus) + np.abs(minus))
 
@@ -68,16 +67,16 @@ def transfer_unbalance_response(
     *,
     excitation: float = 1.0,
 ) -> TransferResponse:
-    """Response to unbalances m e [kg m] at stations, complex by their angle.
+    """Response to unbalances m e [kg m] at stations, complex numbers with their angle.
 
-    They turn at `excitation` times the rotor's speed: the ratio of the shaft that carries them.
-    ValueError: an unknown station, no unbalance, a speed that is negative or not finite.
+    They rotate at `excitation` times the rotor speed, the speed ratio of their shaft. Raises
+    ValueError if a station is unknown, there is no unbalance, or a speed is negative or not finite.
     """
     Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     if not (np.isfinite(Omega) & (Omega >= 0)).all():
         raise ValueError("speeds must be finite and not negative")
     if not unbalances:
-        raise ValueError("needs an unbalance at a station, got none")
+        raise ValueError("at least one unbalance at a station must be given, got none")
     check_supported(rotor)
     w = abs(excitation) * Omega
     top = np.array([w.max(), -w.max()])
@@ -86,7 +85,8 @@ def transfer_unbalance_response(
     for node, value in unbalances.items():
         if not 0 <= node < rotor.stations:
             raise ValueError(
-                f"an unbalance is at station {node}, there are 0 to {rotor.stations - 1}"
+                f"an unbalance must be at an existing station, got {node}, the last is "
+                f"{rotor.stations - 1}"
             )
         if excitation > 0:
             force[:, 2 * node] += value * w**2
@@ -99,7 +99,7 @@ unbalance_response = transfer_unbalance_response  # its name in version 0.1
 
 
 def _solved(bending: Bending, w: Array, Omega: Array, force: Complex) -> Complex:
-    """Unknowns (speeds, 4 nodes); circles of each sense separately where bearings are isotropic."""
+    """Unknowns (speeds, 4 nodes); on isotropic bearings, each whirl sense is solved separately."""
     if not bending.rotor.isotropic:
         D = bending.coupled(w, Omega, damped=True)
         return np.asarray(np.linalg.solve(D, force[..., None])[..., 0])

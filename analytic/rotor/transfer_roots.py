@@ -1,9 +1,10 @@
-"""All roots of a Hermitian dynamic stiffness, none missed.
+"""All roots of a Hermitian dynamic stiffness, without omission.
 
-At a root x* D'(w) x = -(w x*M x + x*K x/w) < 0, whatever the gyroscopic terms: each eigenvalue of
-D crosses zero once, downwards. The k-th lowest eigenvalue is therefore positive below the k-th
-root and negative above it, and the number of negative ones counts the roots (Wittrick and
-Williams, 1971; the pieces of `Bending` have no clamped roots that would have to be added).
+At a root, x* D'(w) x = -(w x*M x + x*K x/w) < 0 for all gyroscopic terms. Therefore, each
+eigenvalue of D crosses zero once, downwards: the k-th lowest eigenvalue is positive below the k-th
+root and negative above it, and the number of negative eigenvalues is the number of lower roots
+(Wittrick and Williams, 1971). Clamped roots do not have to be added, as the pieces of `Bending`
+have none.
 """
 
 from collections.abc import Callable
@@ -19,16 +20,16 @@ TOLERANCE = 1e-13
 
 
 def count_below(D: Matrices) -> NDArray[np.int64]:
-    """Number of roots below the frequencies at which the stiffnesses (m, n, n) were taken."""
+    """Number of roots below the frequencies of the given stiffness matrices D (m, n, n)."""
     found: NDArray[np.int64] = (np.linalg.eigvalsh(D) < 0).sum(axis=-1)
     return found
 
 
 def roots_below(stiffness: Stiffness, highest: Array, wanted: NDArray[np.int64]) -> Array:
-    """The roots of given numbers (count,) from 0, of each of the items, (items, count) [rad/s].
+    """Roots [rad/s] with the indices `wanted` (count,) from 0, for all items, (items, count).
 
-    `stiffness(w, item)` takes arrays (q,) and gives D (q, n, n), without poles up to `highest`
-    (items,). What has no such root below `highest` is NaN.
+    `stiffness(w, item)` takes arrays (q,) and returns D (q, n, n); it must not have poles up to
+    `highest` (items,). A root above `highest` is returned as NaN.
     """
     item = np.repeat(np.arange(highest.size), wanted.size).astype(np.int64)
     k = np.tile(wanted, highest.size)

@@ -1,13 +1,14 @@
-r"""Transfer matrix and dynamic stiffness of a turning Timoshenko shaft, exact.
+r"""Exact transfer matrix and dynamic stiffness of a rotating Timoshenko shaft.
 
-At r, phi ~ e^{i omega t} on a shaft that turns at Omega, with phi = theta_y - i theta_x,
+For r, phi ~ e^{i omega t} on a shaft that rotates at Omega, with phi = theta_y - i theta_x,
 
 .. math::
     r' = \varphi + \frac{Q}{\kappa G A},\quad \varphi' = \frac{M}{EI},\quad
     Q' = -\rho A\omega^2 r,\quad
     M' = -Q - \rho I(\omega^2 - 2\Omega\omega)\varphi,
 
-the polar moment of a circular section being twice I. A piece of length l has the numbers
+where the polar moment of a circular section is 2 I. A piece of length l has the dimensionless
+numbers
 
 .. math::
     s = \frac{EI}{\kappa G A l^2},\quad b = \frac{\rho A\omega^2 l^4}{EI},\quad
@@ -24,10 +25,11 @@ TERMS = 20  # of the entire functions: on pieces as short as `pieces` makes them
 
 
 def transfer(*, s: ArrayLike, b: ArrayLike, t: ArrayLike, at: ArrayLike = 1.0) -> Array:
-    """Transfer (..., 4, 4) of the state (r/l, phi, Q l²/EI, M l/EI) to `at` times the length.
+    """Transfer matrix (..., 4, 4) of (r/l, phi, Q l²/EI, M l/EI) to `at` times the length.
 
-    With p = (r, M) and o = (phi, Q) the state obeys p' = B o, o' = C p, so that p'' = BC p and
-    o'' = CB o: cosh and sinh of a root of BC, by Cayley and Hamilton both of the form x + y BC.
+    With p = (r, M) and o = (phi, Q), the state satisfies p' = B o, o' = C p, so that p'' = BC p and
+    o'' = CB o. By the Cayley-Hamilton theorem, cosh and sinh of a root of BC both have the form x +
+    y BC.
 
     >>> float(transfer(s=0.0, b=0.0, t=0.0)[0, 3])  # r = M l²/2EI, a cantilever under a moment
     0.5
@@ -61,9 +63,9 @@ def _entire(*, trace: Array, det: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def dynamic_stiffness(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> Array:
-    """Symmetric stiffness (..., 4, 4): forces on the ends over their (r/l, phi).
+    """Symmetric dynamic stiffness (..., 4, 4): end forces per end displacements (r/l, phi).
 
-    Forces are in EI/l², moments in EI/l; the near end's come first.
+    Forces are in EI/l², moments in EI/l; those of the near end come first.
 
     >>> D = dynamic_stiffness(s=0.0, b=0.0, t=0.0)
     >>> [round(float(d), 9) for d in D[0]]  # the beam's 12, 6, -12, 6
@@ -83,7 +85,7 @@ def dynamic_stiffness(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> Array:
 
 
 def pieces(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> NDArray[np.int64]:
-    r"""Number of equal pieces; a clamped piece has no natural frequency below omega.
+    r"""Number of equal pieces for which a clamped piece has no natural frequency below omega.
 
     By Poincaré's inequality, with \|r'\|² <= 2\|r' - phi\|² + 2\|phi\|², the energy of a clamped
     piece stays positive where 2 s b <= pi² and 2 b/pi² + t <= pi²; n pieces have s n², b/n⁴, t/n².

@@ -1,4 +1,4 @@
-"""Deflection between the stations: the exact state carried into every piece of a rotor."""
+"""Deflection between the stations of a rotor, from exact transfer inside every piece."""
 
 from dataclasses import dataclass
 
@@ -15,9 +15,9 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Line:
-    """Deflection of one shaft: r = `plus` e^{iwt} + conj(`minus`) e^{-iwt} at the places `z` (m,).
+    """Deflection of one shaft at `z` (m,): r = `plus` e^{iwt} + conj(`minus`) e^{-iwt}.
 
-    Positions are along the shaft [m]; `tilt_plus` and `tilt_minus` are components of phi.
+    z [m] is measured along the shaft; `tilt_plus` and `tilt_minus` are the components of phi.
     """
 
     z: Array
@@ -28,12 +28,12 @@ class Line:
 
     @property
     def largest(self) -> Array:
-        """The larger half-axis of the orbit at each place."""
+        """Major half-axis of the orbit at each position."""
         return np.asarray(np.abs(self.plus) + np.abs(self.minus))
 
 
 def mode_lines(found: TransferModes, k: int, *, points: int = 9) -> tuple[Line, ...]:
-    """The mode number `k` along each shaft, `points` places to a piece, largest orbit 1."""
+    """Lines of mode `k` along each shaft, `points` per piece, scaled to a largest orbit of 1."""
     lines = lines_of(
         found.bending, float(found.w[k]), float(found.speeds[k]), found.unknowns[k], points=points
     )
@@ -47,7 +47,7 @@ def mode_lines(found: TransferModes, k: int, *, points: int = 9) -> tuple[Line, 
 def lines_of(
     bending: Bending, w: float, Omega: float, unknowns: Complex, *, points: int = 9
 ) -> tuple[Line, ...]:
-    """Deflection (r+, r-) of all nodes as lines along the shafts, for undamped pieces."""
+    """Lines along the shafts from the deflections (r+, r-) of all nodes, for undamped pieces."""
     plus, minus = (
         _carried(bending, sign * w, Omega, half, points)
         for sign, half in zip((1, -1), np.split(unknowns, 2), strict=True)
@@ -69,7 +69,7 @@ def lines_of(
 
 
 def _carried(bending: Bending, w: float, Omega: float, q: Complex, points: int) -> Complex:
-    """Deflection r and tilt phi (pieces, points, 2) in the pieces, from both ends of each."""
+    """Deflection r and tilt phi (pieces, points, 2) inside the pieces, from both ends of each."""
     n = np.array(bending.parts, dtype=np.float64)
     s, b, t = (
         np.repeat(v, bending.parts)

@@ -1,4 +1,4 @@
-"""Check that bearings and links support every shaft of a rotor: no free rigid motion."""
+"""Check that bearings and links support every shaft of a rotor, so that no free motion exists."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,13 +10,14 @@ FREE = 1e-12  # relative to the largest stiffness
 
 
 def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> None:
-    """ValueError that names the shaft and the free motion: along x or y, or tilting.
+    """Raise ValueError if a shaft can move freely along x or y, or tilt.
 
-    `names` are the names of the shafts in messages, by default numbers from 1.
+    The message names the shaft and the free motion. `names` are the names of the shafts, by default
+    numbers from 1.
     """
     values, vectors = np.linalg.eigh(rigid_stiffness(rotor))
     if values[-1] <= 0:
-        raise ValueError("an unsupported rotor: no bearing holds it in x or y")
+        raise ValueError("the rotor must be supported: no bearing supports it in x or y")
     if values[0] > FREE * values[-1]:
         return
     free = vectors[:, values <= FREE * values[-1]]
@@ -27,13 +28,13 @@ def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> 
     along = "x and y" if min(x, y) > 0.5 * max(x, y) else "x" if x > y else "y"
     moved = "shifts and tilts" if min(shift, tilt) > 0.99 else "shifts" if shift > tilt else "tilts"
     name = names[shaft] if names else str(shaft + 1)
-    raise ValueError(f"an unsupported rotor: shaft {name} {moved} freely in {along}")
+    raise ValueError(f"the rotor must be supported: shaft {name} {moved} freely in {along}")
 
 
 def rigid_stiffness(rotor: TransferMatrixRotor) -> NDArray[np.float64]:
-    """Stiffness of the shafts' rigid motions: shift and tilt about the middle, each in x and y.
+    """Stiffness of rigid shaft motions: translation and tilt about the middle, in x and y.
 
-    Tilts are measured by their displacement at half a length.
+    A tilt is measured by its displacement at half the length of the shaft.
     """
     lengths = [sum(s.length for s in shaft.segments) for shaft in rotor.shafts]
     motions = np.zeros((rotor.stations, 4, 4 * len(rotor.shafts)))  # x, y, theta_y, -theta_x

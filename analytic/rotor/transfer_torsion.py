@@ -1,6 +1,6 @@
 r"""Torsional frequencies of coupled shafts by exact transfer matrices.
 
-With :math:`\beta = \omega l\sqrt{\rho/G}` a piece has the stiffness
+With :math:`\beta = \omega l\sqrt{\rho/G}`, a piece has the dynamic stiffness
 :math:`(GJ/l)\,[\beta\cot\beta, -\beta/\sin\beta; -\beta/\sin\beta, \beta\cot\beta]`.
 """
 
@@ -19,9 +19,9 @@ FREE = 1e-12
 
 
 def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Array:
-    """The lowest `count` natural frequencies (count,) of torsion above zero [rad/s].
+    """Lowest `count` non-zero natural frequencies of torsion [rad/s], (count,).
 
-    The free rotation of unsupported shafts is no frequency here. ValueError: count < 1.
+    The free rotation of unsupported shafts does not count. Raises ValueError if count < 1.
     """
     if count < 1:
         raise ValueError(f"count must be at least 1, got {count}")
@@ -42,7 +42,7 @@ def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Arra
 
 
 def free_turns(rotor: TransferMatrixRotor) -> int:
-    """Number of rigid-body rotations of the shafts without torsion."""
+    """Number of rigid-body rotations of the shafts without any torsional restraint."""
     count = len(rotor.shafts)
     K = np.zeros((count, count))
     for spring in (*rotor.supports, *rotor.links):
@@ -53,7 +53,7 @@ def free_turns(rotor: TransferMatrixRotor) -> int:
 
 
 def _parts(rotor: TransferMatrixRotor, w: float) -> list[int]:
-    """Pieces of each segment, at most a quarter wave long: no clamped root below w."""
+    """Number of pieces of each segment, at most a quarter wave long: no clamped root below w."""
     return [
         max(1, int(np.ceil(w * s.length * np.sqrt(s.rho / s.G) / (np.pi / 2))))
         for shaft in rotor.shafts for s in shaft.segments
@@ -61,7 +61,7 @@ def _parts(rotor: TransferMatrixRotor, w: float) -> list[int]:
 
 
 def _stiffness(rotor: TransferMatrixRotor, parts: list[int], w: Array) -> Array:
-    """D (m, n, n) [N m/rad], stations first, then the cuts."""
+    """Dynamic stiffness D (m, n, n) [N m/rad] of torsion; stations first, then cuts."""
     nodes = rotor.stations + sum(parts) - len(parts)
     D = np.zeros((w.size, nodes, nodes))
     cut = rotor.stations

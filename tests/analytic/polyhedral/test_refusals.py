@@ -71,7 +71,7 @@ REFUSED = [
     (lambda: wedging.cage_force(N=1.0, alpha=0.0, mu=0.1), r"\(0, 180\) deg, got 0.0 deg"),
     (lambda: wedging.cage_force(N=1.0, alpha=0.1, mu=1.2), r"in \(0, 1\), got mu=1.2"),
     (lambda: rim_displacement(0.0, sector=HEXAGON, p=1.0, **STEEL | {"assumption": "thin"}),
-     "assumption is one of"),
+     "assumption must be one of"),
     (lambda: roller_load(sector=HEXAGON, a=21.0), "the patches overlap: a must be below"),
     (lambda: roller_load(sector=HEXAGON, a=0.1).rim_displacement(1.0, **UNIT), "from 0 to pi/z"),
     (lambda: roller_load(sector=HEXAGON, a=0.1)(np.array([40.0 + 0j])), r"zeta. <= 0\.999 d_e/2"),

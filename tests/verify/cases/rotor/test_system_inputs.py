@@ -39,8 +39,8 @@ from verify.core.inputs import InputError
          "inputs.discs[1].polar = 0.0102 kg m^2: no body has more than twice its diametral "
          "moment, 0.01 kg m^2"),
         (changed(supports=RAW["supports"][1:], links=[]),
-         "inputs: an unsupported rotor: shaft outer shifts and tilts freely in x and y"),
-        (changed(supports=[], links=[]), "inputs: an unsupported rotor: no bearing holds it"),
+         "inputs: the rotor must be supported: shaft outer shifts and tilts freely in x and y"),
+        (changed(supports=[], links=[]), "inputs: the rotor must be supported: no bearing"),
         (changed(speed_from="9000 r/min"), "inputs: the operating speeds need speed_from < speed"),
         (changed(probe=15), "inputs: probe = 15: there are nodes 1 to 14"),
         (changed("shafts", 1, ratio=0.5),
