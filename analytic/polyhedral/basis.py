@@ -1,15 +1,16 @@
-r"""Functions of z-fold symmetry whose singularities lie in the bore or in its image beyond the rim.
+r"""Functions of z-fold symmetry with singularities in the hole or in its image beyond the rim.
 
 A potential of the ring is :math:`\phi = \zeta F(\omega)` with :math:`\omega = (\zeta/r_e)^z` and F
-real on the real axis: one turn of omega is one sector. F is expanded in
+real on the real axis: one revolution of omega is one sector. F is expanded in
 
-- powers :math:`(\omega\,\omega_a)^k` and :math:`(\omega_a/\omega)^k`, omega_a the apothem's omega,
+- powers :math:`(\omega\,\omega_a)^k` and :math:`(\omega_a/\omega)^k`, where omega_a is omega at the
+  apothem,
 - simple poles at omega_j and at their images 1/omega_j in the rim.
 
-The walls' analytic continuation into the hole jumps where the flat's part meets the fillet's: along
-the radii of the fillet that end at its tangent points, and from its centre along the corner's ray.
-There the poles stand: towards the tangent points, where the curvature jumps and the solution has a
-weak singularity, exponentially clustered [1]_.
+The analytic continuation of the walls into the hole jumps where the continuations of flat and
+fillet meet: along the radii of the fillet to its tangent points, and from its centre along the ray
+through the corner. The poles are placed along these lines. Towards the tangent points, where the
+curvature jumps and the solution has a weak singularity, their spacing decreases exponentially [1]_.
 
 References
 ----------
@@ -31,7 +32,10 @@ CLOSEST = 1e-4  # relative to the arc: distance of the last pole from its tangen
 
 @dataclass(frozen=True)
 class Basis:
-    """Powers up to `powers`, real poles (on the corners' rays) and one of each conjugate pair."""
+    """Basis functions: powers up to `powers`, real poles on the corner rays, pairs of poles.
+
+    `pairs` contains one pole of each conjugate pair.
+    """
 
     z: int
     omega_a: float
@@ -40,7 +44,7 @@ class Basis:
     pairs: Complex
 
     def values(self, omega: Complex) -> tuple[Complex, Complex]:
-        """F and z omega F' of every function at the points; shaped (points, functions)."""
+        """Values F and z omega F' of every function at the points, each (points, functions)."""
         parts = [self._powers(omega)]
         parts += [_pole(omega, p) for p in (self.rays, 1 / self.rays)]
         for p in (self.pairs, 1 / self.pairs):
@@ -55,14 +59,14 @@ class Basis:
 
 
 def basis_of(sector: Sector, *, density: float) -> Basis:
-    """Basis with `density` poles for each factor e of the distance from the corner.
+    """Basis with `density` poles per factor e of the distance from the corner.
 
-    Raises ArithmeticError if omega of the apothem is too small a number.
+    Raises ArithmeticError if omega at the apothem is too small for floating-point numbers.
     """
     if sector.z * np.log(sector.r_e / sector.apothem) > DEEPEST:
         raise ArithmeticError(
-            f"the series cannot be evaluated for this number of corners and wall: z={sector.z}, "
-            f"d_e={sector.d_e:g} m, d_i={sector.d_i:g} m; take a round bore"
+            "the series cannot be evaluated for this number of corners and wall thickness: "
+            f"z={sector.z}, d_e={sector.d_e:g} m, d_i={sector.d_i:g} m; use a round bore"
         )
     corner = np.exp(1j * sector.half_angle)
     arc = sector.rho * sector.half_angle
@@ -84,6 +88,6 @@ def basis_of(sector: Sector, *, density: float) -> Basis:
 
 
 def _pole(omega: Complex, p: Array | Complex) -> tuple[Complex, Complex]:
-    """p/(omega - p) and omega times its derivative."""
+    """Function p/(omega - p), and omega times its derivative."""
     share = 1 / (omega[:, None] - p)
     return p * share, -p * omega[:, None] * share**2

@@ -1,9 +1,10 @@
 r"""Polyhedral ring under a uniform pressure p on its bore.
 
-The boundary function on the bore is :math:`f = -p\,\zeta`; the rest is `free_rim`.
+The boundary function on the bore is :math:`f = -p\,\zeta`; `free_rim` computes the solution.
 
-Range: linear elasticity, small strain. z from 3 to 48, walls (d_e - d_i)/2 from 0.01 to 0.25 d_e,
-fillets from d_e/320: displacements to 1e-7, the stress in the fillet to 1e-5.
+Range: linear elasticity, small strain. For z from 3 to 48, walls (d_e - d_i)/2 from 0.01 to 0.25
+d_e and fillets from d_e/320, the relative error is 1e-7 for displacements and 1e-5 for the stress
+in the fillet.
 """
 
 from dataclasses import dataclass
@@ -19,7 +20,10 @@ from analytic.polyhedral.sector import Complex, Sector
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessFactors:
-    """K by three definitions of "the outside has grown by j_D/2"; negative if it shrinks."""
+    """Stiffness factors K for three definitions of the expansion j_D/2 of the rim.
+
+    A factor is negative if the rim contracts.
+    """
 
     mid: float  # above the flat, where the roller sits
     mean: float  # on average over the outside
@@ -29,14 +33,14 @@ class StiffnessFactors:
 
 @lru_cache(maxsize=64)
 def pressed(sector: Sector) -> FreeRim:
-    """Potential under the unit pressure."""
+    """Potential of the ring under unit pressure on its bore."""
     return free_rim(sector, lambda zeta, _: np.full(zeta.shape, -1.0 + 0j))
 
 
 def rim_displacement(
     theta: ArrayLike, *, sector: Sector, p: float, E: float, nu: float, assumption: Assumption
 ) -> Complex:
-    """u_r + i u_theta [length] of the outside at the angles theta [rad] from the flat's middle.
+    """Displacements u_r + i u_theta [length] of the rim at the angles theta [rad] from mid-flat.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> u = rim_displacement([0, np.pi / 6], sector=ring, p=10.0, E=210e3, nu=0.3,
@@ -50,7 +54,7 @@ def rim_displacement(
 
 
 def mean_rim_displacement(ring: FreeRim) -> float:
-    """Mean of u_r over the rim, times E' [load times length]: the constant term of F."""
+    """Mean of u_r over the rim, times E' [load times length]: constant term of F."""
     wall = ring.sector.z * np.log(2 * ring.sector.r_e / ring.sector.d_i)
     count = int(20 / wall) + 8  # the midpoint rule's error falls as the wall's ratio to the 2 count
     theta = (np.arange(count) + 0.5) / count * ring.sector.half_angle
@@ -58,12 +62,12 @@ def mean_rim_displacement(ring: FreeRim) -> float:
 
 
 def stiffness_factors(*, sector: Sector, nu: float, assumption: Assumption) -> StiffnessFactors:
-    r"""Factors K = p/p_1, with p the pressure under which the outside has grown by j_D/2.
+    r"""Stiffness factors K = p/p_1, where p is the pressure at which the rim expands by j_D/2.
 
     .. math:: p_1 = \frac{2\,\delta_1 E\, j_D}{d_i d_m}, \qquad d_m = \frac{d_e + d_i}{2},
               \qquad \delta_1 = \frac{d_e - d_i}{2}
 
-    E and j_D cancel; nu matters in plane strain alone.
+    E and j_D cancel; nu has an effect only in plane strain.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> K = stiffness_factors(sector=ring, nu=0.3, assumption="plane stress")

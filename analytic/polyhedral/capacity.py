@@ -1,19 +1,20 @@
-r"""Torque of the polyhedral ring clutch with the load transferred by its elastic ring.
+r"""Torque of the polyhedral ring clutch, with the load transfer by the elastic ring.
 
-At the friction limit (grip = mu, or tan(alpha/2) of free rollers) the rollers' force N and the
-torque M_t belong together, and so does the hub's force R, as in the paper,
+At the friction limit (grip = mu, or tan(alpha/2) of free rollers), the torque M_t and the hub force
+R are proportional to the roller force N, as in the paper,
 
 .. math:: M_t = \text{grip}\, N z \frac{D_i}{2}, \qquad
           R = \frac{M_t}{z\,(r + r_1)\sin(\psi + \varphi_1)} = \kappa N.
 
-R leans from the flat's normal by phi_1 towards the flat's middle, so that it makes psi + phi_1 with
-the radius through its contact. But Eq. 16 hands all of pressure and hub force to the rollers; here
-the ring decides (`locking`),
+R is inclined from the normal of the flat by phi_1 towards mid-flat, so that its angle with the
+radius through its contact is psi + phi_1. In Eq. 16, the rollers carry the whole pressure and hub
+force. Here, their share follows from the deflection of the ring (`locking`),
 
 .. math:: p(N) = \frac{1}{u_p}\left[\frac{j_D}{2} + u_N(a) N + \delta(N) - \kappa u_{h1} N\right]
 
-with u_h1 the lift by the unit hub force. If the lift grows as fast as the ring deflects, no more
-pressure is needed: the torque has no limit by pressure.
+where u_h1 is the displacement by a unit hub force. If this displacement increases with N as fast as
+the closure of ring and roller, no additional pressure is needed: pressure does not limit the
+torque.
 
 All forces per unit length. Range: see `locking`.
 """
@@ -34,10 +35,11 @@ STEP = 1e-3  # relative change of N in difference quotients
 
 @dataclass(frozen=True)
 class Driven:
-    """Ring that is locked while the hub rotates it: R is proportional to N.
+    """Ring that is locked while the hub rotates it: the hub force R is proportional to N.
 
-    The hub touches each flat at e [length] from its middle with the friction tan_phi; grip is the
-    ratio of tangential to normal force of a roller on the race D_i.
+    The hub touches each flat at the distance e [length] from its middle, with the friction
+    coefficient tan_phi. `grip` is the ratio of tangential to normal force of a roller on the race
+    D_i.
 
     >>> from analytic.polyhedral.locking import Roller
     >>> from analytic.polyhedral.sector import Sector
@@ -61,14 +63,14 @@ class Driven:
 
     @property
     def kappa(self) -> float:
-        """Hub force over roller force, R/N."""
+        """Ratio R/N of hub force to roller force."""
         apothem = self.contact.sector.apothem
         turn = atan2(self.e, apothem) + atan2(self.tan_phi, 1)
         return self.grip * self.D_i / (2 * hypot(self.e, apothem) * sin(turn))
 
     @property
     def lift(self) -> float:
-        """Lift of mid-flat by the hub's force for N = 1 [length]."""
+        """Displacement of mid-flat by the hub force for N = 1 [length]."""
         normal = self.kappa * cos(atan2(self.tan_phi, 1))
         hub = hub_force(
             sector=self.contact.sector, e=self.e, normal=normal, along=-normal * self.tan_phi
@@ -78,18 +80,18 @@ class Driven:
     def pressure(self, N: float) -> float:
         """Pressure [stress] at which each roller carries N; it decreases if the hub wedges them.
 
-        In the latter case, the state is not reached at this pressure; see `required_pressure`.
+        If it decreases, this state cannot be reached at this pressure; see `required_pressure`.
         """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
 
     def required_pressure(self, N: float) -> float:
-        """Least pressure [stress] at which the rollers carry N or more."""
+        """Smallest pressure [stress] at which the rollers carry N or more."""
         if self.rises(N):
             return self.pressure(N)
         return self._peak(0.0, N, self.lift)[1]
 
     def rises(self, N: float) -> bool:
-        """Whether more pressure is needed for more than N."""
+        """True if the pressure increases with N."""
         return self._stiffness(N) > self.lift
 
     def force_sensitivity(self, N: float) -> float:
@@ -101,7 +103,7 @@ class Driven:
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:
-        """Force N of a roller under the pressure p; 0 without contact, infinite beyond limits."""
+        """Force N of a roller under the pressure p; 0 without contact, inf beyond the limits."""
         contact, lift = self.contact, self.lift
         p = float(positive(p, "the pressure p", "Pa"))
         if p * contact.growth <= contact.roller.j_D / 2:
@@ -123,12 +125,12 @@ class Driven:
         return inf
 
     def _stiffness(self, N: float) -> float:
-        """Stiffness of the closure of ring and roller under N [length per force and length]."""
+        """Derivative of the closure of ring and roller by N [length per force and length]."""
         up, down = (self.contact.closure(N * (1 + step)) for step in (STEP, -STEP))
         return (up - down) / (2 * STEP * N)
 
     def _peak(self, low: float, high: float, lift: float) -> tuple[float, float]:
-        """N between `low` and `high` with the largest pressure, and this pressure."""
+        """Force N between `low` and `high` with the largest pressure, and this pressure."""
         found = minimize_scalar(
             lambda N: -self._pressure(N, lift), bounds=(max(low, 1e-9 * high), high),
             method="bounded", options={"xatol": 1e-9 * high},

@@ -1,8 +1,8 @@
 r"""Hoop force and bending moment in the cuts of the polyhedral ring.
 
-Of loads that leave the rim free. With f the force function of `free_rim`, zero on such a rim, the
-tension in the part of a cut at theta beyond the radius r is :math:`-\operatorname{Re} f
-e^{-i\theta}`; by parts, from the bore r_1,
+The rim must be free of loads. Then, the force function f of `free_rim` is zero on the rim, and the
+tension in the part of a cut at theta outside the radius r is
+:math:`-\operatorname{Re} f e^{-i\theta}`. Integration by parts from the bore radius r_1 gives
 
 .. math:: N = -\operatorname{Re} f(r_1)\,e^{-i\theta}, \qquad
           \int\sigma_\theta\,r\,dr = r_1 N - \int_{r_1}^{r_e}\operatorname{Re} f\,e^{-i\theta}\,dr.
@@ -20,18 +20,18 @@ POINTS = 60
 
 
 class CutLoads(NamedTuple):
-    """Per unit length of the ring."""
+    """Loads of a cut per unit length of the ring."""
 
     force: float  # tension [force per length]
     moment: float  # of the tension about the ring's centre [force]
 
     def bending(self, radius: float) -> float:
-        """Moment [force] about the cut's point at the radius; positive opens the bore's side."""
+        """Bending moment [force] about the point at `radius`; positive if it opens the bore."""
         return radius * self.force - self.moment
 
 
 def cut_loads(*, sector: Sector, field: FreeRim | HubForce) -> tuple[CutLoads, CutLoads]:
-    """Loads of the cut through the flat's middle and of that through the corner.
+    """Loads of the cuts through mid-flat and through the corner.
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)

@@ -1,11 +1,12 @@
-r"""A polyhedral ring clutch from its parts to its torque, with every value between.
+r"""Polyhedral ring clutch: torque and all intermediate values, from its parts.
 
-`PolyhedralClutch` runs through Eqs. 2 to 21 in the paper's order. Two readings are open: the lever
-of the hub's contact ("exact", or the paper's "d_i/2") and the direction that the hub's force is
-projected on (the flat's "normal", or the "radius" of the paper's first design). K is 1 as in the
-paper, or the result of a model of the ring. With a wedge angle alpha the rollers use tan(alpha/2)
-of their friction; without one they are at its limit, mu N, as in Eqs. 4 and 17 to 21: without a
-cage that is alpha = 2 arctan mu, the largest angle that holds.
+`PolyhedralClutch` evaluates Eqs. 2 to 21 in the order of the paper. Two definitions in the paper
+are ambiguous: the lever arm of the hub contact ("exact", or "d_i/2" as in the paper) and the
+direction on which the hub force is projected (the "normal" of the flat, or the "radius" as in the
+first design of the paper). K is 1 as in the paper, or the result of a model of the ring. If a wedge
+angle alpha is given, the ratio of tangential to normal force of a roller is tan(alpha/2). If none
+is given, the rollers are at the friction limit mu N, as in Eqs. 4 and 17 to 21. For rollers without
+a cage, this corresponds to alpha = 2 arctan mu, the largest angle that holds.
 """
 
 from dataclasses import dataclass
@@ -23,11 +24,12 @@ Gamma = Literal["normal", "radius"]
 
 @dataclass(frozen=True)
 class PolyhedralClutch:
-    """Clutch of `parts` under the total pressure p_t; SI, angles in rad, forces per roller.
+    """Polyhedral ring clutch under the total pressure p_t [Pa]; SI units, forces per roller.
 
-    E and nu are of ring, rollers and race; mu on the rollers, phi_1 the angle of friction of the
-    hub; M_wanted [N m] is a target torque. ValueError for impossible values; a roller that is
-    not touched or is expelled, and a hub that locks by itself, are `remarks`.
+    E and nu apply to ring, rollers and race. mu is the friction coefficient of the rollers, phi_1
+    the friction angle of the hub, M_wanted [N m] a target torque. Raises ValueError for invalid
+    values. `remarks` states if the ring does not touch the rollers, the rollers are expelled or the
+    hub locks by itself.
 
     >>> parts = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
     >>> steel = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": 0.05}
@@ -53,19 +55,21 @@ class PolyhedralClutch:
             positive(self.M_wanted, "target torque", "N m")
         for name, known in (("lever", Lever), ("gamma", Gamma)):
             if (given := getattr(self, name)) not in get_args(known):
-                raise ValueError(f"{name} is one of {', '.join(get_args(known))}, got {given!r}")
+                raise ValueError(
+                    f"{name} must be one of {', '.join(get_args(known))}, got {given!r}"
+                )
         self.parts.hub_must_release(self.phi_1)
         _ = self.N, self.wedges, self.p_0_race  # raises the errors of the formulas
 
     @property
     def sigma_t(self) -> float:
-        """Hoop stress [Pa] of a round ring that has taken up the clearance (Eq. 9)."""
+        """Hoop stress [Pa] of a round ring whose expansion closes the clearance (Eq. 9)."""
         parts = self.parts
         return float(expansion.hoop_stress(j_D=parts.j_D, d_m=parts.d_m, E=self.E))
 
     @property
     def p_1(self) -> float:
-        """Pressure [Pa] for sigma_t (Eq. 10)."""
+        """Pressure [Pa] that causes sigma_t (Eq. 10)."""
         return float(expansion.pressure(sigma=self.sigma_t, **self._ring))
 
     @property
@@ -80,36 +84,36 @@ class PolyhedralClutch:
 
     @property
     def p_2(self) -> float:
-        """Blocking pressure [Pa] that acts on the rollers (Eq. 19)."""
+        """Blocking pressure [Pa], which acts on the rollers (Eq. 19)."""
         return float(torque.blocking_pressure(p_t=self.p_t, p_1r=self.p_1r))
 
     @property
     def F(self) -> float:
-        """Force [N] of the blocking pressure on a side (Eq. 13)."""
+        """Force [N] of the blocking pressure on one side of the polygon (Eq. 13)."""
         parts = self.parts
         return float(forces.pressure_force(p_2=self.p_2, b=parts.b, d_i=parts.d_i, z=parts.z))
 
     @property
     def wedges(self) -> bool:
-        """Whether the rollers stay: caged, or free with tan(alpha/2) < mu (Eq. 2)."""
+        """True if the rollers hold: with a cage, or free with tan(alpha/2) < mu (Eq. 2)."""
         return self.alpha is None or bool(wedging.holds(alpha=self.alpha, mu=self.mu))
 
     @property
     def grip(self) -> float:
-        """Tangential over normal force: mu, or tan(alpha/2) of a free roller that stays."""
+        """Ratio of tangential to normal force: mu, or tan(alpha/2) of a free roller that holds."""
         free = self.alpha is not None and self.wedges
         return tan(self.alpha / 2) if self.alpha is not None and free else self.mu
 
     @property
     def arm(self) -> float:
-        """Lever r + r_1 [m] of the hub's contact in the reading taken."""
+        """Lever arm r + r_1 [m] of the hub contact, by the selected definition."""
         parts = self.parts
         exact = float(forces.contact_radius(apothem=parts.apothem, psi=parts.psi))
         return exact if self.lever == "exact" else parts.d_i / 2
 
     @property
     def direction(self) -> float:
-        """Angle gamma [rad] from the flat's normal, in the reading taken."""
+        """Angle gamma [rad] from the normal of the flat, by the selected definition."""
         return 0.0 if self.gamma == "normal" else self.parts.psi
 
     @property
@@ -121,7 +125,7 @@ class PolyhedralClutch:
 
     @property
     def M_t(self) -> float:
-        """Largest torque [N m] (Eq. 20); 0 without wedged rollers, perhaps infinite."""
+        """Largest torque [N m] (Eq. 20); 0 if the rollers do not hold; may be infinite."""
         if not self.wedges:
             return 0.0
         return float(torque.torque(p_t=self.p_t, **self._chain))
@@ -148,23 +152,23 @@ class PolyhedralClutch:
 
     @property
     def N(self) -> float:
-        """Normal force [N] on a roller (Eq. 16); F alone if M_t is 0."""
+        """Normal force [N] on a roller (Eq. 16); only F if M_t is 0."""
         gamma = self.direction
         return float(forces.normal_force(F=self.F, R=self.R, phi_1=self.phi_1, gamma=gamma))
 
     @property
     def p_0_ring(self) -> float:
-        """Hertz's largest pressure [Pa] under N between roller and ring."""
+        """Hertz's peak pressure [Pa] under N between roller and ring."""
         return self._hertz(R_2=self.parts.d_e / 2)
 
     @property
     def p_0_race(self) -> float:
-        """Hertz's largest pressure [Pa] under N between roller and race."""
+        """Hertz's peak pressure [Pa] under N between roller and race."""
         return self._hertz(R_2=-self.parts.D_i / 2)
 
     @property
     def p_required(self) -> float | None:
-        """Total pressure [Pa] for M_wanted (Eq. 20); infinite if the rollers are expelled."""
+        """Total pressure [Pa] required for M_wanted (Eq. 20); inf if rollers are expelled."""
         if self.M_wanted is None:
             return None
         if not self.wedges:
@@ -173,12 +177,12 @@ class PolyhedralClutch:
 
     @property
     def margin(self) -> float | None:
-        """M_t over M_wanted."""
+        """Ratio of M_t to M_wanted; None without a target torque."""
         return None if self.M_wanted is None else self.M_t / self.M_wanted
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Messages on causes of a torque that is zero or without a limit."""
+        """Messages on the causes of a torque that is zero or infinite."""
         found = []
         if not self.p_2 > 0:
             found.append(
@@ -200,13 +204,13 @@ class PolyhedralClutch:
 
     @property
     def _chain(self) -> dict[str, float]:
-        """Arguments of Eq. 20, for either unknown."""
+        """Arguments of Eq. 20 for torque or pressure as the unknown."""
         parts = self.parts
         geometry = {"z": parts.z, "D_i": parts.D_i, "d_i": parts.d_i, "b": parts.b}
         return {"p_1r": self.p_1r, "share": self.hub_share, "mu": self.grip, **geometry}
 
     def _hertz(self, *, R_2: float) -> float:
-        """Peak pressure [Pa] on R_2 [m], proportional to sqrt(N), also where N is 0 or infinite."""
+        """Peak pressure [Pa] on the radius R_2 [m], proportional to sqrt(N) for every N >= 0."""
         same = {"E_1": self.E, "nu_1": self.nu, "E_2": self.E, "nu_2": self.nu}
         E_star = hertz_line.contact_modulus(**same, assumption="plane strain")
         R = hertz_line.relative_radius(R_1=self.parts.d / 2, R_2=R_2)

@@ -4,15 +4,15 @@ r"""Pressure that closes the clearance of the polyhedral ring (Belcin et al., Eq
     j_D = D_i - (d_e + 2d), \qquad \sigma_t = \frac{E j_D}{d_m}, \qquad
     p_1 = \frac{2 \delta_1 \sigma_t}{d_i}, \qquad p_{1r} = K p_1
 
-for a plain round ring of the wall delta_1 = (d_e - d_i)/2 under its mean hoop stress; K stands for
-the polygonal bore (d_i through its corners). Of K the paper says 1. For many corners it is the
-ratio of Lamé's pressure to p_1,
+for a round ring with the wall thickness delta_1 = (d_e - d_i)/2 under its mean hoop stress. K
+corrects for the polygonal bore (d_i is the diameter through its corners); in the paper, K = 1. For
+many corners, K is the ratio of Lamé's pressure to p_1,
 
 .. math:: K \to \frac{d_m^2}{d_i d_e} \qquad (z \to \infty)
 
-in plane stress: Eq. 8 lets the mean diameter grow by j_D, the clearance lies at the outside.
-
-Any consistent units. Range: linear elasticity, small strain; K is as good as its source.
+in plane stress, because in Eq. 8 the mean diameter increases by j_D, but the clearance is at the
+outside. Any consistent units. Range: linear elasticity, small strain; the accuracy of K is that of
+its source.
 
 References
 ----------
@@ -35,7 +35,7 @@ def mean_diameter(*, d_i: ArrayLike, d_e: ArrayLike) -> Array:
 
 
 def clearance(*, D_i: ArrayLike, d_e: ArrayLike, d: ArrayLike) -> Array:
-    """Clearance j_D [length] on the diameter (Eq. 7); negative where the rollers do not fit.
+    """Diametral clearance j_D [length] (Eq. 7); negative if the rollers do not fit.
 
     >>> float(clearance(D_i=104.0, d_e=80.0, d=10.0))
     4.0
@@ -45,21 +45,21 @@ def clearance(*, D_i: ArrayLike, d_e: ArrayLike, d: ArrayLike) -> Array:
 
 
 def growth(*, sigma_t: ArrayLike, d_m: ArrayLike, E: ArrayLike) -> Array:
-    """Growth [length] of the mean diameter under the hoop stress sigma_t (Eq. 8)."""
+    """Increase [length] of the mean diameter under the hoop stress sigma_t (Eq. 8)."""
     d_m, E = positive(d_m, "mean diameter d_m", "m"), positive(E, "Young's modulus", "Pa")
     return np.asarray(finite(sigma_t, "hoop stress", "Pa") * d_m / E)
 
 
 def hoop_stress(*, j_D: ArrayLike, d_m: ArrayLike, E: ArrayLike) -> Array:
-    """Hoop stress sigma_t [stress] of the round ring that has taken up j_D (Eq. 9)."""
+    """Hoop stress sigma_t [stress] of the round ring whose expansion closes j_D (Eq. 9)."""
     d_m, E = positive(d_m, "mean diameter d_m", "m"), positive(E, "Young's modulus", "Pa")
     return np.asarray(E * positive(j_D, "clearance j_D", "m") / d_m)
 
 
 def pressure(*, sigma: ArrayLike, d_i: ArrayLike, d_e: ArrayLike) -> Array:
-    """Pressure [stress] that a mean hoop stress in the wall delta_1 balances.
+    """Pressure [stress] in equilibrium with a mean hoop stress in the wall delta_1.
 
-    p_1 from sigma_t (Eq. 10) and p_1r from sigma_tr (Eq. 12).
+    It gives p_1 from sigma_t (Eq. 10) and p_1r from sigma_tr (Eq. 12).
 
     >>> float(pressure(sigma=9.0, d_i=6.0, d_e=8.0))  # p d_i = 2 delta_1 sigma
     3.0
@@ -71,9 +71,9 @@ def pressure(*, sigma: ArrayLike, d_i: ArrayLike, d_e: ArrayLike) -> Array:
 def mean_hoop_stress(*, p: ArrayLike, d_i: ArrayLike, d_e: ArrayLike) -> Array:
     """Mean hoop stress [stress] in the corners under the pressure p: sigma_tr from p_1r (Eq. 12).
 
-    Exact before anything touches: between neighbouring corners p d_i sin(pi/z) is in balance with
-    the hoop forces there, 2 sigma delta_1 sin(pi/z). sigma_tr/sigma_t is p_1r/p_1, which is K; the
-    printed K p_1r/p_1 is K².
+    It is exact before the ring touches the rollers: between neighbouring corners, p d_i sin(pi/z)
+    is in equilibrium with the hoop forces, 2 sigma delta_1 sin(pi/z). sigma_tr/sigma_t is
+    p_1r/p_1 = K; the printed K p_1r/p_1 is K².
     """
     d_i, d_e = _wall(d_i, d_e)
     return np.asarray(finite(p, "pressure", "Pa") * d_i / (d_e - d_i))
@@ -93,7 +93,7 @@ def touching_pressure(
 
 
 def many_corners_factor(*, d_i: ArrayLike, d_e: ArrayLike) -> Array:
-    """K of a bore with ever more corners, in plane stress: d_m²/(d_i d_e), above 1."""
+    """Factor K of a bore with very many corners, in plane stress: d_m²/(d_i d_e), above 1."""
     d_i, d_e = _wall(d_i, d_e)
     return np.asarray((d_i + d_e) ** 2 / (4 * d_i * d_e))
 
@@ -101,7 +101,7 @@ def many_corners_factor(*, d_i: ArrayLike, d_e: ArrayLike) -> Array:
 def round_ring_pressure(
     *, j_D: ArrayLike, d_i: float, d_e: float, E: ArrayLike, nu: float, ends: lame.Ends
 ) -> Array:
-    """Pressure [stress] under which the outside of a round ring grows by j_D, by Lamé."""
+    """Pressure [stress] at which the outside diameter of a round ring grows by j_D (Lamé)."""
     wall = {"r_i": d_i / 2, "r_o": d_e / 2}
     u = lame.radial_displacement(d_e / 2, **wall, p_i=1.0, E=E, nu=nu, ends=ends)
     return np.asarray(positive(j_D, "clearance j_D", "m") / (2 * u))
@@ -110,5 +110,7 @@ def round_ring_pressure(
 def _wall(d_i: ArrayLike, d_e: ArrayLike) -> tuple[Array, Array]:
     d_i, d_e = np.asarray(d_i, dtype=np.float64), np.asarray(d_e, dtype=np.float64)
     if not np.all((d_i > 0) & (d_i < d_e) & np.isfinite(d_e)):
-        raise ValueError(f"a ring needs 0 < d_i < d_e, got d_i={d_i} m, d_e={d_e} m")
+        raise ValueError(
+            f"diameters of a ring must satisfy 0 < d_i < d_e, got d_i={d_i} m, d_e={d_e} m"
+        )
     return d_i, d_e

@@ -1,4 +1,4 @@
-"""Largest hoop stress in the fillets of a ring under pressure, hub and rollers together."""
+"""Largest hoop stress in the fillets of a ring under pressure, hub force and roller forces."""
 
 import numpy as np
 
@@ -15,9 +15,10 @@ ALONG = 200  # points of the fillet
 def loaded_fillet_stress(
     sector: Sector, *, p: float, hub: HubForce | None = None, N: float = 0.0, a: float = 0.0
 ) -> float:
-    """Largest hoop stress [stress] under the pressure p, the hub's force, and N on 2 a above flats.
+    """Largest fillet stress [stress] under p, the hub force, and N over the width 2 a above flats.
 
-    N per unit length, 0 without contact of rollers. The largest of `ALONG` points.
+    N is per unit length and 0 if the rollers do not touch. The stress is the largest of `ALONG`
+    points.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> alone, pressed_back = (loaded_fillet_stress(ring, p=30.0, N=N, a=0.1) for N in (0.0, 180.0))
@@ -35,9 +36,9 @@ def loaded_fillet_stress(
 
 
 def driven_fillet_stress(hub: Driven, N: float, p: float) -> float:
-    """Largest fillet stress of a ring driven by its hub, whose rollers carry N per unit length.
+    """Largest fillet stress of a ring driven by its hub; each roller carries N per unit length.
 
-    Without rollers and hub if N is 0 or infinite.
+    If N is 0 or infinite, rollers and hub are omitted.
     """
     if not 0 < N < np.inf:
         return loaded_fillet_stress(hub.contact.sector, p=p)

@@ -1,22 +1,22 @@
-r"""Polyhedral ring with a free rim: the potential that meets given forces on the bore.
+r"""Polyhedral ring with a free rim: potential for given forces on the bore.
 
 With Kolosov's and Muskhelishvili's potentials [1]_
 
 .. math:: f = \phi + \zeta\overline{\phi'} + \overline{\psi} = i\int (t_x + i t_y)\,ds, \qquad
           2\mu\,(u + i v) = \kappa\phi - \zeta\overline{\phi'} - \overline{\psi}.
 
-The rim |zeta| = r_e is free of forces, f = 0, exactly when phi is continued across it by
+The rim |zeta| = r_e is free of forces (f = 0) if and only if phi is continued across it by
 
 .. math:: \psi(\zeta) = -\overline{\phi}\!\left(\frac{r_e^2}{\zeta}\right)
           - \frac{r_e^2}{\zeta}\,\phi'(\zeta),
 
-so one potential is left, analytic in the ring and in its image beyond the rim (`basis`). Its
-coefficients follow from f on the bore by least squares; symmetry leaves no constants. On a free rim
-:math:`u + i v = 4\phi/E'`: Poisson's ratio enters through E' alone.
+Thus, one potential remains, which is analytic in the ring and in its image beyond the rim
+(`basis`). Its coefficients follow from f on the bore by least squares; by symmetry, there are no
+constants. On a free rim, :math:`u + i v = 4\phi/E'`: Poisson's ratio has an effect only through E'.
 
-The residual, the largest error of f/zeta between the fitted points over the largest f/zeta that was
-given, is no bound but an indication: displacements are better by one to three digits, the stress in
-the fillet is worse by one or two.
+The residual is the largest error of f/zeta between the fitted points, divided by the largest given
+f/zeta. It is an indication, not an error bound: displacements are more accurate by one to three
+digits, the stress in the fillet is less accurate by one or two digits.
 
 References
 ----------
@@ -44,24 +44,24 @@ GOOD, WORST = 1e-6, 1e-4  # residual that ends the refinement, residual that is 
 
 
 class Values(NamedTuple):
-    """Potentials phi [stress times length], phi' [stress] and psi [as phi] at points."""
+    """Potentials phi and psi [stress times length] and phi' [stress] at points of the ring."""
 
     phi: Complex
     dphi: Complex
     psi: Complex
 
     def plus(self, other: "Values") -> "Values":
-        """Both loads together."""
+        """Potentials of both loads together."""
         return Values(self.phi + other.phi, self.dphi + other.dphi, self.psi + other.psi)
 
     def force(self, zeta: Complex) -> Complex:
-        """The function f, whose differences are forces: i times that on the arc in between."""
+        """Force function f, whose differences are i times the force on the arc in between."""
         return self.phi + zeta * np.conj(self.dphi) + np.conj(self.psi)
 
 
 @dataclass(frozen=True)
 class FreeRim:
-    """Potential of a ring whose rim is free; the stress's unit is the load's."""
+    """Potential of a ring with a free rim; stresses have the unit of the load."""
 
     sector: Sector
     basis: Basis
@@ -69,7 +69,7 @@ class FreeRim:
     residual: float
 
     def __call__(self, zeta: Complex) -> Values:
-        """Potentials at points of the ring."""
+        """Potentials at the points zeta of the ring."""
         xi = np.asarray(zeta) / self.sector.r_e
         omega = xi**self.basis.z
         F, zoF = (part @ self.coefficients for part in self.basis.values(omega))
@@ -78,15 +78,15 @@ class FreeRim:
         return Values(self.sector.r_e * xi * F, F + zoF, psi)
 
     def rim_displacement(self, theta: ArrayLike) -> Complex:
-        """u_r + i u_theta on the rim, times E' [load times length], at the angles theta [rad]."""
+        """Displacements u_r + i u_theta of the rim times E' [load times length] at theta [rad]."""
         turn = np.exp(1j * np.atleast_1d(np.asarray(theta, dtype=np.float64)))
         return np.asarray(4 * self(self.sector.r_e * turn).phi / turn)
 
 
 def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeRim:
-    """Ring whose bore carries f/zeta = load(zeta, s) [stress] at the points zeta(s) of the bore.
+    """Potential of a ring with f/zeta = load(zeta, s) [stress] at the points zeta(s) of the bore.
 
-    Raises ArithmeticError if two refinements leave a residual above 1e-4.
+    Raises ArithmeticError if the residual exceeds 1e-4 after two refinements.
     """
     for density in DENSITIES:
         fit = _fit(sector, density)
@@ -98,9 +98,9 @@ def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeR
             break
     if not residual < WORST:
         raise ArithmeticError(
-            f"the series errs by {residual:.1e} of the load on the bore, allowed is {WORST:g}: "
-            f"z={sector.z}, d_e={sector.d_e:g} m, d_i={sector.d_i:g} m, rho={sector.rho:g} m "
-            "are beyond its range"
+            f"the series has an error of {residual:.1e} of the load on the bore, more than the "
+            f"permissible {WORST:g}: z={sector.z}, d_e={sector.d_e:g} m, d_i={sector.d_i:g} m, "
+            f"rho={sector.rho:g} m are outside its range"
         )
     return FreeRim(sector, fit.basis, coefficients, residual)
 
@@ -115,7 +115,7 @@ class _Fit(NamedTuple):
     right: Array  # with the singular values and scales divided out
 
     def coefficients(self, asked: Complex) -> Array:
-        """Least squares; one factor after the other, as their product would lose all digits."""
+        """Least-squares coefficients; the factors are applied in turn for accuracy."""
         return np.asarray(self.right @ (self.left.T @ np.concatenate([asked.real, asked.imag])))
 
 
@@ -139,7 +139,7 @@ def _fit(sector: Sector, density: float) -> _Fit:
 
 
 def _arc_lengths(sector: Sector, density: float) -> Array:
-    """Points on flat and fillet, even and, towards the tangent point, in even ratios."""
+    """Arc lengths of points on flat and fillet: equally spaced, and graded to the tangent point."""
     arc = sector.rho * sector.half_angle
     even = (np.arange(int(36 * density)) + OFFSET) / int(36 * density)
     side = min(arc, sector.straight)

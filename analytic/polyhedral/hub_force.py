@@ -1,22 +1,23 @@
-r"""Polyhedral ring under point forces of the hub on its bore, mirrored in every flat and sector.
+r"""Polyhedral ring under point forces of the hub on its bore, symmetric in every flat and sector.
 
 A force F = F_x + i F_y on the boundary of a half plane at s has the potentials (Flamant)
 
 .. math:: \phi = -\frac{F}{2\pi}\ln(\zeta - s), \qquad
           \psi = \frac{\overline F}{2\pi}\ln(\zeta - s) + \frac{F}{2\pi}\frac{\bar s}{\zeta - s},
 
-whatever the boundary's direction. All forces together are in balance, so that each logarithm may be
-that of 1 - s/zeta, with its cut in the hole. To leave the rim free, too, phi is complemented by
+for every direction of the boundary. All forces together are in equilibrium, so that each logarithm
+can be replaced by that of 1 - s/zeta, whose branch cut is in the hole. So that the rim is also free
+of forces, phi is complemented by
 
 .. math:: \phi_2(\zeta) = -\overline{\psi}\!\left(\frac{r_e^2}{\zeta}\right)
           - \zeta\,\overline{\phi'}\!\left(\frac{r_e^2}{\zeta}\right),
 
-which is regular in the ring. On the bore f is constant between the forces: real, C, on the stretch
-around the flat's middle and :math:`r e^{i\pi/z}` around the corner, and it falls by iF, hence
-:math:`r = -F_x/\sin(\pi/z)`, :math:`C = r\cos(\pi/z) - F_y`. What the point forces lack of this is
-bounded, and `free_rim` supplies it.
+which is regular in the ring. On the bore, f is constant between the forces: the real value C around
+mid-flat and :math:`r e^{i\pi/z}` around the corner. At a force, f decreases by iF, hence
+:math:`r = -F_x/\sin(\pi/z)`, :math:`C = r\cos(\pi/z) - F_y`. The difference from f of the point
+forces is bounded, and `free_rim` corrects it.
 
-Range: points of the bore further than some widths of the hub's contact from the force.
+Range: points of the bore at a distance of at least a few widths of the hub contact from the force.
 
 References
 ----------
@@ -36,7 +37,7 @@ from analytic.polyhedral.sector import Complex, Sector
 
 @dataclass(frozen=True)
 class HubForce:
-    """Ring under forces per unit length at +e and -e on each flat, `normal` and `along` in all."""
+    """Ring under normal and tangential forces per unit length at +e and -e on each flat."""
 
     sector: Sector
     points: Complex  # of all forces
@@ -45,27 +46,31 @@ class HubForce:
 
     @property
     def resultant(self) -> float:
-        """Force on one flat per unit length, both halves."""
+        """Resultant force on one flat per unit length, of both halves."""
         return float(2 * np.abs(self.forces[0]))
 
     def __call__(self, zeta: Complex) -> Values:
-        """Potentials at points of the ring; ValueError at the point of a force (infinite)."""
+        """Potentials at the points zeta of the ring; raises ValueError at the point of a force."""
         if np.any(np.abs(np.asarray(zeta)[..., None] - self.points) < 1e-12 * self.sector.r_e):
-            raise ValueError("stress and displacement are infinite at the hub's point force itself")
+            raise ValueError(
+                "stress and displacement are infinite at the point force of the hub: evaluate "
+                "other points"
+            )
         return _flamant(self.sector, self.points, self.forces, zeta).plus(self.correction(zeta))
 
     def rim_displacement(self, theta: ArrayLike) -> Complex:
-        """u_r + i u_theta on the rim, times E' [load times length], at the angles theta [rad]."""
+        """Displacements u_r + i u_theta of the rim times E' [load times length] at theta [rad]."""
         turn = np.exp(1j * np.atleast_1d(finite(theta, "angle", "rad")))
         return np.asarray(4 * self(self.sector.r_e * turn).phi / turn)
 
 
 def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) -> HubForce:
-    """Solution for a hub that pushes on each flat with `normal` outwards and `along` to the corner.
+    """Ring under a hub that acts on each flat with `normal` outwards and `along` to the corner.
 
-    Forces [force per length] act on one flat; one half acts at the distance e [length] from
-    its middle, the other, mirrored, at -e: the part of a hub's push that is equal for all rollers
-    at mid-flat. e counts along the bore, `Sector.half_bore` is the corner itself.
+    The forces [force per length] act on one flat. One half acts at the distance e [length] from
+    mid-flat, the other half, mirrored, at -e. This is the symmetric part of the hub force, which is
+    equal for all rollers at mid-flat. e is measured along the bore; the corner is at
+    `Sector.half_bore`.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> hub = hub_force(sector=ring, e=9.0, normal=1000.0)
@@ -75,7 +80,7 @@ def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) ->
     e = float(not_negative(e, "the lever e", "m"))
     if not 0 < e <= sector.half_bore * (1 + 1e-12):
         raise ValueError(
-            f"the hub pushes between mid-flat and corner: 0 < e <= {sector.half_bore:g} m, "
+            f"the hub force must act between mid-flat and corner: 0 < e <= {sector.half_bore:g} m, "
             f"got e={e:g} m"
         )
     normal, along = float(finite(normal, "force", "N/m")), float(finite(along, "force", "N/m"))

@@ -1,22 +1,25 @@
-r"""Force with which the rollers are locked between the polyhedral ring and its race.
+r"""Forces of the rollers between the polyhedral ring and its race.
 
-Over each flat's middle sits a roller; pressure p and hub force widen the ring there, the roller's
-force N per unit length presses it back, with its local indentation:
+A roller is located above the middle of each flat. Pressure p and hub force displace the ring
+outwards there. The roller force N per unit length displaces it inwards, with its local indentation:
 
 .. math:: u_p\,p + u_h - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \qquad
           a = \sqrt{\frac{4 N R}{\pi E^*}}, \quad \frac{1}{R} = \frac{2}{d} + \frac{2}{d_e}.
 
-delta is the compression of the roller between both contacts, 0 for a rigid one; the race is rigid.
-Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, the share
+delta is the compression of the roller between both contacts, 0 for a rigid roller; the race is
+rigid. The force of the pressure on a flat is :math:`p\,d_i\sin(\pi/z)` per unit length. The
+incremental load-transfer ratio
 
 .. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
 
-of each further part reaches the roller; the hoop force of the ring holds the rest. Towards many
-corners it rises above 1, to the pressure share of a rigid housing around a round ring,
+is the fraction of an additional pressure force that acts on the roller; the hoop force of the ring
+carries the rest. For a large number of corners, it increases to a value above 1, the pressure ratio
+of a round ring in a rigid housing,
 
 .. math:: \eta \to \frac{2\, d_i d_e}{(1 - \nu')\, d_e^2 + (1 + \nu')\, d_i^2},
 
-1.027 for d_i = 0.9 d_e and nu' = 0.3: the wall is squeezed and spreads.
+1.027 for d_i = 0.9 d_e and nu' = 0.3: the wall is compressed in thickness and expands along the
+circumference.
 
 Range: frictionless contacts with a much smaller than d and the wall; the rollers at mid-flat.
 """
@@ -40,7 +43,7 @@ NUDGE = 1e-3  # relative change of N in the difference quotient of the compressi
 
 @dataclass(frozen=True, kw_only=True)
 class Roller:
-    """Roller of diameter d in the gap of ring and race, which is j_D/2 wider than the roller."""
+    """Roller of diameter d; the gap between ring and race is wider than the roller by j_D/2."""
 
     d: float
     j_D: float
@@ -54,7 +57,7 @@ class Roller:
 
 @dataclass(frozen=True, kw_only=True)
 class Locked:
-    """Rollers under load; forces per unit length."""
+    """State of rollers under load; all forces per unit length."""
 
     N: float  # of one roller [force per length]; 0 before it touches
     a: float  # half-width of its contact on the ring [length]
@@ -66,7 +69,7 @@ class Locked:
 
 @dataclass(frozen=True)
 class RollerContact:
-    """Contact of ring and roller under N, per unit length, and the deflection of the ring."""
+    """Contact of ring and roller under N per unit length, and the deflection of the ring."""
 
     sector: Sector
     roller: Roller
@@ -76,20 +79,20 @@ class RollerContact:
 
     @property
     def E_plane(self) -> float:
-        """E' of the ring."""
+        """Modulus E' of the ring in plane stress or plane strain."""
         E = positive(self.E, "Young's modulus", "Pa")
         return float(in_plane(E, self.nu, self.assumption)[0])
 
     @property
     def growth(self) -> float:
-        """u_p: lift of mid-flat by the unit pressure [length per stress]."""
+        """Outward displacement u_p of mid-flat per unit pressure [length per stress]."""
         grown = rim_displacement(
             0.0, sector=self.sector, p=1.0, E=self.E, nu=self.nu, assumption=self.assumption
         )
         return float(grown.real[0])
 
     def lift(self, hub: HubForce) -> float:
-        """u_h: lift of mid-flat by the hub's force [length]."""
+        """Outward displacement u_h of mid-flat by the hub force [length]."""
         return float(hub.rim_displacement(0.0).real[0]) / self.E_plane
 
     def half_width(self, N: float) -> float:
@@ -105,14 +108,14 @@ class RollerContact:
         return float(hertz_line.half_width(P=N, R=R, E_star=E_star))
 
     def closure(self, N: float) -> float:
-        """Approach of ring and roller above mid-flat by N [length]."""
+        """Approach of ring and roller above mid-flat under N [length]."""
         a = self.half_width(N)
         load = roller_load(sector=self.sector, a=a)
         dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)
         return float(-N * dent[0]) + self._squeeze(N, a)
 
     def half_width_on_race(self, N: float) -> float:
-        """Half-width [length] of the roller's contact on the rigid race; 0 for a rigid roller."""
+        """Half-width [length] of the contact of roller and rigid race; 0 for a rigid roller."""
         if np.isinf(self.roller.E):
             return 0.0
         race = self.sector.r_e + self.roller.d + self.roller.j_D / 2
@@ -129,8 +132,8 @@ class RollerContact:
         widths = [a, self.half_width_on_race(N)]
         if max(widths) >= self.roller.d / 2:
             raise ValueError(
-                f"N={N:g} N/m presses a roller of d={self.roller.d:g} m flat: its contacts' "
-                f"half-width would be {max(widths):.2g} m"
+                f"N={N:g} N/m is too large for a roller of d={self.roller.d:g} m: the half-width "
+                f"of its contacts would be {max(widths):.2g} m and must be less than d/2"
             )
         ends = approach_to_centre(
             P=N, a=widths, R=self.roller.d / 2, E_plane=self._roller_modulus
@@ -148,7 +151,7 @@ def locked(
     assumption: Assumption,
     hub: HubForce | None = None,
 ) -> Locked:
-    """Roller force, touching pressure and shares under the pressure p and the hub's force.
+    """Roller force, touching pressure, load-transfer ratios under pressure p and hub force.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> steel = {"E": 210e3, "nu": 0.3, "assumption": "plane stress"}
@@ -179,7 +182,7 @@ def locked(
 
 
 def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
-    """N at which the closure is `closing`, by Newton's method with the slope of the logarithms."""
+    """Force N at which the closure is `closing`, by Newton's method with an estimated slope."""
     bodies = 1 / E_plane if np.isinf(contact.roller.E) else 3 / E_plane
     N = E_plane * (FIRST * contact.sector.r_e) ** 2 / contact.roller.d
     for _ in range(STEPS):
@@ -188,4 +191,6 @@ def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
         N = max(N + change, N / 10)
         if abs(change) <= CLOSE * N:
             return float(N)
-    raise ArithmeticError(f"the roller's force does not converge: N={N:g} N/m after {STEPS} steps")
+    raise ArithmeticError(
+        f"the force of the roller did not converge: N={N:g} N/m after {STEPS} steps"
+    )

@@ -9,11 +9,12 @@ from analytic.polyhedral import expansion, forces
 
 @dataclass(frozen=True)
 class PolyhedralParts:
-    """Ring, rollers, outer race and hub in the paper's symbols; lengths in m.
+    """Dimensions of ring, rollers, outer race and hub in the symbols of the paper [m].
 
-    z rollers of diameter d between the ring (d_i through the real corners, fillet rho, outside
-    d_e, width b) and the race (D_i inside, D outside, if it matters); the hub touches each flat at
-    e from its middle. ValueError for impossible dimensions.
+    z rollers of diameter d are located between ring and race. Ring: d_i through the real corners,
+    fillet radius rho, outside diameter d_e, width b. Race: D_i inside and, if needed, D outside.
+    The hub touches each flat at the distance e from its middle. Raises ValueError for impossible
+    dimensions.
     """
 
     z: int
@@ -34,28 +35,28 @@ class PolyhedralParts:
         self._rollers_fit()
         self._hub_touches_the_flat()
         if self.D is not None and not self.D_i < self.D:
-            raise ValueError(f"race needs D above D_i={self.D_i:g} m, got D={self.D:g} m")
+            raise ValueError(f"D of the race must exceed D_i={self.D_i:g} m, got D={self.D:g} m")
 
     @property
     def j_D(self) -> float:
-        """Clearance [m] on the diameter."""
+        """Diametral clearance j_D [m]."""
         return float(expansion.clearance(D_i=self.D_i, d_e=self.d_e, d=self.d))
 
     @property
     def d_m(self) -> float:
-        """Mean diameter [m] of the ring in the corners."""
+        """Mean diameter [m] of the ring at the corners."""
         return float(expansion.mean_diameter(d_i=self.d_i, d_e=self.d_e))
 
     @property
     def D_m(self) -> float | None:
-        """Mean diameter [m] of the race, if its outside is known; no equation uses it."""
+        """Mean diameter [m] of the race; None if D is not given; no equation uses it."""
         if self.D is None:
             return None
         return float(expansion.mean_diameter(d_i=self.D_i, d_e=self.D))
 
     @property
     def delta_1(self) -> float:
-        """Thickness [m] of the ring in the corners, its least."""
+        """Thickness [m] of the ring at the corners, its smallest thickness."""
         return (self.d_e - self.d_i) / 2
 
     @property
@@ -75,7 +76,7 @@ class PolyhedralParts:
 
     @property
     def psi(self) -> float:
-        """Angle [rad] from the flat's normal to the radius through the hub's contact."""
+        """Angle psi [rad] from the normal of the flat to the radius through the hub contact."""
         return float(forces.contact_angle(e=self.e, apothem=self.apothem))
 
     def _rollers_fit(self) -> None:
@@ -101,11 +102,11 @@ class PolyhedralParts:
             )
 
     def hub_must_release(self, phi_1: float) -> None:
-        """ValueError unless psi > phi_1 [rad]: otherwise, friction of the hub blocks the ring."""
+        """Raise ValueError unless psi > phi_1 [rad]; otherwise, hub friction blocks the ring."""
         if not self.psi > phi_1:
             raise ValueError(
-                f"hub locks: psi must exceed the angle of friction, got psi={degrees(self.psi):g} "
-                f"deg, phi_1={degrees(phi_1):g} deg; a larger e raises psi"
+                f"hub locks: psi must exceed the friction angle, got psi={degrees(self.psi):g} "
+                f"deg, phi_1={degrees(phi_1):g} deg; a larger e increases psi"
             )
 
 

@@ -2,7 +2,8 @@ r"""Fourier series on the rim under z equal patches of Hertz's pressure, summed 
 
 The pressure q = q_0 (1 + 2 sum J_m cos m theta), m = z, 2z, ..., is a semi-ellipse of half-width
 alpha (an angle) around each theta = 2 pi k/z, with :math:`J_m = 2 J_1(m\alpha)/(m\alpha)`. The
-terms fall slowly and alpha may be small, so the slow parts are averages, over the semi-ellipse, of
+terms decrease slowly, and alpha may be small. Therefore, the slow parts are computed as means over
+the semi-ellipse of
 
 .. math:: \sum \frac{\cos m\theta}{m} = -\frac{1}{z}\ln\left|2\sin\frac{z\theta}{2}\right|, \qquad
           \sum \frac{\cos m\theta}{m^2} = \frac{1}{z^2}\left(\frac{\pi^2}{6} - \frac{\pi x}{2}
@@ -22,14 +23,14 @@ POINTS = 40
 
 
 def weights(m: Array, alpha: float) -> Array:
-    """J_m, the semi-ellipse's Fourier coefficients over the mean; 1 for a vanishing width."""
+    """Fourier coefficients J_m of the semi-ellipse relative to its mean; 1 for zero width."""
     return np.asarray(2 * j1(m * alpha) / (m * alpha))
 
 
 def slow_sums(theta: ArrayLike, *, z: int, alpha: float) -> tuple[Array, Array]:
     """Sums over m of J_m cos(m theta)/(m + 1) and of J_m cos(m theta)/(m² - 1).
 
-    Angles [rad] from 0 to pi/z; patches that do not overlap, alpha < pi/z.
+    theta is in [0, pi/z] [rad]; the patches must not overlap, alpha < pi/z.
     """
     theta = np.atleast_1d(np.asarray(theta, dtype=np.float64))
     m = z * np.arange(1.0, TERMS + 1)
@@ -43,7 +44,7 @@ def slow_sums(theta: ArrayLike, *, z: int, alpha: float) -> tuple[Array, Array]:
 
 
 def _mean_log(theta: Array, z: int, alpha: float) -> Array:
-    """Mean over the semi-ellipse of ln|2 sin(z(theta - t)/2)|; its logarithm in closed form."""
+    """Mean over the semi-ellipse of ln|2 sin(z(theta - t)/2)|, logarithmic part in closed form."""
     s = theta / alpha
     outside = np.maximum(s, 1.0)
     root = np.sqrt(outside**2 - 1)

@@ -1,12 +1,13 @@
-r"""Slope of the deformed outside: the wedge angle of a roller off the flat's middle.
+r"""Slope of the deformed rim, which is the wedge angle of a roller that is not at mid-flat.
 
-The outside takes the shape :math:`r_e + u_r(\theta)`, whose tangent leaves the circle's by
+The deformed rim has the shape :math:`r_e + u_r(\theta)`. The angle between its tangent and that of
+the circle is
 
 .. math:: \frac{1}{r_e}\frac{du_r}{d\theta} = \frac{4}{E' r_e}
           \operatorname{Re}\left[i\,(\zeta\phi' - \phi)\,e^{-i\theta}\right]
 
-on a free rim. The rotation of the material, :math:`(du_r/d\theta - u_\theta)/r_e`, differs from it:
-the part u_theta/r_e of it only moves points along the circle.
+on a free rim. It differs from the rotation of the material, :math:`(du_r/d\theta - u_\theta)/r_e`,
+whose part u_theta/r_e only moves points along the circle.
 """
 
 import numpy as np
@@ -21,7 +22,7 @@ ALONG = 400  # angles among which the steepest is sought
 
 
 def rim_slope(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) -> Array:
-    """Slope times E' [stress] of a rim that is free under `field`, at the angles theta [rad].
+    """Slope times E' [stress] of a rim without loads under `field`, at the angles theta [rad].
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)

@@ -1,13 +1,14 @@
-r"""Polyhedral ring under z equal rollers that press on its outside above the flats' middles.
+r"""Polyhedral ring under z equal rollers that press on its rim above the middle of each flat.
 
-Each roller presses radially with N per unit length, as a semi-ellipse (Hertz) over the arc
--a <= r_e theta <= a. In the full disc with the same load and c_m its Fourier coefficients,
+Each roller presses radially with N per unit length, distributed as a semi-ellipse (Hertz) over the
+arc -a <= r_e theta <= a. For the full disc under the same load with the Fourier coefficients c_m,
 
 .. math:: \phi = -r_e\sum_{m \ge 0} \frac{c_m}{m + 1}\,\xi^{m+1}\;(\text{half of the first}), \qquad
           \psi = r_e\sum_{m > 0} \frac{m\,c_m}{m - 1}\,\xi^{m-1}, \qquad \xi = \zeta/r_e,
 
-m = 0, z, 2z, ..., which converges geometrically on the bore; the potential of `free_rim` takes the
-disc's forces off the bore again. On the rim the displacement of the disc, with its indentation, is
+m = 0, z, 2z, ... The series converge geometrically on the bore. The potential of `free_rim` removes
+the forces of the disc from the bore. The displacement of the rim of the disc, including its
+indentation, is
 
 .. math:: u_r = -r_e\left[\frac{4}{E'}\left(\frac{c_0}{2} + \sum\frac{c_m\cos m\theta}{m + 1}\right)
           - \frac{1 + \nu'}{E'}\left(c_0 - 2\sum\frac{c_m\cos m\theta}{m^2 - 1}\right)\right].
@@ -35,14 +36,14 @@ DIGITS = 38.0  # the disc's series ends where its terms have fallen by exp(-38)
 
 @dataclass(frozen=True)
 class RollerLoad:
-    """Ring under the unit force N = 1 per roller and unit length, on patches of half-width a."""
+    """Ring under the force N = 1 per roller and unit length, on patches of half-width a."""
 
     sector: Sector
     a: float
     correction: FreeRim
 
     def __call__(self, zeta: Complex) -> Values:
-        """Potentials at points of the ring, up to 0.999 of the outside radius."""
+        """Potentials at points of the ring up to 0.999 of the outside radius."""
         largest = float(np.abs(zeta).max())
         if largest > DEEPEST * self.sector.r_e:
             raise ValueError(
@@ -54,12 +55,15 @@ class RollerLoad:
     def rim_displacement(
         self, theta: ArrayLike, *, E: float, nu: float, assumption: Assumption
     ) -> Array:
-        """u_r [length] of the rim for N = 1 at angles from 0 to pi/z [rad]; inward is negative."""
+        """Radial displacements u_r [length] of the rim for N = 1 at angles in [0, pi/z] [rad].
+
+        Inward displacements are negative.
+        """
         theta = np.atleast_1d(finite(theta, "angle", "rad"))
         E_plane, nu_plane = in_plane(positive(E, "Young's modulus", "Pa"), nu, assumption)
         z, half = self.sector.z, self.sector.half_angle
         if not np.all((theta >= 0) & (theta <= half * (1 + 1e-12))):
-            raise ValueError(f"angles reach from 0 to pi/z, got theta={theta} rad, z={z}")
+            raise ValueError(f"angles must lie between 0 and pi/z, got theta={theta} rad, z={z}")
         first, second = slow_sums(theta, z=z, alpha=self.a / self.sector.r_e)
         disc = -4 * (0.5 + first) + (1 + nu_plane) * (1 - 2 * second)
         own = z / (2 * np.pi) * disc
@@ -73,7 +77,7 @@ class RollerLoad:
 
 
 def roller_load(*, sector: Sector, a: float) -> RollerLoad:
-    """Solution for patches of half-width a [length], which must not overlap.
+    """Ring under unit roller forces on patches of half-width a [length], which must not overlap.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> load = roller_load(sector=ring, a=0.2)
@@ -84,7 +88,8 @@ def roller_load(*, sector: Sector, a: float) -> RollerLoad:
     a = float(positive(a, "the patch's half-width a", "m"))
     if a >= sector.half_angle * sector.r_e:
         raise ValueError(
-            f"the patches overlap: a must be below pi d_e/(2 z), got a={a:g} m, z={sector.z}"
+            f"patches must not overlap: a must be less than pi d_e/(2 z), got a={a:g} m, "
+            f"z={sector.z}"
         )
     correction = free_rim(sector, lambda zeta, _: -_disc(sector, a, zeta).force(zeta) / zeta)
     return RollerLoad(sector, a, correction)

@@ -1,12 +1,12 @@
-r"""Geometry of the polyhedral ring: a regular polygon with rounded corners in a round outside.
+r"""Geometry of the polyhedral ring: a polygonal bore with rounded corners and a circular rim.
 
 The middle of one flat lies on the x axis (theta = 0), a corner at theta = pi/z. The corner diameter
-d_i is measured where the metal is, at the bottom of the fillet; the polygon without fillets has
+d_i is measured at the bottom of the fillet. The polygon without fillets has
 
 .. math:: R_u = \frac{d_i}{2} + \rho\left(\frac{1}{\cos(\pi/z)} - 1\right), \qquad
           \text{apothem } R_u\cos\frac{\pi}{z}.
 
-Points of the plane are complex numbers, lengths in one unit of the caller's choice.
+Points of the plane are complex numbers. Any consistent unit of length.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True, kw_only=True)
 class Sector:
-    """Ring of z sectors; one half sector, 0 <= theta <= pi/z, represents all by symmetry.
+    """Ring of z equal sectors, represented by one half sector, 0 <= theta <= pi/z.
 
     >>> hexagon = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> round(hexagon.apothem, 4), round(hexagon.straight, 4)
@@ -35,7 +35,9 @@ class Sector:
 
     def __post_init__(self) -> None:
         if not (float(self.z).is_integer() and self.z >= 3):
-            raise ValueError(f"a polygon has a whole number z >= 3 of corners, got z={self.z}")
+            raise ValueError(
+                f"the number of corners must be an integer of at least 3, got z={self.z}"
+            )
         positive(self.d_e, "the outside diameter d_e", "m")
         positive(self.d_i, "the corner diameter d_i", "m")
         positive(self.rho, "the fillet radius rho", "m")
@@ -45,43 +47,43 @@ class Sector:
             )
         if self.rho >= self.d_i / 2:
             raise ValueError(
-                "the fillets leave nothing of the flats: rho must be below d_i/2, "
-                f"got rho={self.rho} m, d_i={self.d_i} m"
+                f"fillet radius rho must be less than d_i/2, got rho={self.rho} m, d_i={self.d_i} "
+                "m: the fillets leave no flat"
             )
 
     @property
     def half_angle(self) -> float:
-        """pi/z [rad]."""
+        """Half angle pi/z [rad] of a sector."""
         return np.pi / self.z
 
     @property
     def r_e(self) -> float:
-        """Outside radius."""
+        """Outside radius [length]."""
         return self.d_e / 2
 
     @property
     def R_u(self) -> float:
-        """Corner radius of the polygon without fillets."""
+        """Corner radius [length] of the polygon without fillets."""
         return float(self.d_i / 2 + self.rho * (1 / np.cos(self.half_angle) - 1))
 
     @property
     def apothem(self) -> float:
-        """Distance of the flats from the centre."""
+        """Distance [length] of the flats from the centre."""
         return float(self.R_u * np.cos(self.half_angle))
 
     @property
     def fillet_centre(self) -> float:
-        """Distance of the fillet's centre from the ring's."""
+        """Distance [length] of the centre of the fillet from that of the ring."""
         return self.d_i / 2 - self.rho
 
     @property
     def straight(self) -> float:
-        """Half the straight length of a flat; the rest of the flat belongs to the fillets."""
+        """Half the straight length [length] of a flat, without the fillets."""
         return float(self.fillet_centre * np.sin(self.half_angle))
 
     @property
     def half_bore(self) -> float:
-        """Length of the half sector's bore: half a flat and half a fillet."""
+        """Arc length [length] of the bore of a half sector: half a flat and half a fillet."""
         return float(self.straight + self.rho * self.half_angle)
 
     def bore(self, s: Array) -> Complex:
@@ -91,6 +93,6 @@ class Sector:
         return np.where(s <= self.straight, self.apothem + 1j * s, arc)
 
     def normal(self, s: Array) -> Complex:
-        """Unit vectors into the metal at the arc length s."""
+        """Unit normals into the ring at the arc length s from mid-flat."""
         turn = np.clip((s - self.straight) / self.rho, 0, self.half_angle)
         return np.asarray(np.exp(1j * turn))

@@ -1,16 +1,16 @@
 r"""Torque and pressure of the polyhedral ring clutch (Belcin et al., Eqs. 17-21).
 
-N of Eq. 4 and of Eq. 16 are one. Per roller the hub's force brings the share s of N, the pressure
-the rest:
+The normal forces N of Eq. 4 and Eq. 16 are equal. For each roller, the hub force contributes the
+share s of N, and the pressure contributes the rest:
 
 .. math::
     s = \frac{\mu D_i \cos(\gamma + \varphi_1)}{2 (r + r_1) \sin(\psi + \varphi_1)}, \qquad
     p_2 \ge \frac{2 M_t (1 - s)}{\mu D_i\, z d_i \sin(\pi/z)\, b}, \qquad p_t = p_{1r} + p_2
 
-(Eqs. 17 to 20 with the polygon's perimeter in place of the circumference). Where s >= 1 the hub's
-force alone wedges the rollers ever harder: pressure does not limit the torque, which is infinite
-here, and touching is pressure enough. A free roller uses tan(alpha/2) of its friction (`wedging`):
-put that for mu.
+(Eqs. 17 to 20 with the perimeter of the polygon in place of the circumference). If s >= 1, the hub
+force increases the roller forces as fast as friction requires: the pressure for contact is
+sufficient, and the torque is infinite in this model. For free rollers, tan(alpha/2) replaces mu
+(`wedging`).
 
 Angles in rad, otherwise any consistent units. Range: see `wedging` and `forces`; z rollers
 carry equal loads.
@@ -36,7 +36,7 @@ def hub_share(
     phi_1: ArrayLike,
     gamma: ArrayLike,
 ) -> Array:
-    """Share of the rollers' normal force that the hub's force brings; pressure the rest, if any.
+    """Share s of the hub force in the normal force of the rollers (no unit); may exceed 1.
 
     >>> wide = {"mu": 0.1, "D_i": 10.0, "lever": 2.0, "phi_1": 0.0, "gamma": 0.0}
     >>> round(float(hub_share(psi=np.pi / 6, **wide)), 12)
@@ -49,17 +49,17 @@ def hub_share(
 
 
 def self_locking(share: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the hub's `share` is so large that pressure does not limit the torque."""
+    """True if the `share` of the hub is so large (>= 1) that pressure does not limit the torque."""
     return np.asarray(np.asarray(share) >= 1)
 
 
 def hub_releases(*, psi: ArrayLike, phi_1: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the hub, with reversed friction, releases the ring: psi > phi_1 (after Eq. 15)."""
+    """True if the hub, with reversed friction, releases the ring: psi > phi_1 (after Eq. 15)."""
     return np.asarray(np.asarray(psi) > np.asarray(phi_1))
 
 
 def blocking_pressure(*, p_t: ArrayLike, p_1r: ArrayLike) -> Array:
-    """Pressure p_2 [stress] that remains after contact of ring and rollers (Eq. 19); 0 before."""
+    """Pressure p_2 [stress] above that for contact of ring and rollers (Eq. 19); 0 below it."""
     p_t, p_1r = not_negative(p_t, "pressure p_t", "Pa"), not_negative(p_1r, "pressure p_1r", "Pa")
     return np.maximum(p_t - p_1r, 0.0)
 
@@ -77,7 +77,7 @@ def torque(
 ) -> Array:
     """Largest torque M_t [force x length] under the total pressure p_t (Eqs. 17 and 20).
 
-    0 if the ring does not touch the rollers; infinite if it does and locks itself.
+    It is 0 if the ring does not touch the rollers, and infinite if it does and `share` >= 1.
     """
     p_2 = blocking_pressure(p_t=p_t, p_1r=p_1r)
     F = forces.pressure_force(p_2=p_2, b=b, d_i=d_i, z=z)

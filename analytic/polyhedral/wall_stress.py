@@ -1,7 +1,7 @@
-r"""Hoop stress on both walls of the polyhedral ring.
+r"""Hoop stress on bore and rim of the polyhedral ring.
 
-The stresses on a wall add up to :math:`4\operatorname{Re}\phi'`; the one across it is known.
-Potentials add up, and so do these stresses: of pressure, rollers and hub in turn.
+The sum of both normal stresses on a wall is :math:`4\operatorname{Re}\phi'`; the stress normal to
+the wall is known. The stresses of pressure, rollers and hub are superposed.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ Field = FreeRim | RollerLoad | HubForce
 def bore_stress(s: ArrayLike, *, sector: Sector, field: Field, p: float = 0.0) -> Array:
     """Hoop stress [stress] on the bore at the arc lengths s [length] from mid-flat.
 
-    `p` is the pressure there of this field; none at a bore that is free at s.
+    `p` is the pressure of this field on the bore at s; 0 if the bore is free there.
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
@@ -32,18 +32,18 @@ def bore_stress(s: ArrayLike, *, sector: Sector, field: Field, p: float = 0.0) -
     """
     s = np.atleast_1d(finite(s, "arc length", "m"))
     if not np.all((s >= 0) & (s <= sector.half_bore * (1 + 1e-12))):
-        raise ValueError(f"arc lengths reach from 0 to {sector.half_bore:g} m, got s={s} m")
+        raise ValueError(f"arc lengths must lie between 0 and {sector.half_bore:g} m, got s={s} m")
     return np.asarray(4 * field(sector.bore(s)).dphi.real + finite(p, "the pressure p", "Pa"))
 
 
 def rim_stress(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) -> Array:
-    """Hoop stress [stress] on a rim that is free, at the angles theta [rad] from mid-flat."""
+    """Hoop stress [stress] on a free rim at the angles theta [rad] from mid-flat."""
     turn = np.exp(1j * np.atleast_1d(finite(theta, "angle", "rad")))
     return np.asarray(4 * field(sector.r_e * turn).dphi.real)
 
 
 def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
-    """Largest hoop stress in the fillet over the pressure (no unit), and its arc length [length].
+    """Ratio of the largest fillet stress to the pressure (no unit), and its arc length [length].
 
     >>> stress, s = largest_fillet_stress(sector=Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0))
     >>> round(stress, 3), round(s - 17.0, 3)  # in the corner: the fillet reaches from 0 to 1.047
@@ -59,7 +59,7 @@ def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
 
 
 def corner_stress_factor(*, sector: Sector, nu: float, assumption: Assumption) -> float:
-    r"""Largest fillet stress over sigma_t = E j_D/d_m, when the outside reaches the rollers.
+    r"""Ratio of largest fillet stress to sigma_t = E j_D/d_m when the rim touches the rollers.
 
     .. math:: \frac{\sigma_{max}}{\sigma_t} = \frac{\sigma_{max}}{p}\,K_{mid}\,
               \frac{2\,\delta_1}{d_i}

@@ -1,24 +1,25 @@
 r"""Roller wedged between the polyhedral ring and the outer race (Belcin et al., Eqs. 1-5).
 
-The tangents at the two contacts make the full wedge angle alpha. Along the bisector friction pulls
-into the wedge, the normal forces push out:
+The angle between the tangents at the two contacts is the full wedge angle alpha. Along the
+bisector, friction acts into the wedge, and the normal forces act out of it:
 
 .. math:: C = 2 N \left(\mu \cos\frac{\alpha}{2} - \sin\frac{\alpha}{2}\right)
 
-C > 0 is Eq. 1, tan(alpha/2) < mu is Eq. 2. A roller that nothing but its contacts holds does not
-use all of its friction: two forces are in balance when both lie on the line through both contacts,
-which makes alpha/2 with each normal, so
+C > 0 is Eq. 1, tan(alpha/2) < mu is Eq. 2. If only the two contacts act on a roller, friction is
+not fully used: the two forces are in equilibrium if both act along the line through both contacts,
+at the angle alpha/2 with each normal. Hence
 
 .. math:: M_t = N \tan\frac{\alpha}{2}\, z \frac{D_i}{2}
 
-for any mu. The printed mu N z D_i/2 (Eq. 3) holds when a cage holds the roller back
-with C until it slips: an upper bound of the race's torque, as Eq. 4 is a lower bound of N. The
-cage's part, z C times its lever, does not pass through the ring; all of the race's torque does
-so for free rollers alone, mu N at their largest angle, alpha = 2 arctan mu. Beyond Eq. 2 a
-free roller is expelled and carries nothing: check `holds`, as no formula here does so.
+for every mu. The printed mu N z D_i/2 (Eq. 3) is valid if a cage retains the roller with the force
+C until it slips. It is an upper bound of the torque on the race, as Eq. 4 is a lower bound of N.
+The contribution of the cage, z C times its lever arm, does not act on the ring. Only with free
+rollers does the whole torque of the race act on the ring, at most mu N at the largest angle,
+alpha = 2 arctan mu. If Eq. 2 is violated, a free roller is expelled and carries no load. The
+formulas below do not check this: use `holds`.
 
-Angles in rad, otherwise any consistent units. Range: rigid roller without weight, friction the same
-at both contacts; the paper has no equation for alpha.
+Angles in rad, otherwise any consistent units. Range: rigid roller without weight, equal friction at
+both contacts. The paper has no equation for alpha.
 
 References
 ----------
@@ -32,7 +33,7 @@ from analytic.contact.checks import Array, not_negative, positive
 
 
 def holds(*, alpha: ArrayLike, mu: ArrayLike) -> NDArray[np.bool_]:
-    """Whether a free roller stays wedged (Eqs. 1 and 2); False if it slips and is expelled.
+    """True if a free roller remains wedged (Eqs. 1 and 2); False if it slips and is expelled.
 
     >>> holds(alpha=[0.1, 0.2], mu=0.08).tolist()  # tan(alpha/2) = 0.05 and 0.10
     [True, False]
@@ -46,9 +47,10 @@ def largest_angle(*, mu: ArrayLike) -> Array:
 
 
 def cage_force(*, N: ArrayLike, alpha: ArrayLike, mu: ArrayLike) -> Array:
-    """Force [force] along the bisector that pulls the roller out when both contacts slip (Eq. 1).
+    """Force [force] on the roller along the bisector that is needed to pull it out (Eq. 1).
 
-    Negative if a force into the wedge is needed to hold the roller.
+    Both contacts slip. The force is negative if a force into the wedge is needed to retain the
+    roller.
     """
     half, N = _wedge(alpha) / 2, not_negative(N, "normal force", "N")
     return np.asarray(2 * N * (friction(mu) * np.cos(half) - np.sin(half)))
@@ -57,7 +59,7 @@ def cage_force(*, N: ArrayLike, alpha: ArrayLike, mu: ArrayLike) -> Array:
 def least_friction(*, N: float, alpha: float) -> float:
     """Coefficient of friction at which the force of Eq. 1 is zero, tan(alpha/2) (Eq. 2).
 
-    From the force at two coefficients, in which Eq. 1 is linear.
+    It is computed from the forces at two friction coefficients, because Eq. 1 is linear in mu.
 
     >>> bool(abs(least_friction(N=1.0, alpha=0.1) - np.tan(0.05)) < 1e-15)
     True
@@ -87,18 +89,18 @@ def largest_torque(*, N: ArrayLike, mu: ArrayLike, z: ArrayLike, D_i: ArrayLike)
 
 
 def normal_force(*, M_t: ArrayLike, alpha: ArrayLike, z: ArrayLike, D_i: ArrayLike) -> Array:
-    """Normal force N [force] on each free roller that carries M_t (Eq. 5, corrected)."""
+    """Normal force N [force] on each free roller under the torque M_t (Eq. 5, corrected)."""
     M_t = not_negative(M_t, "torque", "N m")
     return np.asarray(M_t / (_lever(z, D_i) * np.tan(_wedge(alpha) / 2)))
 
 
 def least_normal_force(*, M_t: ArrayLike, mu: ArrayLike, z: ArrayLike, D_i: ArrayLike) -> Array:
-    """Normal force [force] below which even a caged roller slips under M_t (Eq. 4)."""
+    """Normal force [force] below which even a roller in a cage slips under M_t (Eq. 4)."""
     return np.asarray(not_negative(M_t, "torque", "N m") / (_lever(z, D_i) * friction(mu)))
 
 
 def friction(mu: ArrayLike) -> Array:
-    """Coefficient of friction as an array; ValueError outside (0, 1)."""
+    """Coefficient of friction as an array; raises ValueError outside (0, 1)."""
     mu = np.asarray(mu, dtype=np.float64)
     if not np.all((mu > 0) & (mu < 1)):
         raise ValueError(f"coefficient of friction must lie in (0, 1), got mu={mu}")
