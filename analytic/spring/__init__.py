@@ -1,6 +1,6 @@
 """Accordion springs of roller clutches.
 
-Any consistent units, unless a docstring names SI units; messages state SI units.
+Any consistent units are valid, except where a docstring names SI units. Messages state SI units.
 """
 
 from analytic.public import lazily

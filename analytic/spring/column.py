@@ -1,28 +1,29 @@
-r"""Sideways buckling of an accordion spring: the equivalent column of Haringx.
+r"""Lateral buckling of an accordion spring: equivalent column of Haringx.
 
-A spring under compression is a column that bends, shears and, above all, shortens. Its rigidities
-are stiffnesses of one middle unit (arc, leaf, arc) of pitch p, by unit-load integrals about the
-unit's centre, which are exact for a small load:
+A spring under compression is a column with bending, shear and a large shortening. Its rigidities
+are the stiffnesses of one middle unit (arc, leaf, arc) of pitch p. They follow from unit-load
+integrals about the centre of the unit, which are exact for small loads:
 
 .. math:: B = p / a_B, \qquad C = p / a_C, \qquad S = p \,/\, (a_S - p^2 a_B/12)
 
 against a couple, an axial and a lateral force (the bending by a lateral force that is uniform over
 the pitch is not part of the shear compliance). The number of units is constant while the spring
-shortens to :math:`L = L_0 (1 - \xi)`, so that all rigidities decrease in proportion to L. Haringx's
-shear force acts along the rotated section; the force :math:`P = C \xi` then bends the column in
-waves of
+shortens to :math:`L = L_0 (1 - \xi)`, so that all rigidities decrease in proportion to L. In
+Haringx's theory, the shear force acts along the rotated section. The wave number k of the deflected
+column under the force :math:`P = C \xi` then satisfies
 
 .. math::
 
    (k L)^2 = \frac{P}{B}\Big(1 + \frac{P}{S}\Big) L^2
            = \frac{C L_0^2}{B}\,\xi \Big[1 - \Big(1 - \frac{C}{S}\Big)\xi\Big]
 
-and the spring buckles if kL reaches :math:`\pi/2` (head free), the root of :math:`\tan kL = kL/(1 +
-P/S)` (head hinged) or :math:`2\pi` (head guided), with a clamped tail. kL has a largest value: a
-sufficiently short spring never buckles. Force over E I and all lengths enter as ratios, so that
-:math:`\xi` depends only on the shape of the centre line.
+and the spring with a clamped tail buckles if kL reaches :math:`\pi/2` (head free), the root of
+:math:`\tan kL = kL/(1 + P/S)` (head hinged) or :math:`2\pi` (head guided). As kL has a maximum, a
+sufficiently short spring never buckles. :math:`\xi` depends only on the shape of the centre line,
+as only ratios of lengths and forces have an effect.
 
-Range: many units (errors of order 1/n), shortening small enough for the unit's first flexibilities.
+Range: many units (errors of the order 1/n), shortening so small that the initial flexibilities of a
+unit are valid.
 
 References
 ----------
@@ -48,10 +49,10 @@ SHEAR = 6 / 5  # energy factor of a rectangle
 
 @dataclass(frozen=True)
 class Unit:
-    """Pitch [length] and flexibilities of one middle unit about its centre.
+    """Pitch [length] and compliances of one middle unit about its centre.
 
-    `turn` [1/(force x length)] is the compliance under a couple, `axial` and `lateral`
-    [length/force] under forces along and across the spring.
+    `turn` [1/(force x length)] is the compliance under a couple. `axial` and `lateral`
+    [length/force] are the compliances under forces along and across the spring.
     """
 
     pitch: Array
@@ -70,13 +71,14 @@ def unit(
     E: ArrayLike,
     nu: ArrayLike = 0.3,
 ) -> Unit:
-    r"""Unit-load integrals over arc, leaf and arc; `radius` of the arcs' centre line.
+    r"""Pitch and compliances of a middle unit, by unit-load integrals over arc, leaf and arc.
 
-    With the angle :math:`\beta` that the arc's tangent makes with the axis, its points lie at
+    `radius` is that of the centre line of the arcs. With the angle :math:`\beta` between the
+    tangent of the arc and the axis, its points are at
 
     .. math:: x = p/2 - R\sin\beta, \quad y = L_1/2 + R\cos\beta, \quad 0 \le \beta \le \alpha
 
-    and the leaf between them is straight. Bending, axial force and shear are counted.
+    and the leaf between the arcs is straight. Bending, axial force and shear are included.
 
     >>> flat = unit(L1=11.6, radius=0.5, alpha=math.pi / 2, b=0.1, h=56, E=206e3)
     >>> round(float(flat.pitch), 12), round(float(flat.turn) * 961.333333, 4)  # E I: 11.6 + π/2
@@ -113,9 +115,9 @@ def critical_shortening(
     head: Head, *, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike,
     b: ArrayLike, nu: ArrayLike = 0.3,
 ) -> Array:  # fmt: skip
-    r""":math:`\xi = U_{cr}/L_0` at which the spring buckles sideways; NaN if it never does.
+    r"""Relative shortening :math:`\xi = U_{cr}/L_0` at lateral buckling; NaN without buckling.
 
-    L_0 is the distance from the leaf of the head to that of the tail along the centre line. The
+    L_0 is the distance between the leaves of head and tail along the axis, on the centre line. The
     thickness has only a small effect, by axial force and shear.
 
     >>> shape = dict(L1=11.6, radius=0.5, alpha=math.radians(80), b=0.1)
@@ -141,23 +143,23 @@ def critical_force(
     head: Head, *, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike,
     b: ArrayLike, h: ArrayLike, E: ArrayLike, nu: ArrayLike = 0.3,
 ) -> Array:  # fmt: skip
-    r"""Buckling force :math:`C \xi` [force], proportional to b^3; NaN if it never buckles."""
+    r"""Buckling force :math:`C \xi` [force], proportional to b^3; NaN without buckling."""
     part = unit(L1=L1, radius=radius, alpha=alpha, b=b, h=h, E=E, nu=nu)
     xi = critical_shortening(head, n=n, L1=L1, radius=radius, alpha=alpha, b=b, nu=nu)
     return np.asarray(part.pitch / part.axial * xi)
 
 
 def free_length(*, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike) -> Array:
-    """Distance [length] from the head's leaf to the tail's, along the axis, on the centre line."""
+    """Distance [length] between the leaves of head and tail along the axis, on the centre line."""
     n, R = np.asarray(n), np.asarray(radius, float)
     if np.any(n < 3):
-        raise ValueError(f"a spring needs at least 3 segments, got n={n}")
+        raise ValueError(f"a spring must have at least 3 segments, got n={n}")
     part = unit(L1=L1, radius=R, alpha=alpha, b=1.0, h=1.0, E=1.0)
     return np.asarray((n - 2) * part.pitch + 2 * R)
 
 
 def _shortening(waves: ArrayLike, slender: Array, softer: Array) -> Array:
-    """Smaller root of slender xi (1 - (1 - softer) xi) = waves; NaN without a root."""
+    """Smaller root of slender xi (1 - (1 - softer) xi) = waves; NaN without a real root."""
     bent = np.asarray(waves, float) / slender
     under = 1 - 4 * (1 - softer) * bent
     root = np.sqrt(np.where(under >= 0, under, np.nan))
@@ -165,7 +167,7 @@ def _shortening(waves: ArrayLike, slender: Array, softer: Array) -> Array:
 
 
 def _hinged_waves(stiffer: Array, x: Array) -> Array:
-    """Root in (pi, 3 pi/2) of sin x - (x/stiffer) cos x by Newton's method, from `x`."""
+    """Root in (pi, 3 pi/2) of sin x - (x/stiffer) cos x, by Newton's method from `x`."""
     for _ in range(20):
         sin, cos = np.sin(x), np.cos(x)
         value, slope = sin - x / stiffer * cos, cos * (1 - 1 / stiffer) + x / stiffer * sin

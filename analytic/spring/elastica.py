@@ -1,9 +1,9 @@
 r"""Exact large bending of an accordion spring: the elastica of its leaves and arcs.
 
-The head exerts a force (F_x, F_y) and a couple M_0 at the origin, the middle of its leaf, at which
-the centre line starts along y. Before leaves touch, there is no other load: the force is the same
-in every section, and the couple follows from the displaced position of the section. The only
-unknown function is the rotation :math:`\psi(s)` of the sections:
+A force (F_x, F_y) and a couple M_0 act on the head at the origin, the middle of its leaf, where the
+centre line starts along y. Before leaves touch, there is no other load: the force is equal in all
+sections, and the couple follows from the displaced position of the section. The only unknown
+function is the rotation :math:`\psi(s)` of the sections:
 
 .. math::
 
@@ -14,11 +14,11 @@ unknown function is the rotation :math:`\psi(s)` of the sections:
 
    \varepsilon = N/(EA), \quad \gamma = V/(GA), \quad N + i V = -(F_x + i F_y)\,e^{-i\phi}
 
-(Reissner's beam, whose strains are algebraic here; EA and GA may be infinite). Every piece has
-Gauss points. With the matrix S that integrates along the line, the equations and their derivatives
-are products of matrices; Newton's method solves for :math:`\psi` and the head at once.
+(Reissner's beam with algebraic strains; EA and GA may be infinite). Every piece has Gauss points.
+With the matrix S of integrals along the line, the equations and their derivatives are products of
+matrices. Newton's method solves for :math:`\psi` and the unknowns of the head together.
 
-Range: no contact between leaves; a narrow strip, or E/(1 - nu^2) for a wide strip.
+Range: no contact between leaves; a narrow strip, or a wide strip with E/(1 - nu^2) in place of E.
 
 References
 ----------
@@ -49,7 +49,7 @@ HELD_OFF = {  # unknowns of the head if its movement along x is given
 
 @dataclass(frozen=True)
 class State:
-    """Equilibrium of a spring with the displacement `U` along x and `drift` along y of its head.
+    """Equilibrium state of a spring; its head is displaced by `U` along x and `drift` along y.
 
     `head` (4,) contains the rotation, couple and force (F_x, F_y) of the head, `psi` (m,) the
     rotations and `at` (2, m) the positions of the Gauss points relative to the head. `J` (3, 4)
@@ -66,14 +66,14 @@ class State:
 
     @property
     def F(self) -> float:
-        """Force along x [force]."""
+        """Force [force] along x."""
         return float(self.head[F_X])
 
 
 class Elastica:
-    """Line of leaves and arcs (length, turn), clamped at its end and loaded at its start.
+    """Elastica of leaves and arcs (length, turn), clamped at its end and loaded at its start.
 
-    `analytic.spring.frame.pieces` returns the parts of an accordion spring.
+    `analytic.spring.frame.pieces` returns the pieces of an accordion spring.
     """
 
     def __init__(
@@ -98,10 +98,10 @@ class Elastica:
         self._tail = np.array([0.0, self.w @ np.cos(self.phi), self.w @ np.sin(self.phi)])
 
     def path(self, head: Head, U: Iterable[float]) -> list[State]:
-        """States at the displacements `U` [length] of a head free, hinged or guided sideways.
+        """States at the displacements `U` [length] of a head that is free, hinged or guided.
 
         The step between two states should be at most a twentieth of the length of the spring.
-        ArithmeticError if equilibrium is not found.
+        Raises ArithmeticError if no equilibrium is found.
         """
         states = [self.unloaded()]
         for u in U:
@@ -109,16 +109,16 @@ class Elastica:
         return states[1:]
 
     def unloaded(self) -> State:
-        """The spring without load."""
+        """State of the spring without load."""
         zero = np.zeros(4)
         return self._solve(np.zeros_like(self.w), zero, (), (), np.zeros(3))
 
     def displaced(
         self, head: Head, U: float, near: Sequence[State], *, aside: float = 0.0
     ) -> State:
-        """The state at U, found from one or two states in its neighbourhood.
+        """State at the displacement U [length], computed from one or two neighbouring states.
 
-        A head that is not free is fixed at the distance `aside` from its line, along y [length].
+        A head that is not free is fixed at the lateral position `aside` along y [length].
         """
         psi, P = near[-1].psi, near[-1].head
         if len(near) == 2 and near[1].U != near[0].U:
@@ -128,16 +128,16 @@ class Elastica:
         return self._solve(psi, P, HELD_OFF[head], held, np.array([0.0, -U, -aside]))
 
     def pushed(self, F: tuple[float, float], near: State, *, couple: float = 0.0) -> State:
-        """The state under a dead force (F_x, F_y) and couple on a free head, found from `near`."""
+        """State under a dead force (F_x, F_y) and a couple on a free head, computed from `near`."""
         P = np.array([near.head[TURN], couple, *F])
         return self._solve(near.psi, P, (TURN,), (0,), np.zeros(3))
 
     def linear_load(self) -> float:
-        r"""Force along x at which a spring with a free head buckles without prior deformation.
+        r"""Buckling force along x of a spring with a free head, neglecting prior deformation.
 
-        1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`; psi is zero
-        at the tail, and c is the cosine of the angle of the centre line. Strains of the strips
-        under F are included.
+        1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`, where psi is
+        zero at the tail and c is the cosine of the angle of the centre line. Axial and shear
+        strains under F are included.
         """
         cos, sin, F = np.cos(self.phi), np.sin(self.phi), 0.0
         for _ in range(3):  # F/EA is small
@@ -149,7 +149,7 @@ class Elastica:
     def _solve(
         self, psi: Array, P: Array, columns: tuple[int, ...], rows: tuple[int, ...], moved: Array
     ) -> State:
-        """Newton on psi and the `columns` of P, so that the tail has `moved` in the `rows`."""
+        """State by Newton's method for psi and `columns` of P; the tail has `moved` in `rows`."""
         P = P.copy()
         for _ in range(ITERATIONS):
             equations = self._equations(psi, P)
@@ -164,8 +164,8 @@ class Elastica:
                 went = equations[3] - self._tail
                 return State(float(-went[1]), float(-went[2]), P, psi, equations[-1], J)
         raise ArithmeticError(
-            f"no equilibrium of the spring found near F = {P[F_X]:g}, U = {-moved[1]:g}: take "
-            "smaller steps"
+            f"no equilibrium of the spring was found near F = {P[F_X]:g}, U = {-moved[1]:g}: use "
+            "smaller steps of U"
         )
 
     def _correction(
@@ -175,7 +175,7 @@ class Elastica:
         rows: tuple[int, ...],
         moved: Array,
     ) -> tuple[Array, Array, Array]:
-        """Newton's changes of psi (m,) and of P (4,); derivatives (3, 4) of the tail by P."""
+        """Newton corrections of psi (m,) and of P (4,), and derivatives (3, 4) of the tail by P."""
         residual, A, B, tail, by_psi, by_P, _ = equations
         Z = np.linalg.solve(A, np.column_stack([residual, B]))
         J = by_psi @ Z[:, 1:] + by_P
@@ -186,7 +186,10 @@ class Elastica:
         return Z[:, 1:] @ change - Z[:, 0], change, J
 
     def _equations(self, psi: Array, P: Array) -> tuple[Array, ...]:
-        """Residual (m,), derivatives (m, m), -(m, 4); the tail (3,) and derivatives; places."""
+        """Residual (m,), derivatives by psi (m, m) and -P (m, 4), tail (3,) and derivatives.
+
+        The last value contains the positions of the Gauss points.
+        """
         turn, couple, F_x, F_y = P
         S, EI, one = self.S, self.EI, np.ones_like(psi)
         c, s = np.cos(self.phi + psi), np.sin(self.phi + psi)
@@ -208,7 +211,10 @@ class Elastica:
         return residual, A, B, tail, by_psi, by_P, np.stack([x, y])
 
     def _slopes(self, c: Array, s: Array, F_x: float, F_y: float) -> tuple[Array, Array, Array]:
-        """(x', y') (2, m) with derivatives by psi (2, m) and by F (component, force, m)."""
+        """Derivatives (x', y') (2, m) along the line, and their derivatives by psi and by F.
+
+        Shapes (2, m) by psi and (component, force, m) by F.
+        """
         a, g = self._stretch, self._shear
         N, V = -(F_x * c + F_y * s), F_x * s - F_y * c
         eps, gamma = a * N, g * V

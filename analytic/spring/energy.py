@@ -1,14 +1,14 @@
 r"""Stiffness of the free accordion spring by the energy method (Wang et al. 2023, Eqs. 1-9).
 
-The equations are in their corrected form; the printed forms are in the errata ledger. The bending
-couple is :math:`M = F y`, with y the height of the centre line above the line of action of the
-force, which is the middle of the head. Head and tail are half leaves with a quarter arc; each of
-the n - 2 units between them is a leaf with an arc of the angle alpha at both ends. Every part is
-integrated in closed form. The arcs have the inner radius r as in the paper, although the centre
-line has r + b/2; `analytic.spring.frame` accepts both.
+The equations are corrected; the errata list contains the printed forms. The bending couple is
+:math:`M = F y` with the height y of the centre line above the line of action of the force, which
+passes through the middle of the head. Head and tail are half leaves with a quarter arc. Each of the
+n - 2 units between them is a leaf with an arc of the angle alpha at both ends. Every part is
+integrated in closed form. The arcs have the inner radius r as in the paper, although the radius of
+the centre line is r + b/2; `analytic.spring.frame` accepts both.
 
-Range: small displacements, thin strip (b << r), head free to rotate and to move sideways, tail
-fixed at the end of its arc, no contact between the parts.
+Range: small displacements, thin strip (b << r), head free to rotate and to move laterally, tail
+clamped at the end of its arc, no contact between the parts.
 
 References
 ----------
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 def leaf_length(*, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
-    r"""Straight length of a middle unit [length], in Eq. 3.
+    r"""Straight length L_2 [length] of a middle unit (in Eq. 3).
 
     .. math:: L_2 = \frac{L_1}{\sin\alpha} + \frac{2 (r + b/2)}{\tan\alpha}
 
@@ -36,7 +36,7 @@ def leaf_length(*, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) 
 
 
 def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
-    r"""The head's :math:`\int (M/F)^2 ds` [length^3], on its leaf and its arc (Eqs. 1 and 2).
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of the head, leaf and arc (Eqs. 1 and 2).
 
     .. math:: M/F = x, \quad 0 \le x \le L_1/2; \qquad
         M/F = L_1/2 + r \sin\theta, \quad 0 \le \theta \le \pi/2
@@ -48,16 +48,16 @@ def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
 def apex_moments(
     *, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
 ) -> tuple[Array, ...]:
-    r"""T_1 ... T_(n-1) over force [length]: the couple at the apex that ends unit i.
+    r"""Couples per force T_1 ... T_(n-1) [length] at the apexes of the arcs that end unit i.
 
     .. math:: T_1 = L_1/2 + r, \qquad T_i = T_{i-1} + s_i\,(2A + L_2 \sin\alpha), \qquad
         A = r (1 - \cos\alpha), \quad s_i = (-1)^{i+1}
 
-    The recursion that Eq. 3 omits; it follows from the last line of Eq. 3 at theta = alpha.
+    Eq. 3 omits this recursion; it follows from the last line of Eq. 3 at theta = alpha.
     """
     L1, r, b, alpha = _geometry(L1, r, b, alpha)
     if n < 3:
-        raise ValueError(f"a spring needs at least 3 segments, got n={n}")
+        raise ValueError(f"a spring must have at least 3 segments, got n={n}")
     rise = 2 * r * (1 - np.cos(alpha)) + leaf_length(L1=L1, r=r, b=b, alpha=alpha) * np.sin(alpha)
     T = [L1 / 2 + r]
     for i in range(2, n):
@@ -68,7 +68,7 @@ def apex_moments(
 def unit_flexibility(
     i: int, T: ArrayLike, *, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
 ) -> Array:
-    r"""Unit i's :math:`\int (M/F)^2 ds` [length^3] from T = T_(i-1) (Eqs. 3 and 4).
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of unit i from T = T_(i-1) (Eqs. 3 and 4).
 
     .. math::
         M/F = T + s\,r (1-\cos\theta); \quad T + s (A + x \sin\alpha); \quad
@@ -85,17 +85,17 @@ def unit_flexibility(
 
 
 def tail_flexibility(n: int, T: ArrayLike, *, r: ArrayLike) -> Array:
-    r"""The tail arc's :math:`\int (M/F)^2 ds` [length^3] from T = T_(n-1) (Eqs. 5 and 6).
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of the tail arc from T = T_(n-1) (Eqs. 5, 6).
 
     .. math:: M/F = T + s_n\, r (1 - \cos\theta), \quad 0 \le \theta \le \pi/2
 
-    s_n = -1 for the even n of the paper; an odd n ends on the other side and takes +1.
+    s_n = -1 for the even n of the paper. A spring with odd n ends on the other side, with s_n = +1.
     """
     return _arc(np.asarray(T, float), _sign(n), np.asarray(r, float), np.asarray(np.pi / 2))
 
 
 def flexibility(*, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
-    r""":math:`\int (M/F)^2 ds` of the whole spring [length^3], the sum of Eq. 7."""
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of the whole spring, the sum of Eq. 7."""
     T = apex_moments(n=n, L1=L1, r=r, b=b, alpha=alpha)
     units: Any = sum(
         unit_flexibility(i, T[i - 2], L1=L1, r=r, b=b, alpha=alpha) for i in range(2, n)
@@ -104,7 +104,7 @@ def flexibility(*, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: Arr
 
 
 def strain_energy(*, F: ArrayLike, E: ArrayLike, h: ArrayLike, **geometry: Any) -> Array:
-    r"""V [force x length] under the force F (Eq. 7): :math:`F^2 \int (M/F)^2 ds / (2 E I)`."""
+    r"""Strain energy V [force x length] under F (Eq. 7): :math:`F^2 \int (M/F)^2 ds / (2 E I)`."""
     return np.asarray(F, float) ** 2 * flexibility(**geometry) / (2 * _EI(E, h, geometry["b"]))
 
 
@@ -137,18 +137,19 @@ def stiffness(
 def bending_stress(
     *, F: ArrayLike, b: ArrayLike, h: ArrayLike, r: ArrayLike, L1: ArrayLike
 ) -> Array:
-    r"""Largest bending stress [stress], at the inner side of a loop's apex, with M = F (L_1/2 + r).
+    r"""Largest bending stress [stress], at the inner side of the apex of a loop.
 
     .. math:: \sigma = \kappa\,\frac{6 M}{h b^2}
 
-    with the factor :math:`\kappa` of `curvature_factor`; the head's and tail's loops carry it.
+    with M = F (L_1/2 + r) and the factor :math:`\kappa` of `curvature_factor`. It occurs in the
+    loops of head and tail.
     """
     F, b, h, r, L1 = (np.asarray(v, float) for v in (F, b, h, r, L1))
     return np.asarray(curvature_factor(b=b, r=r) * 6 * F * (L1 / 2 + r) / (h * b**2))
 
 
 def curvature_factor(*, b: ArrayLike, r: ArrayLike) -> Array:
-    r"""Largest stress of a curved bar in pure bending over a straight bar's, 6M/(hb²).
+    r"""Ratio of the largest stress of a curved bar in pure bending to 6M/(hb²) of a straight bar.
 
     .. math::
         \kappa = \frac{2 b^2}{3 N}\left[2 b_o^2 \ln\frac{b_o}{r} - (b_o^2 - r^2)\right], \qquad
@@ -168,7 +169,7 @@ def curvature_factor(*, b: ArrayLike, r: ArrayLike) -> Array:
 
 
 def _arc(T: Array, s: int, r: Array, angle: Array) -> Array:
-    """Integral of (T + s r (1 - cos t))^2 r dt over 0..angle."""
+    """Integral of (T + s r (1 - cos t))^2 r dt from 0 to `angle`."""
     one = angle - np.sin(angle)
     two = 1.5 * angle - 2 * np.sin(angle) + np.sin(2 * angle) / 4
     return np.asarray(r * (T**2 * angle + 2 * s * T * r * one + r**2 * two))

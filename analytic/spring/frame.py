@@ -1,21 +1,21 @@
-r"""Accordion spring as a plane curved frame, by the force method, for every end condition.
+r"""Accordion spring as a plane curved frame by the force method, for all end conditions.
 
-The centre line starts in the middle of the head, the origin, along y; the force acts along x. With
-P = (F_x, F_y, M_0) at the head, a section at (x, y) with tangent t carries
+The centre line starts in the middle of the head, the origin, along y; the force acts along x. Under
+P = (F_x, F_y, M_0) at the head, the internal forces of a section at (x, y) with the tangent t are
 
 .. math:: M = y F_x - x F_y + M_0, \qquad N = -(F_x, F_y)\cdot t, \qquad V = -(F_x, F_y)\cdot n
 
-and the displacement of the head is :math:`d = C P`, with C the unit-load integrals. The supports
-determine which components of d and P are zero. Gauss points on every leaf and arc make the
+and the displacement of the head is :math:`d = C P`, where C are the unit-load integrals. The
+supports determine which components of d and P are zero. Gauss points on every leaf and arc make the
 integrals exact to round-off.
 
-Theories, each containing the one before:
+Energy terms of the theories; each theory includes the terms of the previous one:
 
 "bending"  M^2/(EI), as in the paper;
-"thin"     and N^2/(EA);
-"shear"    and 6/5 V^2/(GA) (Timoshenko beam);
-"thick"    and on the arcs the second-order terms in b/R of plane elasticity: pure bending
-           of a curved bar, and the coupling of M and N.
+"thin"     in addition N^2/(EA);
+"shear"    in addition 6/5 V^2/(GA) (Timoshenko beam);
+"thick"    in addition the second-order terms in b/R of plane elasticity on the arcs: pure
+           bending of a curved bar, and the coupling of M and N.
 
 References
 ----------
@@ -44,7 +44,7 @@ POINTS = 20
 
 @dataclass(frozen=True)
 class Sections:
-    """Quadrature along the centre line: position, tangent (2, m), weight ds and curvature (m,)."""
+    """Gauss points along the centre line: position, tangent (2, m), weight ds, curvature (m,)."""
 
     at: Array
     tangent: Array
@@ -61,13 +61,13 @@ def pieces(
     tail: Tail = "arc",
     leaf: float | None = None,
 ) -> Iterator[tuple[float, float]]:
-    """(length, turn) of every leaf and arc, starting at the head; turn [rad], positive to the left.
+    """Length and turn [rad] of every leaf and arc, from the head on; positive turn to the left.
 
-    `leaf` is the straight length of the middle units; the default makes the spring symmetric, so
-    that its loops extend to L1/2 + radius on both sides of the force.
+    `leaf` is the straight length of the middle units. By default, the spring is symmetric: its
+    loops extend to L1/2 + radius on both sides of the force.
     """
     if n < 3:
-        raise ValueError(f"a spring needs at least 3 segments, got n={n}")
+        raise ValueError(f"a spring must have at least 3 segments, got n={n}")
     if not (L1 > 0 and radius > 0):
         raise ValueError(f"L1 and radius must be positive, got L1={L1:g} m, radius={radius:g} m")
     if not 0 < alpha <= math.pi / 2:
@@ -92,7 +92,7 @@ def pieces(
 
 
 def sections(parts: Iterator[tuple[float, float]]) -> Sections:
-    """Gauss points on all `parts`, starting at the origin along y."""
+    """Gauss points of all `parts`; the line starts at the origin along y."""
     t, w = np.polynomial.legendre.leggauss(POINTS)
     t, w = (t + 1) / 2, w / 2
     start, heading = np.zeros(2), math.pi / 2
@@ -112,9 +112,9 @@ def sections(parts: Iterator[tuple[float, float]]) -> Sections:
 def flexibility(
     line: Sections, *, b: float, h: float, E: float, nu: float, theory: Theory
 ) -> Array:
-    """C (3, 3) of d = C P at the head with the other end clamped; [1/stiffness] and so on."""
+    """Compliance matrix C (3, 3) of d = C P at the head, with the other end clamped."""
     if not (b > 0 and h > 0 and E > 0):
-        raise ValueError(f"needs b, h, E > 0, got b={b:g} m, h={h:g} m, E={E:g} Pa")
+        raise ValueError(f"b, h and E must be positive, got b={b:g} m, h={h:g} m, E={E:g} Pa")
     x, y = line.at
     one, zero = np.ones_like(x), np.zeros_like(x)
     t_x, t_y = line.tangent
@@ -164,20 +164,20 @@ def stiffness(
     Parameters
     ----------
     radius
-        Of the arcs' centre line: r + b/2, or the paper's inner radius r.
+        Radius of the centre line of the arcs: r + b/2, or the inner radius r as in the paper.
     leaf
-        Straight length of the middle units; by default the spring is symmetric.
+        Straight length of the middle units; by default, the spring is symmetric.
     head
-        "free" to move sideways and to turn, "hinged" (turns only) or "guided" (neither).
+        "free" (lateral motion and rotation), "hinged" (rotation only) or "guided" (neither).
     tail, hold
-        Held at the end of its "arc" or in the "mid-leaf", "clamped" there or "hinged".
+        The tail is fixed at the end of its "arc" or in its "mid-leaf", "clamped" or "hinged".
     plane_strain
-        E/(1 - nu^2) instead of E: a strip much wider than its loops.
+        E/(1 - nu^2) in place of E, for a strip that is much wider than its loops.
 
     Raises
     ------
     ValueError
-        For impossible geometry, and for a spring that can swing freely.
+        If the geometry is impossible, or if the spring can rotate freely.
 
     >>> strip = dict(n=10, b=0.1, h=56, L1=11.6, alpha=math.radians(80), E=206e3)
     >>> L2 = 11.6 / math.sin(math.radians(80)) + 1.0 / math.tan(math.radians(80))
@@ -204,7 +204,10 @@ def stiffness(
         unit = np.linalg.solve(C[np.ix_(loads, loads)], np.eye(len(loads))[0])
         return float(unit[0])
     if head == "free":
-        raise ValueError("a hinged tail needs a hinged or guided head: the spring swings freely")
+        raise ValueError(
+            "a spring with a hinged tail must have a hinged or guided head: otherwise, it can "
+            "rotate freely"
+        )
     # A hinged tail turns by phi, which carries no moment there: w . P = 0 and d = C P + w phi.
     x_t, y_t = end_point(**shape)
     w = np.array([y_t, -x_t, 1.0])[loads]
@@ -221,7 +224,7 @@ def end_point(
     tail: Tail = "arc",
     leaf: float | None = None,
 ) -> tuple[float, float]:
-    """Clamped end of the tail, relative to the middle of the head [length]."""
+    """Position [length] of the clamped end of the tail, relative to the middle of the head."""
     at, heading = np.zeros(2), math.pi / 2
     for length, turn in pieces(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf):
         at = _advance(at, heading, np.array([length]), turn / length)[:, 0]
@@ -230,7 +233,7 @@ def end_point(
 
 
 def free_length(*, n: int, b: float, r: float, L1: float, alpha: float) -> float:
-    """L_0 [length] over all: from the head's outer face to the tail's, leaf to leaf."""
+    """Free length L_0 [length] over all, between the outer faces of the leaves of head and tail."""
     return end_point(n=n, L1=L1, radius=r + b / 2, alpha=alpha, tail="mid-leaf")[0] + b
 
 
@@ -245,14 +248,17 @@ def _advance(start: Array, heading: float, s: Array, k: float) -> Array:
 def _curved_bar(R: float, b: float, h: float, E: float, nu: float) -> tuple[float, float, float]:
     """Compliances c_NN, c_NM, c_MM per length of a curved rectangular bar about its centroid.
 
-    c_MM is the plane elasticity solution of pure bending (Golovin; [2], art. 29); Winkler's bar,
-    which leaves the radial stress out, errs by 0.1 (b/R)^2 and in the other direction. c_NM holds
-    Winkler's 1/(EAR) and what the radial stress takes back of the shear's 1 + nu: only so is the
-    deflection of a quarter ring under a radial force independent of nu, 1 + 0.15 (b/R)^2 times
-    that of a thin one, as in [2], art. 33.
+    c_MM is the solution of plane elasticity for pure bending (Golovin; [2], art. 29). Winkler's bar
+    neglects the radial stress; its error is 0.1 (b/R)^2 in the opposite direction. c_NM contains
+    Winkler's 1/(EAR) and a term by which the radial stress reduces the factor 1 + nu of the shear.
+    Only with both terms is the deflection of a quarter ring under a radial force independent of nu:
+    1 + 0.15 (b/R)^2 times that of a thin ring, as in [2], art. 33.
     """
     if not b < 2 * R:
-        raise ValueError(f"a bar of thickness b={b:g} m cannot have the radius {R:g} m")
+        raise ValueError(
+            f"the thickness of a bar must be less than twice its radius, got b={b:g} m, radius "
+            f"{R:g} m"
+        )
     A, i, o = h * b, R - b / 2, R + b / 2
     N = (o**2 - i**2) ** 2 - 4 * i**2 * o**2 * math.log(o / i) ** 2
     c_NM = (1 + SHEAR * nu) / (E * A * R)

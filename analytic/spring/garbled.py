@@ -1,6 +1,6 @@
-"""Eqs. 1 to 7 of Wang et al. 2023 with the possible readings of their illegible signs.
+"""Eqs. 1 to 7 of Wang et al. 2023 with the possible interpretations of their illegible signs.
 
-`analytic.spring.energy` has the adopted reading in closed form.
+`analytic.spring.energy` contains the adopted interpretation in closed form.
 """
 
 import math
@@ -27,14 +27,13 @@ def flexibility(
     start: float,
     ends: tuple[float, float] = (math.pi / 2, math.pi / 2),
 ) -> float:
-    """Integral of (M/F)^2 along the spring [length^3] with the chosen signs and first couple.
+    """Integral of (M/F)^2 along the spring [length^3] with given signs and first couple.
 
-    `n` segments; half the straight length of head and tail `a`, radius `r` of the arcs, straight
-    length `L2` of a middle leaf, angle `alpha` of the arcs [rad]. `signs` is one of SIGNS, `start`
-    the share of `r` in the lever of the first couple. `ends` are the angles [rad] over which the
-    arcs of head and tail are taken. By Gauss' rule of 24 points on each piece, exact to round-off.
-
-    A straight tail of length a alone has a^3/3:
+    `n` is the number of segments, `a` half the straight length of head and tail, `r` the radius of
+    the arcs, `L2` the straight length of a middle leaf, `alpha` the angle of the arcs [rad].
+    `signs` is one of SIGNS. `start` is the fraction of `r` in the lever arm of the first couple.
+    `ends` are the angles [rad] of the arcs of head and tail. Gauss' rule with 24 points per piece
+    is exact to round-off. A straight half leaf of length a contributes a^3/3:
 
     >>> round(flexibility(2, 3.0, 0.0, 1.0, 1.0, "alternating", 1.0), 12)
     9.0
@@ -63,7 +62,7 @@ def flexibility(
 
 @dataclass(frozen=True)
 class Reading:
-    """One reading of the equations and the stiffness [N/m] it gives."""
+    """One interpretation of the equations and the resulting stiffness [N/m]."""
 
     leaf: str
     offset: str
@@ -74,7 +73,7 @@ class Reading:
 
     @property
     def is_adopted(self) -> bool:
-        """The reading of `analytic.spring.energy`."""
+        """True for the interpretation that `analytic.spring.energy` uses."""
         return (self.leaf, self.offset, self.radius, self.signs, self.start) == (
             "L_1/sin α", "r + b/2", "r", "alternating", "F (L_1/2 + r)",
         )  # fmt: skip
@@ -83,10 +82,11 @@ class Reading:
 def readings(
     *, n: int, b: float, h: float, r: float, L1: float, alpha: float, E: float
 ) -> list[Reading]:
-    """All readings of Eqs. 3 and 5, by direct quadrature of the printed moments.
+    """Stiffnesses by all interpretations of Eqs. 3 and 5, by quadrature of the printed moments.
 
-    `n` segments of thickness `b` and width `h`, inner radius `r` of the arcs, straight length `L1`
-    of head and tail, angle `alpha` of the arcs [rad], Young's modulus `E`.
+    The spring has `n` segments of thickness `b` and width `h`, the inner radius `r` of the arcs,
+    the straight length `L1` of head and tail, the angle `alpha` of the arcs [rad] and Young's
+    modulus `E`.
 
     >>> found = readings(n=10, b=1e-4, h=56e-3, r=4.5e-4, L1=11.6e-3, alpha=1.4, E=206e9)
     >>> len(found), sum(one.is_adopted for one in found)

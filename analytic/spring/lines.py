@@ -1,4 +1,4 @@
-"""A force over the displacement by two straight lines, such as Eq. 10 of Wang et al."""
+"""Force-displacement curve of two straight lines, such as Eq. 10 of Wang et al."""
 
 import math
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 @dataclass(frozen=True)
 class Lines:
-    """F = k1 U + c1 up to the intersection of the lines, F = k2 U + c2 beyond [force, length].
+    """Curve F = k1 U + c1 up to the intersection of both lines, F = k2 U + c2 beyond it.
 
     >>> lines = Lines(k1=2.0, c1=0.0, k2=3.0, c2=-4.0)
     >>> lines.U, lines.F, lines.force([1.0, 5.0]).tolist()
@@ -23,21 +23,21 @@ class Lines:
 
     @property
     def U(self) -> float:
-        """Displacement at the intersection of both lines."""
+        """Displacement [length] at the intersection of both lines."""
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     @property
     def F(self) -> float:
-        """Force at the intersection of both lines."""
+        """Force [force] at the intersection of both lines."""
         return self.k1 * self.U + self.c1
 
     def force(self, U: ArrayLike) -> NDArray[np.float64]:
-        """Forces at the displacements U."""
+        """Forces [force] at the displacements U [length]."""
         U = np.asarray(U, dtype=np.float64)
         return np.where(self.U > U, self.k1 * U + self.c1, self.k2 * U + self.c2)
 
     def spread(self, u_k1: float, u_c1: float, u_k2: float, u_c2: float) -> tuple[float, float]:
-        """Standard uncertainties of U and F from uncertain constants, to first order.
+        """Standard uncertainties of U and F at the intersection, from those of the constants.
 
         >>> Lines(k1=2.0, c1=0.0, k2=3.0, c2=-4.0).spread(0.0, 0.1, 0.0, 0.0)
         (0.1, 0.30000000000000004)

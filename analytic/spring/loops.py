@@ -1,8 +1,9 @@
-"""The accordion spring's centre line as a wire, with the two loops that its free tips close.
+"""Centre line of the accordion spring, with the loops that its free tips close.
 
-Head and tail are whole leaves of the length L_1, fixed in their middles; the half of each beyond
-the middle is free until its tip touches the next leaf. Coordinates as in `analytic.spring.frame`:
-the origin is the middle of the head, whose leaf is along y; the force acts along x.
+Head and tail are whole leaves of length L_1, fixed in their middles. The half of each leaf beyond
+the middle is free until its tip touches the next leaf. The coordinates are those of
+`analytic.spring.frame`: the origin is the middle of the head, whose leaf is along y; the force acts
+along x.
 """
 
 from dataclasses import dataclass, field
@@ -21,11 +22,11 @@ QUARTER = np.pi / 2
 
 @dataclass(frozen=True)
 class Pair:
-    """A tip, and the point of the next leaf that it will touch, loaded by opposite unit forces.
+    """Pair of a tip and the point of the next leaf that it will touch, under opposite unit forces.
 
-    They load a section at (x, y) with the couple `moment` . (1, x, y) and the force `force`:
-    on `loop` together with the spring's force; `with_tip` contains the free half leaf, too.
-    `distance` is from centre line to centre line, `gap` the distance minus the thickness.
+    The unit forces cause in a section at (x, y) the couple `moment` . (1, x, y) and the force
+    `force`. On `loop`, the force of the spring also acts; `with_tip` includes the free half leaf.
+    `distance` is measured between centre lines, `gap` is the distance minus the thickness.
     """
 
     moment: Array
@@ -38,9 +39,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Line:
-    """Second moments of the line from the middle of the head to the clamp, and both pairs.
+    """Second moments of the line from the middle of the head to the clamp, and both contact pairs.
 
-    `tops` (..., n - 1, 3) are the most distant places (1, x, y) from the force's line, one a loop.
+    `tops` (..., n - 1, 3) are the points (1, x, y) of the loops with the largest distance from the
+    line of the force, one per loop.
     """
 
     whole: Wire
@@ -51,7 +53,7 @@ class Line:
 
 @dataclass
 class _Pen:
-    """End of the line as far as it is assembled, and its second moments up to there."""
+    """End of the line as assembled so far, and its second moments."""
 
     at: Array
     heading: Array
@@ -72,7 +74,7 @@ class _Pen:
         return self
 
     def here(self) -> "_Pen":
-        """A second pen at the same place, with the same line behind it."""
+        """Copy of this end with the same line behind it."""
         other = _Pen(self.at, self.heading)
         other.drawn = self.drawn
         return other
@@ -91,8 +93,8 @@ def line(
 ) -> Line:
     """Line of n segments with arcs of `radius` and middle leaves of the length `straight`.
 
-    `normal` is the direction of the forces between tip and leaf: that of the "force" of the
-    spring, or the normal of the unloaded "leaf". Arrays broadcast.
+    `normal` is the direction of the forces between tip and leaf: that of the "force" of the spring,
+    or the normal of the unloaded "leaf". Arrays broadcast.
     """
     L1, R, alpha, b, straight = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (L1, radius, alpha, b, straight))
@@ -134,7 +136,7 @@ def _along(heading: Array, length: Array) -> Array:
 
 
 def _foot(tip: Array, unit: _Pen, normal: Normal) -> tuple[Array, Array, Array]:
-    """Intersection of the normal through `tip` with the leaf ahead of `unit`; normal; distance."""
+    """Foot of the normal through `tip` on the leaf ahead of `unit`, unit normal, and distance."""
     t = _along(unit.heading, np.ones_like(unit.heading))
     across = np.stack([-t[..., 1], t[..., 0]], axis=-1)
     away = ((unit.at - tip) * across).sum(axis=-1)
@@ -149,13 +151,13 @@ def _foot(tip: Array, unit: _Pen, normal: Normal) -> tuple[Array, Array, Array]:
 
 
 def _up_to(unit: _Pen, place: Array) -> Wire:
-    """The line from the head's middle to `place` on the leaf ahead of `unit`."""
+    """Line from the middle of the head to `place` on the leaf ahead of `unit`."""
     s = np.hypot(*np.moveaxis(place - unit.at, -1, 0))
     return unit.drawn + leaf(unit.at, unit.heading, np.asarray(s))[0]
 
 
 def _couple(at: Array, force: Array) -> Array:
-    """Coefficients (1, x, y) of a section's couple y' F_x - x' F_y, x' and y' counted from `at`."""
+    """Coefficients of (1, x, y) in the couple y' F_x - x' F_y, with x', y' relative to `at`."""
     x, y = np.moveaxis(at, -1, 0)
     f_x, f_y = np.moveaxis(force, -1, 0)
     return np.stack([x * f_y - y * f_x, -f_y, f_x], axis=-1)

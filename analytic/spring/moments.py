@@ -1,4 +1,4 @@
-"""Bending moment along an accordion spring: Eqs. 1, 3 and 5 of Wang et al. 2023 as a diagram."""
+"""Bending moment diagram of an accordion spring: Eqs. 1, 3 and 5 of Wang et al. 2023."""
 
 import numpy as np
 
@@ -8,11 +8,12 @@ from analytic.spring.energy import Array, apex_moments, leaf_length
 def moment_diagram(
     *, n: int, L1: float, r: float, b: float, alpha: float, per_piece: int = 9
 ) -> tuple[Array, Array]:
-    r"""Arc length [length] and moment over force [length] at `per_piece` points of every piece.
+    r"""Arc lengths [length] and moments per force [length] at `per_piece` points of every piece.
 
-    Pieces are the head's leaf and arc, arc-leaf-arc of each middle unit, and the tail's arc, so
-    that the rows 0 and -1 of ``reshape(-1, per_piece)`` are where pieces meet. Shapes
-    (per_piece (3 n - 3),). With T the couple at the apex before a unit and s = +1, -1, ... :
+    The pieces are leaf and arc of the head, arc, leaf, arc of each middle unit, and the arc of the
+    tail. The columns 0 and -1 of ``reshape(-1, per_piece)`` are the ends of the pieces. Both arrays
+    have the shape (per_piece (3 n - 3),). With the couple T at the apex before a unit and s = +1,
+    -1, ...:
 
     .. math::
         M/F = x, \quad L_1/2 + r\sin\theta; \qquad

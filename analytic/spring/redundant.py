@@ -1,7 +1,7 @@
 """Response of an accordion spring with supports and closed pairs of tip and leaf.
 
-The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three at the head and the contact force
-of each pair, do work on the displacements E I d = A X. A support or a closed pair keeps its d at
+Force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three at the head and the contact force of
+each pair, do work on the displacements d with E I d = A X. At a support or a closed pair, d is
 zero.
 """
 
@@ -24,7 +24,7 @@ PAIRS = 3  # first row of the pairs
 
 @dataclass(frozen=True)
 class Response:
-    """Spring with E I = 1: stiffness, all five forces X and both closing rates per force F."""
+    """Response of a spring with E I = 1: stiffness, forces X and both closing rates per force F."""
 
     k: Array
     X: Array
@@ -32,7 +32,10 @@ class Response:
 
 
 def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
-    """Effect of the force with supports and the pairs `touching` (0 head, 1 tail) closed."""
+    """Response to the force with the supports `held` and the closed pairs `touching`.
+
+    Pair 0 is at the head, pair 1 at the tail.
+    """
     active = [0, *held, *(PAIRS + i for i in touching)]
     unit = np.zeros((*A.shape[:-2], len(active), 1))
     unit[..., 0, 0] = 1.0
@@ -44,7 +47,7 @@ def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
 
 
 def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
-    """A (..., 5, 5) for F_x, F_y, M_0 and both pairs with E I = 1."""
+    """Compliance matrix A (..., 5, 5) for F_x, F_y, M_0 and both pairs, with E I = 1."""
     axial = b**2 / 12 * (theory != "bending")
     shear = b**2 / 12 * (12 / 5) * (1 + nu) * (theory == "shear")
 

@@ -1,14 +1,13 @@
-r"""Sideways buckling of an accordion spring: critical points of its elastica.
+r"""Lateral buckling of an accordion spring: critical points of its elastica.
 
-The spring is compressed with its head guided. If the head is released sideways, the force of the
-guide acts on it as a dead load. The head can then move without a change of load if a part of
-`State.J` is singular: the displacements of the tail, relative to the head, no longer depend on the
-freedom of the head. Beyond this displacement, only the guide keeps the head in place. The lateral
-stiffness of the guided head is the stiffness against the guide.
+The spring is compressed with a guided head. If the lateral guide is removed, its force acts on the
+head as a dead load. At a critical point, the head can move without a change of load: a part of
+`State.J` is singular. Beyond this displacement, the spring is stable only with the guide. The
+lateral stiffness of the guided head is the stiffness against a movement along y.
 
 There is no earlier bifurcation on this path. A head that is free from the beginning drifts
-immediately, because its force bends the spring more to one side than to the other; the drift grows
-without limit near the same force.
+immediately, because its force bends the spring more to one side than to the other. The drift
+increases without limit near the same force.
 
 References
 ----------
@@ -32,22 +31,23 @@ SHARP, SECANTS = 1e-10, 30  # of the displacement
 
 
 def determinant(state: State, head: Head) -> float:
-    """Zero if a head of this freedom can move under the loads that it has."""
+    """Determinant that is zero if a head of this kind can move under its present loads."""
     rows, columns = FREEDOM[head]
     return float(np.linalg.det(state.J[np.ix_(rows, columns)]))
 
 
 def lateral_stiffness(state: State) -> float:
-    """Of a guided head against a movement along y [force/length], in its state."""
+    """Lateral stiffness [force/length] of a guided head along y in the given state."""
     # the tail, seen from the head, then moves by -y
     exerted = np.linalg.solve(state.J[:, [COUPLE, F_X, F_Y]], np.array([0.0, 0.0, -1.0]))
     return float(exerted[2])
 
 
 def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
-    """The first critical point of a `head` that is released, on the guided path through U [length].
+    """First critical point of a `head` that is released, on the guided path through U [length].
 
-    None if there is no critical point up to the last U. Steps as for `Elastica.path`.
+    None if there is no critical point up to the last U. The steps of U must be those of
+    `Elastica.path`.
     """
     near = [line.unloaded()]
     for u in U:
@@ -59,7 +59,7 @@ def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
 
 
 def _located(line: Elastica, head: Head, before: State, after: State) -> State:
-    """Root between two states of different sign: secant method with bracketing (Illinois)."""
+    """State at the root between two states of different sign, by a bracketing secant method."""
     a, b = (determinant(state, head) for state in (before, after))
     for _ in range(SECANTS):
         u = (before.U * b - after.U * a) / (b - a)

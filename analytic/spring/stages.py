@@ -1,10 +1,10 @@
 r"""Accordion spring before and after its free tips touch: stages OA and AB of its curve.
 
-Head and tail are whole leaves of the length L_1 = 2a. The half of the head's leaf beyond the force
-is free until its tip touches the next leaf (point A); the same happens at a tail that is fixed in
-its middle. A pair in contact is a rigid link without friction, so that force over displacement is
-piecewise linear. With M the couple per unit force at O and m the couple per unit force between tip
-and leaf,
+Head and tail are whole leaves of the length L_1 = 2a. The half of the head leaf beyond the force is
+free until its tip touches the next leaf (point A). The tail behaves in the same manner if it is
+fixed in its middle. A pair in contact is a rigid link without friction, so that force over
+displacement is piecewise linear. With the couple M per unit force at O and the couple m per unit
+force between tip and leaf,
 
 .. math::
     J = \int M^2 ds, \quad f_{FC} = \int M\,m\,ds, \quad f_{CC} = \int m^2 ds
@@ -12,11 +12,13 @@ and leaf,
     k_1 = \frac{EI}{J}, \quad F_A = \frac{g_0 EI}{f_{FC}}, \quad U_A = \frac{F_A}{k_1}, \quad
     k_2 = \frac{EI}{J - p f_{FC}^2/f_{CC}}
 
-for p pairs that close simultaneously. F_A follows from the gap that F closes; k_2 follows from the
-force F f_FC/f_CC that keeps the gap closed and reduces the compliance by p f_FC^2/f_CC.
+for p pairs that close simultaneously. F_A follows from the condition that F closes the gap. The
+contact force F f_FC/f_CC, which keeps the gap closed, reduces the compliance by p f_FC^2/f_CC;
+hence k_2.
 
-Head free: M = y, and m = y + a for a force between tip and leaf along x. With R the radius of the
-arcs, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between the arcs,
+For a free head, M = y, and m = y + a if the force between tip and leaf acts along x. With R the
+radius of the arcs, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between the
+arcs,
 
 .. math::
     g_0 = R(1 + \sin\alpha) + \frac{y_t + a}{\tan\alpha} - \frac b2 \Big(1 + \frac1{\sin\alpha}\Big)
@@ -28,29 +30,29 @@ arcs, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between th
     f_{CC} = \frac{8 a^3}{3} + R\Big[4a^2\beta + 4aR(1 - \cos\beta) + R^2\Big(\frac\beta2
         - \frac{\sin 2\beta}4\Big)\Big] + \frac{(y_t + a)^3}{3 \sin\alpha}
 
-from the free half (only f_CC: a^3/3), the other half, the arc above and the leaf down to y = -a.
-Both loops are equal, and the line of the force passes through both clamps: a tail fixed in its
-middle touches simultaneously with the head.
+with the contributions of the free half (only f_CC: a^3/3), the other half, the arc above and the
+leaf down to y = -a. Both loops are equal, and the line of the force passes through both clamps.
+Therefore, a tail that is fixed in its middle touches simultaneously with the head.
 
-Head guided: the guide's couple and side force, P = (F_x, F_y, M_0), follow from
-its rotation and side movement being zero. They do not vanish: of n even leaves one loop more
-lies on the one side of the force, the mean height S/L = int y ds/int ds is not zero, and
-M = y - S/L, k_1 = EI/(J - S^2/L); for odd n the side force does the like. So the integrals above
-become entries of a matrix, and supported displacements are eliminated:
+For a guided head, the couple and the lateral force of the guide in P = (F_x, F_y, M_0) follow from
+zero rotation and zero lateral displacement. They are not zero. For even n, one side of the force
+has one loop more than the other. The mean height S/L = int y ds/int ds is then not zero, and
+M = y - S/L, k_1 = EI/(J - S^2/L). For odd n, the lateral force has a similar effect. The integrals
+above become entries of a matrix, and the supported displacements are eliminated:
 
 .. math:: E I\,d = A\,X, \quad X = (F_x, F_y, M_0, C_h, C_t), \quad A_{jk} = w_j^T G\, w_k
 
-with the second moments G of `analytic.spring.wire`. By symmetry, head and tail still touch
+with the second moments G of `analytic.spring.wire`. By symmetry, head and tail also touch
 simultaneously. A spring with a hinged head is not symmetric: its tips touch one after the other.
 
-Direction of the force between tip and leaf: unloaded leaves have the angle 90 deg - alpha to the
-head, but the loop of the head closes by rotation, and at A the leaf ahead of the tip is nearly
-parallel to the head (`Stages.tilt`, within 2 deg for the paper's spring). The normal at A is
-therefore the direction of the force: `normal="force"`. With "leaf", the normal of the unloaded leaf
-is used.
+Direction of the force between tip and leaf: the angle between unloaded leaves and the head is 90
+deg - alpha. But the loop of the head closes by rotation, and at A the leaf ahead of the tip is
+nearly parallel to the head (`Stages.tilt`, within 2 deg for the spring of the paper). Therefore,
+the normal at A has the direction of the force of the spring: `normal="force"`. With "leaf", the
+normal of the unloaded leaf is used.
 
-Range: small displacements. U_A is half of the free length of the paper's spring, so that all
-this is a linear reference, not a prediction of the true curve. Thin strip, no friction.
+Range: small displacements, thin strip, no friction. For the spring of the paper, U_A is half of the
+free length. Therefore, the result is a linear reference, not a prediction of the true curve.
 
 References
 ----------
@@ -75,13 +77,14 @@ AT_ONCE = 1e-9  # relative: two tips that symmetry closes together
 
 @dataclass(frozen=True)
 class Stages:
-    """Force over displacement in straight pieces; every array has the inputs' common shape.
+    """Force-displacement curves of straight pieces; all arrays have the common shape of the inputs.
 
-    `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then `k2`; from
-    (`U_B`, `F_B`), where the second touches, `k3`. Tips that touch at once have B = A, k3 = k2.
-    inf where nothing touches. `top_couple` [force x length] is the largest couple at a loop's top
-    at A, `tilt` [rad] the remaining angle at A between the touching tip and its leaf,
-    `gap` [length] the distance that it closes.
+    The stiffness is `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then
+    `k2` up to (`U_B`, `F_B`), where the second tip touches, then `k3`. If both tips touch
+    simultaneously, B = A and k3 = k2. Displacements and forces are infinite if no tip touches.
+    `top_couple` [force x length] is the largest couple at the apex of a loop at A, `tilt` [rad] the
+    remaining angle at A between the touching tip and its leaf, `gap` [length] the distance that
+    this tip closes.
     """
 
     k1: Array
@@ -97,7 +100,7 @@ class Stages:
 
     @property
     def intercept(self) -> Array:
-        """Force at which the extended second line intersects U = 0; negative for k2 > k1."""
+        """Force [force] at which the extended second line intersects U = 0; negative if k2 > k1."""
         return np.asarray(self.F_A - self.k2 * self.U_A)
 
     def force(self, U: ArrayLike) -> Array:
@@ -114,7 +117,7 @@ class Stages:
 
 
 def gap(*, L1: ArrayLike, radius: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
-    r"""g_0 [length], along the force, between a tip's corner and the next leaf's face.
+    r"""Gap g_0 [length] along the force between the corner of a tip and the face of the next leaf.
 
     .. math:: g_0 = R(1 + \sin\alpha) + \frac{L_1 + R\cos\alpha}{\tan\alpha}
         - \frac b2 \Big(1 + \frac1{\sin\alpha}\Big)
@@ -144,29 +147,29 @@ def stages(
     theory: Theory = "bending",
     normal: Normal = "force",
 ) -> Stages:
-    """The stages of springs with n segments; all but n may be arrays, which broadcast.
+    """Stages of springs with n segments; all arguments except n may be arrays, which broadcast.
 
     Parameters
     ----------
     radius, leaf
-        Of the arcs' centre line (r + b/2, or the paper's r), and the straight length of the
-        middle units; by default the spring is symmetric.
+        Radius of the centre line of the arcs (r + b/2, or r as in the paper), and straight
+        length of the middle units; by default, the spring is symmetric.
     width_factor
-        On E I: 1 for a narrow strip, 1/(1 - nu^2) for a wide one. U_A does not depend on it.
+        Factor of E I: 1 for a narrow strip, 1/(1 - nu^2) for a wide one. No effect on U_A.
     head
-        "free" to move sideways and to turn, "hinged" (turns only) or "guided" (neither).
+        "free" (lateral motion and rotation), "hinged" (rotation only) or "guided" (neither).
     tail
         Clamped in its "mid-leaf", or along its whole leaf, which ends at the "arc".
     theory
-        "bending"; "thin" has axial strain too, "shear" also 6/5 V^2/(G A).
+        "bending"; "thin" adds the axial strain, "shear" also adds 6/5 V^2/(G A).
     normal
-        Direction of the force between tip and leaf: the spring's "force", or the normal of the
-        unloaded "leaf".
+        Direction of the force between tip and leaf: that of the "force" of the spring, or the
+        normal of the unloaded "leaf".
 
     Raises
     ------
     ValueError
-        For impossible geometry or material.
+        If the geometry or the material is impossible.
 
     >>> paper = dict(n=10, b=0.1, h=56, radius=0.5, L1=11.6, alpha=np.radians(80), E=206e3)
     >>> s = stages(**paper, head="free")
@@ -202,7 +205,7 @@ def stages(
 
 
 def _until(gaps: Array, rates: Array) -> Array:
-    """Forces that close `gaps` at `rates`; inf where they open."""
+    """Forces that close `gaps` at the given `rates`; infinite where a gap opens."""
     closes = rates > 0
     return np.where(closes, gaps / np.where(closes, rates, 1.0), np.inf)
 
@@ -216,7 +219,7 @@ def _checked(n: int, *values: ArrayLike) -> tuple[Array, ...]:
         *(np.asarray(v, dtype=np.float64) for v in values)
     )
     if n < 4:
-        raise ValueError(f"a spring with loops at both ends needs n >= 4 segments, got n={n}")
+        raise ValueError(f"a spring with loops at both ends must have n >= 4 segments, got n={n}")
     for name, unit, value in (
         ("L1", " m", L1), ("radius", " m", R), ("b", " m", b), ("h", " m", h), ("E", " Pa", E),
         ("width_factor", "", factor),
@@ -228,5 +231,7 @@ def _checked(n: int, *values: ArrayLike) -> tuple[Array, ...]:
     if not np.all((nu > -1) & (nu <= 0.5)):
         raise ValueError(f"Poisson's ratio must lie in (-1, 0.5], got nu={nu!s}")
     if not np.all(b < 2 * R):
-        raise ValueError(f"arcs need b < 2 R, got b={b!s} m, radius={R!s} m")
+        raise ValueError(
+            f"the thickness b must be less than twice the radius, got b={b!s} m, radius={R!s} m"
+        )
     return L1, R, b, h, alpha, E, nu, factor

@@ -1,20 +1,20 @@
 r"""Second moments of a bent line, leaf by leaf and arc by arc, in closed form.
 
-A plane strip whose bending couple is affine in the place of the section,
-:math:`M = w \cdot v` with :math:`v = (1, x, y)`, stores
-:math:`\tfrac12 w^T G w/(E I)`: the compliances of a spring are the second moments
+If the bending couple of a plane strip is an affine function of the position of the section,
+:math:`M = w \cdot v` with :math:`v = (1, x, y)`, its strain energy is
+:math:`\tfrac12 w^T G w/(E I)`. Therefore, the compliances of a spring are the second moments
 
 .. math:: G = \int v\,v^T ds, \qquad D = \int t\,t^T ds
 
-of its centre line taken as a wire, t being the tangent; D contains the axial and shear energy.
-On a leaf from v_0 to v_1 of length L, and on an arc of radius R about (x_c, y_c) from the polar
-angle psi_0 to psi_1,
+of its centre line with the tangent t; D is needed for the axial and shear energy. For a leaf from
+v_0 to v_1 of length L, and for an arc of radius R about (x_c, y_c) from the polar angle psi_0 to
+psi_1,
 
 .. math::
     G = \frac{L}{6}(2 v_0 v_0^T + v_0 v_1^T + v_1 v_0^T + 2 v_1 v_1^T), \qquad
     G = B \Big[R \int q\,q^T |d\psi|\Big] B^T, \quad v = B q, \quad q = (1, \cos\psi, \sin\psi)
 
-All functions broadcast: lengths and angles are arrays of one shape; G has it in front.
+All functions broadcast: lengths and angles have a common shape, which is the leading shape of G.
 """
 
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 class Wire:
     """Second moments `G` (..., 3, 3) of (1, x, y) and `D` (..., 2, 2) of the tangent.
 
-    Those of a line are the sums over its parts. `length` is G_00.
+    The moments of a line are the sums over its parts. `length` is G_00.
     """
 
     G: Array
@@ -47,7 +47,7 @@ class Wire:
 
 
 def leaf(start: Array, heading: ArrayLike, length: ArrayLike) -> tuple[Wire, Array]:
-    """A straight piece from `start` (..., 2), and its end.
+    """Second moments of a straight piece from `start` (..., 2), and its end point.
 
     >>> wire, end = leaf(np.zeros(2), np.pi / 2, 3.0)  # along y: L^3/3 about its end
     >>> round(float(wire.G[2, 2]), 12), end.round(12).tolist()
@@ -63,7 +63,7 @@ def leaf(start: Array, heading: ArrayLike, length: ArrayLike) -> tuple[Wire, Arr
 
 
 def arc(start: Array, heading: ArrayLike, radius: ArrayLike, turn: ArrayLike) -> tuple[Wire, Array]:
-    """Arc from `start` (..., 2) with the rotation `turn` [rad], positive to the left.
+    """Second moments of an arc from `start` (..., 2) with angle `turn` [rad], and its end point.
 
     >>> wire, end = arc(np.zeros(2), np.pi / 2, 2.0, -np.pi / 2)  # a quarter circle
     >>> end.round(12).tolist(), round(float(wire.G[2, 2]), 12) == round(2 * np.pi, 12)
@@ -100,7 +100,7 @@ def _dyad(a: Array, b: Array) -> Array:
 
 
 def _matrix(rows: list[list[Array]]) -> Array:
-    """Arrays of one shape (...) as the entries of a matrix (..., k, k)."""
+    """Matrix (..., k, k) whose entries are arrays of one shape (...)."""
     flat = np.broadcast_arrays(*(entry for row in rows for entry in row))
     k = len(rows)
     return np.stack(flat, axis=-1).reshape(*flat[0].shape, k, k)
