@@ -13,9 +13,9 @@ from typing import Any
 
 
 def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """`__getattr__` and `__dir__` of a package whose `__init__.py` is `file`; no units.
+    """Functions `__getattr__` and `__dir__` of a package whose `__init__.py` is `file`.
 
-    `__all__` is the sorted list of its public names. Unknown ones raise AttributeError.
+    `__all__` is the sorted list of the public names. Unknown names raise AttributeError.
 
     >>> from analytic import ring
     >>> ring.__all__[:2]

@@ -1,6 +1,6 @@
 """Thick rings.
 
-Any consistent units, where a docstring does not name SI units; messages state SI units.
+Any consistent units are valid, except where a docstring names SI units. Messages state SI units.
 """
 
 from analytic.public import lazily

@@ -1,9 +1,9 @@
-r"""Ring under a periodic pressure on one wall, the other free (Michell's Fourier series).
+r"""Ring under a periodic pressure on one wall, other wall free (Michell's Fourier series).
 
-The pressure sum p_m cos(m theta), m = 0, n, 2n, ..., pushes on the bore or on the rim; m = 0 is
-Lamé's ring. For m >= 2 Michell's stress functions r^m, r^(m+2), r^-m, r^(2-m) times cos(m theta)
-are taken in pairs that each belong to a wall and decay from it, with rho = r/r_o, s = r_i/r and
-stresses (sigma_r, sigma_theta, tau) times (cos, cos, sin):
+The pressure sum p_m cos(m theta), m = 0, n, 2n, ..., acts on the bore or on the rim; m = 0 is
+Lamé's ring. For m >= 2, Michell's stress functions r^m, r^(m+2), r^-m, r^(2-m) times cos(m theta)
+are combined in pairs: A, C decay from the rim, B, D decay from the bore. With rho = r/r_o,
+s = r_i/r, the stresses (sigma_r, sigma_theta, tau), times (cos, cos, sin), are
 
 .. math::
     A:\ & (1, -1, -1)\,\rho^{m-2}, &
@@ -11,7 +11,7 @@ stresses (sigma_r, sigma_theta, tau) times (cos, cos, sin):
     B:\ & (-1, 1, -1)\,s^{m+2}, &
     D:\ & (-2, -2, 0)\,s^m + m\,(-1, 1, -1)(s^m - s^{m+2}),
 
-and displacements (u_r, u_theta) 2G, with Kolosov's constant kappa,
+and the displacements (u_r, u_theta) times 2G, with Kolosov's constant kappa, are
 
 .. math::
     A:\ & r_o \frac{\rho^{m-1}}{m-1} (1, -1), &
@@ -21,11 +21,11 @@ and displacements (u_r, u_theta) 2G, with Kolosov's constant kappa,
     D:\ & r_i \left[s^{m-1}\left(1 - s^2 + \tfrac{s^2}{m+1}\right)(1, 1)
           + \frac{\kappa s^{m-1}}{m-1} (1, -1)\right].
 
-No power exceeds 1, so that m may be as large as a narrow patch requires. Of C and D the part that
-would be nearly A and B is already taken out, which keeps the four equations of the walls' tractions
-well conditioned: on its wall A has (1, -1) in (sigma_r, tau), C (2, 0), B (-1, -1), D (-2, 0).
-
-A finite sum of p_m is solved exactly, within plane linear elasticity.
+No power exceeds 1, so that m may be as large as a narrow patch requires. C and D do not contain the
+parts that would be nearly equal to A and B. Therefore, the four equations of the wall tractions are
+well conditioned: the tractions (sigma_r, tau) on the respective wall are (1, -1) for A, (2, 0) for
+C, (-1, -1) for B and (-2, 0) for D. The solution is exact for a finite sum of p_m, within plane
+linear elasticity.
 
 References
 ----------
@@ -50,7 +50,7 @@ CHUNK = 1_000_000  # cosines that are held at once
 
 @dataclass(frozen=True, kw_only=True)
 class State:
-    """Displacements [length] and stresses [stress] at points, each shaped like them."""
+    """Displacements [length] and stresses [stress] at points, in the shape of the points."""
 
     u_r: Array
     u_theta: Array
@@ -63,8 +63,8 @@ class State:
 class FourierRing:
     """Ring with the pressure sum of p[k] cos(k n theta) on its `loaded` wall.
 
-    `p` (K + 1,) [stress], positive where it pushes; n >= 2, as with n = 1 nothing balances it.
-    ValueError for impossible radii.
+    `p` (K + 1,) [stress] is positive in compression. n must be at least 2, because the loads with
+    n = 1 are not in equilibrium. Raises ValueError for impossible radii.
 
     >>> ring = FourierRing(r_i=1.0, r_o=2.0, E=1.0, nu=0.25, assumption="plane stress",
     ...                    loaded="bore", n=2, p=np.array([3.0, 0.0]))
@@ -83,34 +83,39 @@ class FourierRing:
 
     def __post_init__(self) -> None:
         if not 0 < self.r_i < self.r_o < np.inf:
-            raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={self.r_i} m, r_o={self.r_o} m")
+            raise ValueError(
+                f"radii of a ring must satisfy 0 < r_i < r_o, got r_i={self.r_i} m, r_o={self.r_o} "
+                "m"
+            )
         if self.n < 2:
-            raise ValueError(f"loads balance each other from n = 2 on, got n={self.n}")
+            raise ValueError(
+                f"n must be at least 2, so that the loads are in equilibrium, got n={self.n}"
+            )
         if self.loaded not in ("bore", "rim"):
-            raise ValueError(f"the loaded wall is 'bore' or 'rim', got {self.loaded!r}")
+            raise ValueError(f"the loaded wall must be 'bore' or 'rim', got {self.loaded!r}")
         positive(self.E, "Young's modulus", "Pa")
         if not np.all(np.isfinite(self.p)):
             raise ValueError("pressures must be finite")
 
     @property
     def plane(self) -> tuple[float, float]:
-        """E' and nu' of Hooke's law in the plane."""
+        """Elastic constants E' and nu' of Hooke's law in the plane."""
         E, nu = in_plane(self.E, self.nu, self.assumption)
         return float(E), float(nu)
 
     @property
     def kappa(self) -> float:
-        """Kolosov's constant, (3 - nu')/(1 + nu')."""
+        """Kolosov's constant (3 - nu')/(1 + nu')."""
         _, nu = self.plane
         return (3 - nu) / (1 + nu)
 
     @property
     def double_shear_modulus(self) -> float:
-        """2G [stress]."""
+        """Double shear modulus 2G [stress]."""
         return self.E / (1 + self.nu)
 
     def at(self, r: ArrayLike, theta: ArrayLike) -> State:
-        """State at the radii `r` and angles `theta` [rad] from the middle of a patch."""
+        """State at the radii `r` and the angles `theta` [rad] from the middle of a patch."""
         radii, angles = np.broadcast_arrays(
             np.asarray(r, dtype=np.float64), np.asarray(theta, dtype=np.float64)
         )
@@ -128,7 +133,7 @@ class FourierRing:
         )
 
     def mean_displacement(self, r: float) -> float:
-        """Mean of the radial displacement [length] around the circle of radius r."""
+        """Mean of the radial displacement [length] over the circle of radius r."""
         return float(self._mean(np.array([r]))[0, 0])
 
     @property
@@ -136,7 +141,7 @@ class FourierRing:
         return self.n * np.arange(1.0, self.p.size)
 
     def _mean(self, r: Array) -> Array:
-        """Fields of the mean pressure (5, points): Lamé's ring."""
+        """Fields (5, points) under the mean pressure: Lamé's ring."""
         wall = {"r_i": self.r_i, "r_o": self.r_o, "p_i": 0.0, "p_o": 0.0}
         wall["p_i" if self.loaded == "bore" else "p_o"] = float(self.p[0])
         radial, hoop = lame.stresses(r, **wall)
@@ -145,7 +150,7 @@ class FourierRing:
 
     @cached_property
     def _amplitudes(self) -> Array:
-        """Factors (4, K) of A, B, C, D [stress]."""
+        """Amplitudes (4, K) of the stress functions A, B, C, D [stress]."""
         m, p = self._m, np.asarray(self.p[1:], dtype=np.float64)
         rim = self.loaded == "rim"
         zero = np.zeros_like(p)
@@ -160,9 +165,9 @@ class FourierRing:
         return found
 
     def _waves(self, r: float) -> Array:
-        """u_r, u_theta, sigma_r, sigma_theta, tau of every wave (5, K) at the radius r.
+        """Amplitudes (5, K) of u_r, u_theta, sigma_r, sigma_theta, tau of the waves at radius r.
 
-        Without those that have decayed at this distance from the loaded wall.
+        Waves that have decayed at this distance from the loaded wall are omitted.
         """
         way = np.log(r / self.r_i) if self.loaded == "bore" else np.log(self.r_o / r)
         m = self._m[(self._m - 2) * way < NEGLIGIBLE]
@@ -172,14 +177,14 @@ class FourierRing:
         return np.asarray((factors * np.concatenate([moved, stresses], axis=1)).sum(axis=0))
 
     def _summed(self, waves: Array, theta: Array) -> Array:
-        """The waves (5, K) at the angles (points,): displacements and stresses (5, points)."""
+        """Sums of the waves (5, K) at the angles (points,): displacements, stresses (5, points)."""
         turn = np.outer(self._m[: waves.shape[1]], theta)
         even, odd = waves[[0, 2, 3]] @ np.cos(turn), waves[[1, 4]] @ np.sin(turn)
         return np.array([even[0], odd[0], even[1], even[2], odd[1]])
 
 
 def _stresses(m: Array, rho: float, s: float) -> Array:
-    """Stresses (4, 3, K) of A, B, C, D."""
+    """Stresses (4, 3, K) of the stress functions A, B, C, D."""
     a, b, c, d = rho ** (m - 2), s ** (m + 2), rho**m, s**m
     grown = m * a * (1 - rho) * (1 + rho)
     fallen = m * d * (1 - s) * (1 + s)
@@ -192,7 +197,7 @@ def _stresses(m: Array, rho: float, s: float) -> Array:
 
 
 def _displacements(m: Array, r: float, r_i: float, r_o: float, kappa: float) -> Array:
-    """2G times displacements (4, 2, K) of A, B, C, D."""
+    """Displacements (4, 2, K) of the stress functions A, B, C, D times 2G."""
     rho, s = r / r_o, r_i / r
     a, b = r_o * rho ** (m - 1) / (m - 1), r_i * s ** (m + 1) / (m + 1)
     c = r_o * rho ** (m - 1) * ((1 - rho) * (1 + rho) + 1 / (m - 1))
@@ -203,7 +208,10 @@ def _displacements(m: Array, r: float, r_i: float, r_o: float, kappa: float) -> 
 
 
 def _wall_tractions(m: Array, far: float) -> Array:
-    """sigma_r, tau at the rim, then at the bore (m, 4, 4), of A, B, C, D; far = ln(r_o/r_i)."""
+    """Tractions (m, 4, 4) of A, B, C, D: sigma_r, tau at the rim, then at the bore.
+
+    `far` is ln(r_o/r_i).
+    """
     q = np.exp(-far * m)
     up, down = np.exp(-far * (m - 2)), np.exp(-far * (m + 2))
     grown, fallen = -m * up * np.expm1(-2 * far), -m * q * np.expm1(-2 * far)

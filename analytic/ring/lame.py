@@ -5,8 +5,8 @@ r"""Thick-walled ring under internal and external pressure (Lamé).
     A = \frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}, \quad
     B = \frac{(p_i - p_o)\, r_i^2 r_o^2}{r_o^2 - r_i^2}
 
-Pressures count positive when they push on the wall, stresses when they pull. Any consistent set
-of units. The stresses in the plane are the same for every end condition:
+Pressures are positive in compression, stresses in tension. Any consistent units. The stresses in
+the plane are equal for all end conditions:
 
 "plane stress"  thin ring, no axial stress;
 "plane strain"  long ring between rigid end walls, no axial strain;
@@ -32,7 +32,7 @@ Ends = Literal["plane stress", "plane strain", "closed ends"]
 def stresses(
     r: ArrayLike, *, r_i: ArrayLike, r_o: ArrayLike, p_i: ArrayLike, p_o: ArrayLike = 0.0
 ) -> tuple[Array, Array]:
-    """Radial and hoop stress [stress] at the radii `r`; shaped like r and the parameters.
+    """Radial and hoop stress [stress] at the radii `r`, with the shape of r and the parameters.
 
     >>> sigma_r, sigma_t = stresses([1.0, 2.0], r_i=1.0, r_o=2.0, p_i=3.0)
     >>> sigma_t.tolist()  # bore: p (r_o² + r_i²) / (r_o² - r_i²) = 5/3 p
@@ -46,7 +46,7 @@ def stresses(
 def axial_stress(
     *, r_i: ArrayLike, r_o: ArrayLike, p_i: ArrayLike, p_o: ArrayLike = 0.0, nu: float, ends: Ends
 ) -> Array:
-    """Axial stress [stress], uniform over the wall: 0, 2 nu A or A."""
+    """Axial stress [stress], uniform over the wall; it is 0, 2 nu A or A, depending on `ends`."""
     _radii_in_wall(r_i, r_i, r_o)
     A, _ = _constants(r_i, r_o, p_i, p_o)
     return _axial_factor(nu, ends) * A
@@ -86,7 +86,7 @@ def strain_energy(
     nu: float,
     ends: Literal["plane stress", "plane strain"],
 ) -> float:
-    r"""Strain energy of the whole ring per unit length [force], by integrating the stresses.
+    r"""Strain energy [force] of the whole ring per unit length, by integration of the stresses.
 
     .. math::
         U = \frac{\pi}{E}\left[\left(1 - \nu - \nu\, k\right) A^2 (r_o^2 - r_i^2)
@@ -118,7 +118,7 @@ def _constants(
 def _axial_factor(nu: float, ends: Ends) -> float:
     factors = {"plane stress": 0.0, "plane strain": 2 * nu, "closed ends": 1.0}
     if ends not in factors:
-        raise ValueError(f"ends is one of {', '.join(factors)}, got {ends!r}")
+        raise ValueError(f"ends must be one of {', '.join(factors)}, got {ends!r}")
     return factors[ends]
 
 
@@ -133,7 +133,9 @@ def _elastic(E: ArrayLike, nu: float) -> None:
 def _radii_in_wall(r: ArrayLike, r_i: ArrayLike, r_o: ArrayLike) -> Array:
     r, low, high = (np.asarray(x, dtype=np.float64) for x in (r, r_i, r_o))
     if not np.all((low > 0) & (low < high) & np.isfinite(high)):
-        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={low} m, r_o={high} m")
+        raise ValueError(
+            f"radii of a ring must satisfy 0 < r_i < r_o, got r_i={low} m, r_o={high} m"
+        )
     slack = 1e-12 * high  # a radius computed by the caller may miss the wall by round-off
     if not np.all((r >= low - slack) & (r <= high + slack)):
         raise ValueError(f"r must lie in the wall [{low}, {high}] m, got {r} m")

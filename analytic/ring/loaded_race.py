@@ -1,13 +1,13 @@
-r"""Race under n equal rollers or sprags: Hertz's pressure on n evenly spaced patches of a ring.
+r"""Race under n equal rollers or sprags: Hertz's pressure on n equally spaced patches of a ring.
 
-The semi-ellipse of half-width a along the arc, alpha = a/r of the loaded wall, and load P per unit
-length on each patch have the Fourier coefficients, m = k n,
+On each patch, the pressure is a semi-ellipse of half-width a along the arc with the load P per unit
+length. With alpha = a/r on the loaded wall, its Fourier coefficients for m = k n are
 
 .. math:: p_0 = \frac{nP}{2\pi r}, \qquad p_m = 2 p_0\,\frac{2 J_1(m\alpha)}{m\alpha}.
 
-`FourierRing` solves for the first waves. Omitted waves do not reach the other wall; on the loaded
-wall, their sum has a closed form in the leading order 1/m, with phi = n theta, t over the patch, s
-= theta/alpha and <> the mean over the semi-ellipse:
+`FourierRing` solves for the first waves. The omitted waves have no effect on the other wall. On the
+loaded wall, their sum has a closed form in the leading order 1/m. With phi = n theta, the position
+t in the patch, s = theta/alpha and the mean <> over the semi-ellipse, it is
 
 .. math::
     \sum_k \frac{2 J_1(k n\alpha)}{k n\alpha} \frac{\cos k\phi}{k}
@@ -15,11 +15,11 @@ wall, their sum has a closed form in the leading order 1/m, with phi = n theta, 
     \sum_k \frac{2 J_1(k n\alpha)}{k n\alpha} \frac{\sin k\phi}{k}
         &= \arcsin s + s\sqrt{1 - s^2} - \frac{\phi}{2} \quad (|s| \le 1),
 
-pi/2 - phi/2 beyond the patch, and the hoop stress of the rest is minus the rest of the pressure.
-With waves up to m = 60/alpha the remainder, of the next order, is below 1e-4 alpha/n of P/E'.
-Away from the walls the sum is used unchanged: complete to round-off from the depth a on; nearer to
-the loaded wall the cut series shows in the stresses, at the patch's end by 7 % of the peak
-pressure.
+and pi/2 - phi/2 outside the patch. The hoop stress of the omitted waves is minus their pressure.
+With waves up to m = 60/alpha, the remainder of the next order is below 1e-4 alpha/n of P/E'. Inside
+the wall, the sum of the first waves is used without correction. It is exact to round-off at depths
+of at least a. Nearer to the loaded wall, the truncation of the series causes an error of the
+stresses, 7 % of the peak pressure at the end of a patch.
 """
 
 from dataclasses import dataclass
@@ -42,7 +42,8 @@ ON_WALL = 1e-9  # relative to the radius
 class LoadedRace:
     """Ring of radii r_i, r_o with n Hertz patches on its `loaded` wall, the first at theta = 0.
 
-    Load `P` per unit length and half-width `a` of each. ValueError if patches overlap.
+    Each patch has the load `P` per unit length and the half-width `a`. Raises ValueError if patches
+    overlap.
 
     >>> race = LoadedRace(r_i=1.0, r_o=1.5, E=1.0, nu=0.3, assumption="plane stress",
     ...                   loaded="bore", n=12, P=1.0, a=0.01)
@@ -65,7 +66,8 @@ class LoadedRace:
         positive(self.a, "half-width", "m")
         if not self.n * self.a < np.pi * self.r:
             raise ValueError(
-                f"{self.n} patches of half-width {self.a:g} m overlap on the radius {self.r:g} m"
+                f"patches must not overlap, got {self.n} patches of half-width {self.a:g} m on the "
+                f"radius {self.r:g} m"
             )
 
     @property
@@ -75,17 +77,17 @@ class LoadedRace:
 
     @property
     def alpha(self) -> float:
-        """Half the angle of a patch [rad]."""
+        """Half angle of a patch [rad]."""
         return self.a / self.r
 
     @property
     def mean_pressure(self) -> float:
-        """The loads uniformly distributed over the wall [stress]."""
+        """Mean pressure [stress] of the loads on the wall."""
         return self.n * self.P / (2 * np.pi * self.r)
 
     @cached_property
     def ring(self) -> FourierRing:
-        """The ring under the waves that are summed one by one."""
+        """Ring under the waves that are summed individually."""
         top = max(min(WAVES / self.alpha, MOST), NEGLIGIBLE / np.log(self.r_o / self.r_i) + 2)
         m = self.n * np.arange(1, np.ceil(top / self.n) + 1)
         p = self.mean_pressure * np.concatenate([[1.0], 2 * share(m * self.alpha)])
@@ -124,11 +126,11 @@ class LoadedRace:
         return State(u_r=u_r, u_theta=u_theta, sigma_r=radial, sigma_theta=hoop, tau=state.tau)
 
     def displacement(self, r: float, theta: float) -> float:
-        """Radial displacement [length] at one point, outward."""
+        """Radial displacement [length] at one point, positive outwards."""
         return float(self.at(r, theta).u_r)
 
     def _rest(self, theta: Array) -> tuple[Array, Array, Array]:
-        """The closed sums less the waves of `ring`, and the rest of the pressure [stress]."""
+        """Closed sums minus the waves of `ring`, and the remaining pressure [stress]."""
         phi = self.n * self._folded(theta)
         beta = self.n * self.alpha
         s = phi / beta
@@ -147,7 +149,7 @@ class LoadedRace:
         return logarithm, jump, pressure
 
     def _folded(self, theta: ArrayLike) -> Array:
-        """The angle [rad] from the nearest patch."""
+        """Angle [rad] from the nearest patch."""
         pitch = 2 * np.pi / self.n
         theta = np.asarray(theta, dtype=np.float64)
         return np.asarray(theta - pitch * np.round(theta / pitch))
@@ -160,7 +162,7 @@ def share(x: ArrayLike) -> Array:
 
 
 def _mean_logarithm(phi: Array, beta: float) -> Array:
-    """-<ln|2 sin((phi - beta t)/2)|> over the semi-ellipse, for |phi| <= pi."""
+    """Mean of -ln|2 sin((phi - beta t)/2)| over the semi-ellipse, for |phi| <= pi."""
     s = np.abs(phi) / beta
     beyond = np.maximum(s, 1.0)
     sum_ = beyond + np.sqrt(beyond**2 - 1)

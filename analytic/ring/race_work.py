@@ -1,4 +1,4 @@
-"""Complete race under Hertz's patches: the force in its sections and its energy."""
+"""Race under Hertz patches: hoop force in its sections and strain energy."""
 
 import numpy as np
 
@@ -9,9 +9,10 @@ POINTS = 24  # of the rule over the patch
 
 
 def cut_force(race: LoadedRace) -> float:
-    """Hoop force [force per length] in a cut midway between two loads; a pull counts positive.
+    """Hoop force [force per length] in a cut midway between two loads, positive in tension.
 
-    Statics: the cut carries half of a load's push along its axis, P <cos theta> over the patch.
+    By statics, the cut carries half of the component of a load along its normal, P <cos theta> over
+    the patch.
     """
     outward = 1.0 if race.loaded == "bore" else -1.0
     along = loaded_race.share(race.alpha) * race.P
@@ -19,9 +20,9 @@ def cut_force(race: LoadedRace) -> float:
 
 
 def strain_energy(race: LoadedRace) -> float:
-    """Strain energy per length [force] of the whole race: half the work of the pressures.
+    """Strain energy [force] of the whole race per unit length: half the work of the pressures.
 
-    By Gauss' rule for the semi-ellipse with `POINTS` points over each patch.
+    It is computed by Gauss' rule for the semi-ellipse with `POINTS` points on each patch.
     """
     turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
     weight = 2 / (POINTS + 1) * np.sin(turn) ** 2

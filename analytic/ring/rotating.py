@@ -1,7 +1,7 @@
-r"""Ring that rotates about its axis (hollow disk): stresses, growth and strain energy.
+r"""Ring that rotates about its axis (hollow disc): stresses, displacement and strain energy.
 
-Both walls free; with the plane constants E' and nu' (E and nu in plane stress, E/(1 - nu²) and
-nu/(1 - nu) in plane strain)
+Both walls are free. With the constants E' and nu' (E and nu in plane stress, E/(1 - nu²) and nu/(1
+- nu) in plane strain), the stresses are
 
 .. math::
     \sigma_r &= \frac{3+\nu'}{8}\rho\omega^2
@@ -9,8 +9,9 @@ nu/(1 - nu) in plane strain)
     \sigma_\theta &= \frac{3+\nu'}{8}\rho\omega^2
         \left(r_i^2 + r_o^2 + \frac{r_i^2 r_o^2}{r^2} - \frac{1+3\nu'}{3+\nu'} r^2\right).
 
-Plane stress is a ring much shorter than its wall is thick, plane strain one between rigid end
-walls. Any consistent set of units. Range: linear elasticity, small strain, steady rotation.
+Plane stress applies to a ring whose length is much less than its wall thickness, plane strain to a
+ring between rigid end walls. Any consistent units. Range: linear elasticity, small strain, steady
+rotation.
 
 References
 ----------
@@ -34,7 +35,7 @@ def stresses(
     nu: float,
     assumption: Assumption,
 ) -> tuple[Array, Array]:
-    """Radial and hoop stress [stress] at the radii `r`, `omega` in radians per time.
+    """Radial and hoop stress [stress] at the radii `r`; `omega` is in radians per time.
 
     >>> ring = dict(r_i=1.0, r_o=2.0, rho=4.0, omega=1.0, nu=0.0, assumption="plane stress")
     >>> sigma_r, sigma_t = stresses([1.0, 2.0], **ring)
@@ -61,7 +62,7 @@ def radial_displacement(
     nu: float,
     assumption: Assumption,
 ) -> Array:
-    r"""Radial displacement [length] at the radii `r`, outward: r (sigma_theta - nu' sigma_r)/E'.
+    r"""Outward displacement [length] at the radii `r`: r (sigma_theta - nu' sigma_r)/E'.
 
     At the bore in plane stress it is Eq. 8 of Huang 2018,
 
@@ -87,7 +88,7 @@ def strain_energy(
     nu: float,
     assumption: Assumption,
 ) -> float:
-    r"""Strain energy of the whole ring per unit length [force]: half the work of the body force.
+    r"""Strain energy [force] of the whole ring per unit length: half the work of the body force.
 
     .. math:: U = \pi\rho\omega^2\int_{r_i}^{r_o} r^2 u_r\,dr
     """
@@ -97,7 +98,7 @@ def strain_energy(
     k = float(nu_plane)
 
     def integral(r: float) -> float:
-        """Integral of r² u_r over r, with u_r in load/(8 E')."""
+        """Integral of r² u_r from 0 to r, with u_r in units of load/(8 E')."""
         lame = (3 + k) * (
             (1 - k) * (r_i**2 + r_o**2) * r**4 / 4 + (1 + k) * (r_i * r_o * r) ** 2 / 2
         )
@@ -114,7 +115,9 @@ def _load(rho: ArrayLike, omega: ArrayLike) -> Array:
 def _radii(r: ArrayLike, r_i: ArrayLike, r_o: ArrayLike) -> tuple[Array, Array, Array]:
     r, low, high = (np.asarray(x, dtype=np.float64) for x in (r, r_i, r_o))
     if not np.all((low > 0) & (low < high) & np.isfinite(high)):
-        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={low} m, r_o={high} m")
+        raise ValueError(
+            f"radii of a ring must satisfy 0 < r_i < r_o, got r_i={low} m, r_o={high} m"
+        )
     slack = 1e-12 * high  # a radius computed by the caller may miss the wall by round-off
     if not np.all((r >= low - slack) & (r <= high + slack)):
         raise ValueError(f"r must lie in the wall [{low}, {high}] m, got {r} m")

@@ -1,14 +1,15 @@
-r"""Races under their sprags as uniformly loaded rings (Huang 2018, Eq. 6).
+r"""Races under sprag forces as uniformly loaded rings (Huang 2018, Eq. 6).
 
-n forces N on the length l are replaced by the pressure N n/(2 pi R l) on the wall of radius R that
-they touch, and Lamé's thin ring (plane stress) deflects by
+The n forces N on the length l are replaced by the uniform pressure N n/(2 pi R l) on the loaded
+wall of radius R. The deflections of Lamé's ring in plane stress are
 
 .. math::
     \delta_{BI} = \frac{N n}{2\pi l E}\left[\frac{R_i^2 + R_{id}^2}{R_i^2 - R_{id}^2} - \nu\right],
     \qquad
     \delta_{BE} = \frac{N n}{2\pi l E}\left[\frac{R_{ed}^2 + R_e^2}{R_{ed}^2 - R_e^2} + \nu\right].
 
-`loaded_race` has the effects of single forces: ovals between them, an indentation under each.
+`loaded_race` contains the effects of single forces: bending between them, and an indentation under
+each of them.
 """
 
 from dataclasses import dataclass
@@ -35,10 +36,10 @@ def race_deflection(
     loaded: Wall,
     ends: Literal["plane stress", "plane strain"] = "plane stress",
 ) -> Array:
-    """Deflection of the loaded wall [length] under n loads `P` = N/l per length, positive.
+    """Deflection [length] of the loaded wall under n loads `P` = N/l per length; positive.
 
-    Of the outer race (Eq. 6, second formula) the bore is loaded, of the inner race the rim. Eq. 6
-    is of thin rings, plane stress.
+    The loaded wall is the bore of the outer race (second formula of Eq. 6) or the rim of the inner
+    race (first formula). Eq. 6 applies to plane stress.
 
     >>> wall = dict(r_i=1.0, r_o=2.0, E=1.0, nu=0.25)
     >>> u = race_deflection(P=2 * np.pi, n=1, loaded="bore", **wall)
@@ -47,7 +48,7 @@ def race_deflection(
     """
     P, n = positive(P, "load per length", "N/m"), positive(n, "number of loads", "")
     if loaded not in ("bore", "rim"):
-        raise ValueError(f"the loaded wall is 'bore' or 'rim', got {loaded!r}")
+        raise ValueError(f"the loaded wall must be 'bore' or 'rim', got {loaded!r}")
     r = np.asarray(r_i if loaded == "bore" else r_o, dtype=np.float64)
     p = n * P / (2 * np.pi * r)
     outer = loaded == "bore"
@@ -70,10 +71,11 @@ class SmearedError:
 def smeared_error(
     *, n: int, ratio: float, a_r: float, nu: float = 0.3, loaded: Wall = "bore"
 ) -> SmearedError:
-    """Errors of Eq. 6 on the loaded wall for r_o/r_i = `ratio` and a = `a_r` times its radius.
+    """Errors of Eq. 6 on the loaded wall; `ratio` is r_o/r_i, `a_r` half-width over radius.
 
-    The indentation is a half plane's down to the wall's depth. In plane stress, without units. The
-    mean over the loaded wall has no error, as Lamé's ring is the mean of the Fourier ring.
+    The indentation is that of a half plane down to the depth of the wall. Plane stress, without
+    units. The mean over the loaded wall has no error, because Lamé's ring is the mean of the
+    Fourier ring.
     """
     r_i, r_o = (1.0, ratio) if loaded == "bore" else (1 / ratio, 1.0)
     race = LoadedRace(

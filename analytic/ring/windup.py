@@ -1,13 +1,14 @@
-r"""Wind-up and shock of a clutch with uniformly loaded races, over those with Fourier rings.
+r"""Ratios of wind-up and shock force with uniformly loaded races to those with Fourier rings.
 
-Deflection and energy of a sprag's contact on a race under its force N, half-widths growing with
-the root of N,
+The half-widths of contacts are proportional to the root of the force N. Therefore, deflection and
+energy of the contact of a sprag on a race are
 
 .. math::
     \delta = N \left[c + g \ln\frac{N_0}{N}\right], \qquad
     U = \frac{N^2}{2} \left[c - \frac{g}{2} + g \ln\frac{N_0}{N}\right],
 
-c from the models at N_0 and g of the two indentations, which all models share.
+where c follows from the models at N_0, and g from both indentations, which are common to all
+models.
 
 Range: half-widths much smaller than the sprag and the wall; races in plane stress, sprags in plane
 strain, of one material.
@@ -27,10 +28,10 @@ Compliances = tuple[float, float, float]
 
 
 def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliances:
-    """Both c, by Eq. 6 with Hertz's indentation and by the Fourier ring, and g [length per force].
+    """Compliances c by Eq. 6 with Hertz's indentation, c by the Fourier ring, and g [length/force].
 
-    Each sprag has the radius R at the contact, carries N_0 = F on the length L, and both c contain
-    its indentation.
+    Each sprag has the radius R at the contact and the force N_0 = F on the length L. Both values of
+    c contain the indentation of the sprag.
     """
     plane = race.E / (1 - race.nu**2)
     sprag = float(approach_to_centre(P=race.P, a=race.a, R=R, E_plane=plane))
@@ -46,10 +47,10 @@ def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliance
 
 
 def ratios(parts: Sequence[Compliances]) -> tuple[float, float]:
-    """Wind-up and peak force (no unit) with uniformly loaded races over those with Fourier rings.
+    """Ratios of wind-up and peak force (no unit), uniformly loaded races over Fourier rings.
 
-    The compliances of the `parts` in line add up. Wind-up under N_0; peak force for the energy that
-    uniformly loaded races take up under N_0.
+    The compliances of the `parts` in series are added. The wind-up is that under N_0. The peak
+    force is that for the energy that is stored with uniformly loaded races under N_0.
 
     >>> windup, peak = ratios([(1.21, 1.0, 0.0)])  # without indentation: linear springs
     >>> round(windup, 12), round(peak, 12)

@@ -1,6 +1,6 @@
-"""Surrogates of a slow model on a box of parameters, and the search for their smallest value.
+"""Surrogates of a slow model on a box of parameters, and the search for their minimum.
 
-Any consistent units, unless a docstring names SI units.
+Any consistent units are valid, except where a docstring names SI units.
 """
 
 from analytic.public import lazily

@@ -1,13 +1,13 @@
-"""Universal kriging by its bordered system: one set of equations, no trend fitted beforehand.
+"""Universal kriging by its bordered system: trend and process follow from one set of equations.
 
-The best linear unbiased prediction at x has weights w on the known values with
+The best linear unbiased prediction at x has weights w of the given values, which satisfy
 
     [C  F ] [w]   [c(x)]
-    [F' 0 ] [l] = [f(x)]
+    [F' 0 ] [l] = [f(x)].
 
-and the variance s² (1 - w'c - l'f). This solves simultaneously, for given length scales, the steps
-of `analytic.surrogate.kriging`: trend by generalised least squares, Gaussian process on the
-residual, left-out values in closed form.
+Its variance is s² (1 - w'c - l'f). For given length scales, this system contains all steps of
+`analytic.surrogate.kriging`: trend by generalised least squares, Gaussian process on the residual,
+left-out values in closed form.
 """
 
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ NUGGET = 1e-10  # relative to the variance, on the diagonal of C
 
 @dataclass(frozen=True, eq=False)
 class Bordered:
-    """Known `values` (n,) at `x` (n, d), in units of the length scales' box."""
+    """Kriging of the `values` (n,) at `x` (n, d); x and `scales` are in the same units."""
 
     x: Array
     values: Array
@@ -30,7 +30,7 @@ class Bordered:
 
     @cached_property
     def system(self) -> Array:
-        """The bordered matrix (n + t, n + t)."""
+        """Bordered matrix (n + t, n + t)."""
         F = quadratic(self.x)
         n, t = F.shape
         whole = np.zeros((n + t, n + t))
@@ -40,7 +40,7 @@ class Bordered:
 
     @property
     def condition(self) -> float:
-        """Condition number of the system, equilibrated by its rows' largest entries."""
+        """Condition number of the system after division of each row by its largest entry."""
         return float(np.linalg.cond(self.system / np.abs(self.system).max(axis=1)[:, None]))
 
     def predicted(self, at: Array) -> Array:
@@ -48,20 +48,20 @@ class Bordered:
         return np.asarray(self._weights(at)[: len(self.x)].T @ self.values)
 
     def deviation(self, at: Array) -> Array:
-        """Kriging standard deviations (m,) there."""
+        """Kriging standard deviations (m,) at `at` (m, d)."""
         right = self._right(at)
         share = 1 - np.einsum("ij,ij->j", self._weights(at), right)
         return np.asarray(np.sqrt(self._variance * np.maximum(share, 0)))
 
     def left_out(self, k: int) -> float:
-        """Value k less the prediction of all others."""
+        """Value k minus its prediction from all other values."""
         others = np.arange(len(self.x)) != k
         rest = Bordered(self.x[others], self.values[others], self.scales)
         return float(self.values[k] - rest.predicted(self.x[[k]])[0])
 
     @property
     def _variance(self) -> float:
-        """Variance of the process: y'w over the degrees of freedom, w the dual weights."""
+        """Variance of the process: y'w over the degrees of freedom, with the dual weights w."""
         n, t = len(self.x), quadratic(self.x).shape[1]
         weights = np.linalg.solve(self.system, np.r_[self.values, np.zeros(t)])[:n]
         return float(self.values @ weights / (n - t))
@@ -73,14 +73,14 @@ class Bordered:
         return np.asarray(np.linalg.solve(self.system, self._right(at)))
 
     def _correlation(self, at: Array) -> Array:
-        """Matérn's correlation of order 5/2, (n, m)."""
+        """Matérn correlations of order 5/2, (n, m)."""
         apart = (self.x[:, None, :] - at[None, :, :]) / self.scales
         r = np.sqrt(5 * np.sum(apart**2, axis=-1))
         return np.asarray((1 + r + r**2 / 3) * np.exp(-r))
 
 
 def quadratic(x: Array) -> Array:
-    """1, x_i and x_i x_j, (n, t).
+    """Quadratic trend terms 1, x_i and x_i x_j, (n, t).
 
     >>> quadratic(np.array([[2.0, 3.0]])).tolist()
     [[1.0, 2.0, 3.0, 4.0, 6.0, 9.0]]

@@ -1,8 +1,8 @@
-"""Differential evolution, for the smallest value of an objective in a box.
+"""Differential evolution, for the minimum of an objective in a box.
 
 Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; implementation of scipy. No
-gradient method follows: the largest of several regimes has kinks, often at its smallest value, at
-which a gradient does not exist. Instead, the population shrinks further.
+gradient method follows: the largest of several regimes has kinks, often at its minimum, where no
+gradient exists. Instead, the search continues until the population has contracted further.
 """
 
 import numpy as np
@@ -18,9 +18,9 @@ SPREAD = 1e-8  # spread of the population's values over their mean at which the 
 
 
 def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
-    """Smallest value found by differential evolution; the objective is given many points at once.
+    """Minimum found by differential evolution; the objective is evaluated at many points at once.
 
-    ArithmeticError if the population has not drawn together after 500 generations.
+    Raises ArithmeticError if the population has not converged after 500 generations.
     """
     history: list[float] = []
     count = 0

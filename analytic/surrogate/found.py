@@ -1,4 +1,4 @@
-"""Result of a search for the smallest value."""
+"""Result of a search for a minimum."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,10 +21,18 @@ class Found:
 
 
 def asked(objective: Objective, x: Array) -> Array:
-    """Values (n,) of the objective at x (n, d); ArithmeticError unless each is a finite number."""
+    """Values (n,) of the objective at x (n, d).
+
+    Raises ValueError for a wrong shape, ArithmeticError unless all values are finite.
+    """
     values = np.asarray(objective(x), dtype=np.float64)
     if values.shape != (len(x),):
-        raise ValueError(f"an objective of {len(x)} points has {len(x)} values, got {values.shape}")
+        raise ValueError(
+            f"an objective must return one value per point, ({len(x)},) for {len(x)} points, got "
+            f"{values.shape}"
+        )
     if not np.all(np.isfinite(values)):
-        raise ArithmeticError(f"the objective is not finite at {x[~np.isfinite(values)][0]}")
+        raise ArithmeticError(
+            f"the objective must be finite; it is not at {x[~np.isfinite(values)][0]}"
+        )
     return values

@@ -1,10 +1,10 @@
-"""Test of whether a surrogate is accurate enough for a search.
+"""Test if a surrogate is accurate enough for a search.
 
-Leaving out one design of a factorial at a time proves little if the model has a kink: neighbours at
-the same level of the other parameters contain the kink as well. Leaving out a whole level is better
-and needs no new value of the model. Measured for the largest pressure between sprag and race over
-three profile parameters (5^3 designs, 200 additional random points, mean/largest relative error in
-%):
+If the model has a kink, leaving out one design of a factorial at a time is not a sufficient test,
+because neighbours at the same level of the other parameters also contain the kink. Leaving out a
+whole level is better and needs no new value of the model. The table gives results for the largest
+pressure between sprag and race over three profile parameters (5^3 designs, 200 additional random
+points, mean/largest relative error in %):
 
     surrogate                     torque   true       one left out   level left out
     one process, with the kinks   25 N m   0.67/3.2   0.010/0.07     0.90/3.7
@@ -12,11 +12,11 @@ three profile parameters (5^3 designs, 200 additional random points, mean/larges
     two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
     two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
 
-With one design left out, the mean error is too small by a factor of 9 to 70, and one process is
-ranked in the wrong order (better at 25 N m, although it is worse). With a level left out, it is too
-large by a factor of 1.3 to 2.7, because the spacing is doubled. Ten random points are too few: with
-the limits below, the first row passes in one draw of five (with twenty points, in one of ten), the
-last two rows always.
+With one design left out, the mean error is too small by a factor of 9 to 70, and the ranking of the
+first two rows is wrong (25 N m seems better, although it is worse). With a level left out, the mean
+error is too large by a factor of 1.3 to 2.7, because the spacing is doubled. Ten random points are
+too few: with the limits below, the first row passes in one of five samples (with twenty points, in
+one of ten), the last two rows always.
 
 A surrogate is therefore tested twice: with a level left out, before any new evaluation, and on at
 least twenty new random points. Leaving out one design only finds the design that does not fit.
@@ -31,11 +31,11 @@ from analytic.contact.checks import Array
 
 
 class PoorSurrogateError(ArithmeticError):
-    """A surrogate misses the model by more than its use allows."""
+    """Error: the difference of surrogate and model exceeds the permissible limits."""
 
 
 class Surrogate(Protocol):
-    """A model that predicts, also without some of its designs."""
+    """Surrogate that can also predict without some of its designs."""
 
     def predict(self, x: Array) -> Array: ...
 
@@ -44,7 +44,7 @@ class Surrogate(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """Mean and largest of |predicted/true - 1| over `count` points."""
+    """Mean and largest value of |predicted/true - 1| over `count` points."""
 
     mean: float
     largest: float
@@ -52,41 +52,49 @@ class Quality:
 
     @classmethod
     def of(cls, errors: Array) -> "Quality":
-        """Statistics of relative errors (n,); ValueError unless all are finite and at least one."""
+        """Statistics of relative errors (n,); raises ValueError unless finite and at least one."""
         errors = np.abs(np.asarray(errors, np.float64))
         if not errors.size or not np.all(np.isfinite(errors)):
-            raise ValueError(f"quality needs at least one error, all finite, got {errors}")
+            raise ValueError(
+                f"at least one error must be given, and all must be finite, got {errors}"
+            )
         return cls(mean=float(errors.mean()), largest=float(errors.max()), count=errors.size)
 
 
 def quality(predicted: Array, true: Array) -> Quality:
-    """Relative errors of predicted values (n,) in two numbers.
+    """Mean and largest relative error of predicted values (n,).
 
-    ValueError unless both are finite, non-empty and of one shape, and no true value is 0.
+    Raises ValueError unless both arrays are finite, non-empty and of the same shape, and no true
+    value is 0.
     """
     predicted, true = np.asarray(predicted, np.float64), np.asarray(true, np.float64)
     if predicted.shape != true.shape or not true.size:
-        raise ValueError(f"as many predicted values as true, got {predicted.shape}, {true.shape}")
+        raise ValueError(
+            "predicted and true values must have the same shape and not be empty, got "
+            f"{predicted.shape}, {true.shape}"
+        )
     if not np.all(np.isfinite(predicted) & np.isfinite(true) & (true != 0)):
-        raise ValueError("relative errors need finite values, and true ones other than 0")
+        raise ValueError("predicted and true values must be finite, and true values must not be 0")
     return Quality.of(predicted / true - 1)
 
 
 def gate(quality: Quality, *, mean: float = 0.005, largest: float = 0.03, what: str) -> None:
-    """PoorSurrogateError unless mean and largest relative error are within their limits."""
+    """Raise PoorSurrogateError unless mean and largest relative error are within their limits."""
     if not (quality.mean <= mean and quality.largest <= largest):
         raise PoorSurrogateError(
-            f"surrogate of {what} misses {quality.count} points by {quality.mean:.2%} in the mean "
-            f"and {quality.largest:.2%} at most; allowed are {mean:.2%} and {largest:.2%}"
+            f"the errors of the surrogate of {what} at {quality.count} points are too large: mean "
+            f"{quality.mean:.2%}, largest {quality.largest:.2%}; permissible are {mean:.2%} and "
+            f"{largest:.2%}"
         )
 
 
 def left_level_out(model: Surrogate, x: Array, true: Array) -> Array:
-    """Relative errors (m,) if a whole level of one parameter is left out of a factorial.
+    """Relative errors (m,) of predictions if a whole level of one parameter is left out.
 
-    x (n, d) are the factorial's designs, true (n,) their values. Every inner level of every
-    parameter is left out in turn, at constant length scales, and predicted by the rest; errors
-    follow by parameter, level and design. ValueError if no parameter has an inner level.
+    x (n, d) are the designs of a full factorial, true (n,) their values. Every inner level of every
+    parameter is left out in turn, at constant length scales, and predicted from the other levels.
+    The errors are ordered by parameter, level and design. Raises ValueError if no parameter has an
+    inner level.
     """
     errors = []
     for column in x.T:
@@ -94,5 +102,7 @@ def left_level_out(model: Surrogate, x: Array, true: Array) -> Array:
             out = column == level
             errors.append(model.without(x[out]).predict(x[out]) / true[out] - 1)
     if not errors:
-        raise ValueError("a level can be left out only between others: give at least 3")
+        raise ValueError(
+            "a parameter must have at least 3 levels, so that an inner level can be left out"
+        )
     return np.concatenate(errors)

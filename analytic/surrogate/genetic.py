@@ -1,11 +1,11 @@
-"""Genetic algorithm of binary codes, for the smallest value of an objective in a box.
+"""Genetic algorithm with binary codes, for the minimum of an objective in a box.
 
 Source: Huang et al. 2018, Sec. 3: a population of 500, 100 generations, crossover with probability
-0.9 and mutation with 0.01. Coding, selection and survival are not printed. The textbook's simple
-algorithm is assumed: every parameter is a Gray code of `bits` bits; parents by tournaments of two;
-one-point crossover of the whole codes of a pair with the given probability; a flip of each bit with
-the probability of mutation; the best individual so far is the first child. The first generation is
-random, so that 500 x 100 points are evaluated.
+0.9 and mutation with 0.01. The paper does not state coding, selection and survival. The simple
+algorithm of textbooks is assumed. Every parameter is a Gray code of `bits` bits. Parents are
+selected by tournaments of two. The codes of a pair are combined by one-point crossover with the
+given probability. Each bit is inverted with the probability of mutation. The best individual so far
+is the first child. The first generation is random, so that 500 x 100 points are evaluated.
 """
 
 import numpy as np
@@ -29,10 +29,10 @@ def genetic(
     bits: int = 16,
     seed: int = 0,
 ) -> Found:
-    """Smallest value found by a genetic algorithm; the objective is given (population, d) at once.
+    """Minimum found by a genetic algorithm; the objective is evaluated at (population, d) at once.
 
-    ValueError for a population that is odd or empty, no generation, a probability outside [0, 1]
-    or bits outside 1 to 52.
+    Raises ValueError if the population is odd or empty, there is no generation, a probability is
+    outside [0, 1] or bits is outside 1 to 52.
     """
     _checked(population, generations, crossover, mutation, bits)
     rng = np.random.default_rng(seed)
@@ -51,7 +51,7 @@ def genetic(
 
 
 def decoded(codes: Codes, bits: int) -> Array:
-    """Points (n, d) of the unit cube of Gray codes (n, d * bits); both ends are codes.
+    """Points (n, d) of the unit cube from Gray codes (n, d * bits); 0 and 1 have codes.
 
     >>> decoded(np.array([[0, 0], [0, 1], [1, 1], [1, 0]], bool), 2).ravel().round(3).tolist()
     [0.0, 0.333, 0.667, 1.0]
@@ -61,13 +61,13 @@ def decoded(codes: Codes, bits: int) -> Array:
 
 
 def selected(values: Array, rng: np.random.Generator) -> NDArray[np.intp]:
-    """As many indices as there are values (n,), each the smaller one's of two drawn at random."""
+    """Indices (n,) of selected parents: the one with the smaller value of two random indices."""
     one, other = rng.integers(len(values), size=(2, len(values)))
     return np.asarray(np.where(values[one] <= values[other], one, other))
 
 
 def crossed(codes: Codes, probability: float, rng: np.random.Generator) -> Codes:
-    """Children (n, length) of the pairs (0, n/2), (1, n/2 + 1) ...: tails behind a point change."""
+    """Children (n, length) of the pairs (0, n/2), (1, n/2 + 1) ... by one-point crossover."""
     mothers, fathers = np.split(codes, 2)
     pairs, length = mothers.shape
     point = rng.integers(1, max(length, 2), size=(pairs, 1))
@@ -76,7 +76,7 @@ def crossed(codes: Codes, probability: float, rng: np.random.Generator) -> Codes
 
 
 def mutated(codes: Codes, probability: float, rng: np.random.Generator) -> Codes:
-    """Codes with every bit turned over with a probability."""
+    """Codes in which every bit is inverted with the given probability."""
     return np.asarray(codes ^ (rng.random(codes.shape) < probability))
 
 
@@ -84,7 +84,7 @@ def _checked(
     population: int, generations: int, crossover: float, mutation: float, bits: int
 ) -> None:
     if population < 2 or population % 2:
-        raise ValueError(f"a population is in pairs, even and at least 2, got {population}")
+        raise ValueError(f"the population must be even and at least 2, got {population}")
     if generations < 1:
         raise ValueError(f"generations must be at least 1, got {generations}")
     if not 1 <= bits <= 52:

@@ -1,4 +1,4 @@
-"""A surrogate refined during its search: its minimum becomes the next design."""
+"""Surrogate that is refined during its search: its minimum becomes the next design."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,11 +12,11 @@ from analytic.surrogate.found import Found, Objective
 
 
 class NoAgreementError(ArithmeticError):
-    """Surrogate and true model still differ after all rounds; all values were found."""
+    """Error: surrogate and true model still differ after all rounds."""
 
 
 class Predicts(Protocol):
-    """A model: points (n, d) to values (n,)."""
+    """Model that returns values (n,) at points (n, d)."""
 
     def predict(self, x: Array) -> Array: ...
 
@@ -28,7 +28,7 @@ SAME = 1e-9  # distance in the unit cube of two points that are one design
 
 @dataclass(frozen=True, eq=False)
 class Round:
-    """The surrogate's smallest value and the true model's there."""
+    """Minimum of the surrogate in one round, and the true value there."""
 
     x: Array  # (d,)
     predicted: float
@@ -37,13 +37,13 @@ class Round:
 
     @property
     def error(self) -> float:
-        """|true/predicted - 1|, unlimited for a prediction of 0."""
+        """Relative error |true/predicted - 1|; infinite if the prediction is 0."""
         return abs(self.true / self.predicted - 1) if self.predicted else np.inf
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Infilled(Generic[A, S]):
-    """The last surrogate, all values of the true model, and the best of them."""
+    """Last surrogate, all values of the true model, and the smallest of them."""
 
     surrogate: S  # fitted on every design but the last round's, which it was found to agree with
     designs: Array  # (n, d), those given first
@@ -68,27 +68,33 @@ def infill(
     in_a_row: int = 1,
     rounds: int = 20,
 ) -> Infilled[A, S]:
-    """Fit, search the smallest value of the surrogate, evaluate the model there, until both agree.
+    """Result of repeated fit, search for the surrogate's minimum and evaluation of the model there.
 
-    `answers` are the values of the true model at x (n, d), computed if not given; `value` selects
-    the number from one of them. Agreement means |true/predicted - 1| <= agree in `in_a_row`
-    successive rounds. If the smallest value is at an existing design, the design is evaluated
-    again: a model that is a function returns the same value, and a surrogate that interpolates
-    agrees. ArithmeticError if it does not, or for a value that is not finite; NoAgreementError (an
-    ArithmeticError) after `rounds` without agreement.
+    The rounds end when surrogate and model agree: |true/predicted - 1| <= agree in `in_a_row`
+    successive rounds. `answers` are the results of the true model at x (n, d); they are computed if
+    not given. `value` returns the number to be minimised from one result. If the minimum is at an
+    existing design, this design is evaluated again. A deterministic model then returns the same
+    value, which an interpolating surrogate reproduces; otherwise, ArithmeticError is raised. Raises
+    ArithmeticError also for a value that is not finite, and NoAgreementError (an ArithmeticError)
+    after `rounds` without agreement.
 
-    Agreement is local. It shows that the surrogate is correct at its smallest value, but not that
-    no other point has a smaller value. One process over the largest of three planes, four positions
-    of the kink, 6 x 6 designs, agreed on average 2.0 % above the smallest value, after three rounds
-    `in_a_row` 0.5 %; with 4 x 4 designs 4.5 % and 1.9 %. `Largest` has no kink to approximate and
-    agrees on the smallest value. `gate` finds other errors of a surrogate.
+    Agreement is local. It shows that the surrogate is correct at its minimum, but not that no other
+    point has a smaller value. Example: one process for the largest of three planes, with four
+    positions of the kink. With 6 x 6 designs, the agreed value was on average 2.0 % above the
+    minimum, with `in_a_row` = 3 it was 0.5 % above; with 4 x 4 designs 4.5 % and 1.9 %. `Largest`
+    has no kink to approximate and agrees at the minimum. `gate` detects other errors of a
+    surrogate.
     """
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)
     if len(known) != len(x):
-        raise ValueError(f"there must be as many values as designs, got {len(known)} and {len(x)}")
+        raise ValueError(
+            f"there must be one value per design, got {len(known)} values and {len(x)} designs"
+        )
     if not 1 <= in_a_row <= rounds:
-        raise ValueError(f"in_a_row must lie between 1 and rounds, got {in_a_row} of {rounds}")
+        raise ValueError(
+            f"in_a_row must lie between 1 and the number of rounds, got {in_a_row} of {rounds}"
+        )
     history: list[Round] = []
     agreed = 0
     while len(history) < rounds:
@@ -98,11 +104,13 @@ def infill(
         on_design = bool(np.any(_distance(x, found.x, box) < SAME))
         this = Round(found.x, found.value, value(answer), on_design)
         if not np.isfinite(this.true):
-            raise ArithmeticError(f"the true model gives {this.true} at {this.x}")
+            raise ArithmeticError(
+                f"the true model must return finite values, got {this.true} at {this.x}"
+            )
         if on_design and this.error > agree:
             raise ArithmeticError(
-                f"on a design already there, {this.x}, the surrogate has {this.predicted:.6g} and "
-                f"the true model now {this.true:.6g}: one of the two does not repeat its values"
+                f"at the existing design {this.x}, the surrogate has {this.predicted:.6g} and the "
+                f"true model now returns {this.true:.6g}: both must reproduce their values"
             )
         history.append(this)
         if not on_design:
@@ -111,8 +119,8 @@ def infill(
         if agreed == in_a_row or (agreed and on_design):
             return _best(surrogate, x, known, value, history, box)
     raise NoAgreementError(
-        f"surrogate and true model do not agree within {agree:.2%} after {rounds} rounds: the last "
-        f"has {this.predicted:.6g} for {this.true:.6g} at {this.x}"
+        f"surrogate and true model do not agree within {agree:.2%} after {rounds} rounds: in the "
+        f"last round, the surrogate has {this.predicted:.6g}, the model {this.true:.6g} at {this.x}"
     )
 
 

@@ -1,8 +1,8 @@
 """Universal kriging: a full quadratic trend and a Gaussian process on its residuals.
 
-y(x) = f(x)'b + G(x), f the 1 + d + d(d + 1)/2 monomials up to degree two, G of Matérn 5/2
-correlation with a length scale a parameter. Source: Huang et al., Shock and Vibration 2018
-(the form Q + G, Eq. 20); N. Cressie, Statistics for Spatial Data, 1993, Sec. 3.4;
+The model is y(x) = f(x)'b + G(x). f are the 1 + d + d(d + 1)/2 monomials up to degree two. G has a
+Matérn 5/2 correlation with one length scale per parameter. Source: Huang et al., Shock and
+Vibration 2018 (the form Q + G, Eq. 20); N. Cressie, Statistics for Spatial Data, 1993, Sec. 3.4;
 left-out residuals: O. Dubrule, Math. Geology 15 (1983) 687.
 """
 
@@ -25,7 +25,7 @@ ROUNDS = 20  # each raises the likelihood; five were always enough so far
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Kriging:
-    """Universal kriging of given length scales [unit cube]; of `fit`, the likeliest."""
+    """Universal kriging with given length scales, in coordinates of the unit cube."""
 
     box: Box
     designs: Array  # (n, d)
@@ -35,14 +35,17 @@ class Kriging:
     def __post_init__(self) -> None:
         u = self.box.to_unit(self.designs)
         if np.shape(self.values) != (len(u),) or not np.all(np.isfinite(self.values)):
-            raise ValueError(f"kriging needs a finite value for each of the {len(u)} designs")
+            raise ValueError(f"kriging must have one finite value for each of the {len(u)} designs")
         least = trend_terms(u[:1]).shape[1] + 2
         if len(u) < least:
-            raise ValueError(f"a quadratic trend needs at least {least} designs, got {len(u)}")
+            raise ValueError(f"a quadratic trend requires at least {least} designs, got {len(u)}")
         twice = np.argwhere(np.triu(cdist(u, u) < 1e-9, 1))
         if len(twice):
             i, j = twice[0]
-            raise ValueError(f"designs {i} and {j} are the same point, {self.designs[i]}")
+            raise ValueError(
+                f"designs must be different: designs {i} and {j} are the same point, "
+                f"{self.designs[i]}"
+            )
 
     @cached_property
     def u(self) -> Array:
@@ -50,13 +53,13 @@ class Kriging:
 
     @cached_property
     def cholesky(self) -> Array:
-        """Lower factor (n, n) of the correlation C of the designs."""
+        """Lower Cholesky factor (n, n) of the correlation matrix C of the designs."""
         C = matern(self.u, self.u, self.length_scales) + NUGGET * np.eye(len(self.u))
         return np.asarray(cho_factor(C, lower=True)[0])
 
     @cached_property
     def whitened_trend(self) -> tuple[Array, Array]:
-        """Q (n, t) and R (t, t) of the trend's terms divided by the Cholesky factor."""
+        """Factors Q (n, t) and R (t, t) of the trend terms, divided by the Cholesky factor of C."""
         whitened = solve_triangular(self.cholesky, trend_terms(self.u), lower=True)
         Q, R = np.linalg.qr(whitened)
         spread = np.abs(np.diag(R))
@@ -66,14 +69,14 @@ class Kriging:
 
     @cached_property
     def trend(self) -> Array:
-        """Coefficients b (t,) by generalised least squares."""
+        """Coefficients b (t,) of the trend by generalised least squares."""
         Q, R = self.whitened_trend
         white = solve_triangular(self.cholesky, self.values, lower=True)
         return np.asarray(solve_triangular(R, Q.T @ white))
 
     @cached_property
     def residual(self) -> Array:
-        """Residuals of the trend, (n,)."""
+        """Residuals (n,) of the trend."""
         return np.asarray(self.values - trend_terms(self.u) @ self.trend)
 
     @cached_property
@@ -83,12 +86,12 @@ class Kriging:
 
     @cached_property
     def variance(self) -> float:
-        """Variance of the process, free of bias: r'C^-1 r/(n - t)."""
+        """Unbiased variance of the process: r'C^-1 r/(n - t)."""
         return float(self.residual @ self.dual) / (len(self.u) - len(self.trend))
 
     @property
     def likelihood(self) -> float:
-        """Logarithm of the largest likelihood these length scales allow, less a constant."""
+        """Log-likelihood for these length scales, with optimal trend and variance."""
         n = len(self.u)
         spread = float(self.residual @ self.dual) / n
         return float(-n / 2 * np.log(spread) - np.sum(np.log(np.diag(self.cholesky))))
@@ -111,7 +114,7 @@ class Kriging:
         return np.asarray(np.sqrt(self.variance * np.maximum(share, 0)))
 
     def left_out(self) -> Array:
-        """Values less the others' prediction, (n,), at the same length scales (Dubrule 1983)."""
+        """Values minus their predictions from all others, (n,) (Dubrule 1983)."""
         Q, _ = self.whitened_trend
         inverse = solve_triangular(self.cholesky, np.eye(len(self.u)), lower=True)
         across = Q.T @ inverse
@@ -119,7 +122,7 @@ class Kriging:
         return np.asarray(self.dual / diagonal)  # C^-1 (y - F b) is the projected C^-1 times y
 
     def without(self, x: Array) -> "Kriging":
-        """Process without the designs that are in x (m, d)."""
+        """Kriging without the designs that are in x (m, d)."""
         kept = cdist(self.u, self.box.to_unit(x)).min(axis=1) >= 1e-9
         return Kriging(
             box=self.box,
@@ -130,13 +133,14 @@ class Kriging:
 
 
 def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
-    """Universal kriging of values y (n,) at x (n, d) with the likeliest length scales.
+    """Universal kriging of values y (n,) at x (n, d) with the most likely length scales.
 
     Trend and process are fitted alternately until they converge: the trend by generalised least
     squares with the present length scales, the length scales by the likelihood of the residual of
-    the trend (coordinate ascent on the likelihood of both). There are three starts, one of them
-    random by `seed`; the result with the largest likelihood is returned. ValueError for values that
-    are not finite, fewer designs than trend terms + 2, or a design given twice.
+    the trend (coordinate ascent on the common likelihood). The search has three initial points, one
+    of them random from `seed`; the result with the largest likelihood is returned. Raises
+    ValueError if a value is not finite, there are fewer designs than trend terms + 2, or a design
+    is given twice.
     """
     x, y = box.points(x), np.asarray(y, dtype=np.float64)
 

@@ -1,8 +1,8 @@
-"""Surrogate of a largest value: each regime is kriged separately, then the largest is taken.
+"""Surrogate of the largest of several quantities: each of them (a regime) is kriged separately.
 
-If the largest of several quantities changes from one to another, it has a kink, which no smooth
-process represents; each quantity by itself is smooth. Kriging a power helps if the power is the
-natural quantity: a Hertzian pressure squared is proportional to force per length.
+Where the largest of several quantities changes from one to another, it has a kink, which a smooth
+process cannot represent. Each quantity alone is smooth. A power of a quantity is kriged if it is
+smoother: the square of a Hertzian pressure is proportional to force per length.
 """
 
 from collections.abc import Sequence
@@ -19,30 +19,30 @@ from analytic.surrogate.kriging import Kriging, fit
 
 @dataclass(frozen=True, eq=False)
 class Largest:
-    """The largest of several regimes, each the `power`-th root of its kriging, or 0 below 0."""
+    """Largest of several regimes; each is the `power`-th root of its kriging, at least 0."""
 
     models: tuple[Kriging, ...]
     power: float = 1.0
 
     def __post_init__(self) -> None:
         if not self.models:
-            raise ValueError("the largest of no regimes is not defined: give at least 1")
+            raise ValueError("at least one regime must be given")
         if not (np.isfinite(self.power) and self.power > 0):
             raise ValueError(f"power must be positive and finite, got {self.power}")
 
     def predict(self, x: Array) -> Array:
-        """Largest regime (m,) at x (m, d)."""
+        """Value (m,) of the largest regime at x (m, d)."""
         return self._largest([model.predict(x) for model in self.models])
 
     def without(self, x: Array) -> "Largest":
-        """Processes without the designs that are in x (m, d)."""
+        """Surrogate without the designs that are in x (m, d)."""
         return Largest(tuple(model.without(x) for model in self.models), self.power)
 
     def left_out(self, x: Array, values: Sequence[Array]) -> Array:
-        """Relative errors (n,) of the largest regime at x (n, d), each design left out in turn.
+        """Relative errors (n,) of the largest regime at x (n, d) with each design left out in turn.
 
-        values[k] (n,) are the true values of regime k. A regime without such a design is evaluated
-        as fitted.
+        values[k] (n,) are the true values of regime k. If a regime was fitted without a design, its
+        prediction there is used unchanged.
         """
         left = []
         for model in self.models:
@@ -64,19 +64,22 @@ def fit_largest(
     power: float = 2.0,
     present: Sequence[NDArray[np.bool_]] | None = None,
 ) -> Largest:
-    """Values (n,) of each regime at x (n, d), to the `power`, kriged on designs with the regime.
+    """Surrogate from the values (n,) of all regimes at x (n, d); the `power` of each is kriged.
 
-    ValueError for a negative value and as in `fit`; values at which a regime is not present are not
-    used.
+    `present` marks the designs at which a regime is present; other values are not used. Raises
+    ValueError for a negative value, and for the same reasons as `fit`.
     """
     x = box.points(x)
     if present is None:
         present = [np.ones(len(x), dtype=bool)] * len(values)
     if len(present) != len(values):
-        raise ValueError(f"{len(values)} regimes, but presence is stated for {len(present)}")
+        raise ValueError(
+            f"`present` must have one entry per regime, got {len(values)} regimes and "
+            f"{len(present)} entries"
+        )
     models = []
     if any(np.shape(regime) != (len(x),) for regime in values):
-        raise ValueError(f"every regime needs a value for each of the {len(x)} designs")
+        raise ValueError(f"every regime must have one value for each of the {len(x)} designs")
     for regime, where in zip(values, present, strict=True):
         y = np.asarray(regime, dtype=np.float64)[where]
         if np.any(y < 0):

@@ -1,4 +1,4 @@
-"""Length scales of a Gaussian process by largest likelihood, the one place scikit-learn is used."""
+"""Length scales of a Gaussian process by maximum likelihood, with scikit-learn."""
 
 import warnings
 
@@ -14,10 +14,11 @@ VARIANCES = (1e-9, 1e9)  # of the process, relative to the variance at the start
 
 
 def likeliest(u: Array, residual: Array, start: Array, *, nugget: float) -> Array:
-    """Length scales (d,) of the Matérn 5/2 process that most likely gave the residual (n,) at u.
+    """Most likely length scales (d,) of a Matérn 5/2 process with the residual (n,) at u (n, d).
 
-    u (n, d) in the unit cube. The search over variance and length scales is local, from a variance
-    of 1 and the length scales `start` (d,); the residual must be divided by its deviation.
+    u is in the unit cube. The search over variance and length scales is local. It begins with a
+    variance of 1 and the length scales `start` (d,); therefore, the residual must be divided by its
+    standard deviation.
     """
     kernel = ConstantKernel(1.0, VARIANCES) * (
         Matern(start, (SHORTEST, LONGEST), nu=2.5) + WhiteKernel(nugget, "fixed")

@@ -1,4 +1,4 @@
-"""Terms of kriging: the trend's monomials and the correlation of the process."""
+"""Terms of kriging: monomials of the trend and correlation of the process."""
 
 import numpy as np
 from scipy.spatial.distance import cdist

@@ -67,8 +67,8 @@ def test_the_gate_states_what_is_missed_by_how_much() -> None:
     measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
     assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
     message = (
-        "surrogate of pressure misses 3 points by 1.67% in the mean and 4.00% at most; "
-        "allowed are 0.50% and 3.00%"
+        "the errors of the surrogate of pressure at 3 points are too large: mean 1.67%, "
+        "largest 4.00%; permissible are 0.50% and 3.00%"
     )
     with pytest.raises(PoorSurrogateError) as refused:
         gate(measured, what="pressure")
