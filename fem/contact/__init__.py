@@ -1,6 +1,6 @@
 """Contact of elastic and rigid bodies in the plane, with and without friction.
 
-Any consistent units; messages state SI units.
+All units must be consistent. Messages state SI units.
 """
 
 from fem.public import lazily

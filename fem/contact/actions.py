@@ -1,6 +1,6 @@
-"""Loads and prescribed displacements as sums of unit actions, whose responses are stored.
+"""Loads and prescribed displacements as sums of unit actions with stored responses.
 
-A step that only changes magnitudes then costs no factorisation and no back-substitution.
+If a step only changes magnitudes, it therefore needs no factorisation and no back-substitution.
 """
 
 from collections.abc import Callable, Hashable, Mapping
@@ -28,7 +28,10 @@ Forces = Mapping[str, tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Action:
-    """`share` times the response stored under `key`, which is calculated if it is not stored."""
+    """`share` times the response stored under `key`.
+
+    A response that is not stored yet is calculated from `forces` and `displacements`.
+    """
 
     share: float
     key: Hashable
@@ -36,7 +39,7 @@ class Action:
     displacements: Callable[[], Array] | None = None
 
     def respond(self, bodies: Bodies) -> Response:
-        """The response of `bodies` to the unit action."""
+        """Response of `bodies` to the unit action."""
         none = np.zeros(bodies.count)
         f = none if self.forces is None else self.forces()
         u_0 = none if self.displacements is None else self.displacements()
@@ -44,7 +47,7 @@ class Action:
 
 
 class Supports:
-    """Prescribed values, support by support and component by component."""
+    """Prescribed values of all supports, ordered by support and component."""
 
     def __init__(self, bodies: Bodies, supports: Mapping[str, Support], anchors: Anchors) -> None:
         self._bodies, self._supports = bodies, {k: components(s) for k, s in supports.items()}
@@ -53,7 +56,8 @@ class Supports:
         for name in bodies.means:
             if name in self._supports or name in bodies.obstacles:
                 raise ValueError(
-                    f"{name!r} and its mean motion are both prescribed: prescribe one of them"
+                    f"the displacement and the mean displacement of {name!r} are both prescribed: "
+                    "prescribe only one of them"
                 )
         # the same supports with running numbers for values: the support of each condition
         keys = [(name, c) for name, held in self._supports.items() for c in held]
@@ -66,7 +70,10 @@ class Supports:
         self._of[np.isin(self.conditions.owner, rest)] = 0.0
 
     def values(self, displacements: Mapping[str, Support]) -> Array:
-        """Values (m,) of conditions, motions of obstacles, mean motions, with these replaced."""
+        """Prescribed values (m,), with the values of the supports in `displacements` replaced.
+
+        Order: conditions of supports, motions of obstacles, mean motions.
+        """
         bodies = self._bodies
         means = [value for mean in bodies.means.values() for value in mean.held.values()]
         b = np.concatenate([self.conditions.value, np.zeros(3 * len(bodies.obstacles)), means])
@@ -79,8 +86,8 @@ class Supports:
                 held = list(bodies.means[name].held)
             if not held or set(new) - set(held):
                 raise ValueError(
-                    f"displacements of {name!r}: supports are set up with the problem and only "
-                    f"their values change; it holds {', '.join(held) or 'nothing'}, "
+                    f"displacements of {name!r}: only values of supports of the problem "
+                    f"can change; defined components: {', '.join(held) or 'none'}, "
                     f"got {', '.join(new)}"
                 )
             for c, value in new.items():
@@ -88,15 +95,15 @@ class Supports:
                 if not callable(value):
                     b[own] = value
                 elif name in bodies.obstacles or name in bodies.means:
-                    raise ValueError(f"the motion {c} of {name!r} is a number")
+                    raise ValueError(f"the motion {c} of {name!r} must be a number, got a function")
                 else:
                     b[own] = value(bodies.basis.doflocs[:, self.conditions.dofs[0, own]])
         if not np.all(np.isfinite(b)):
-            raise ValueError("a prescribed displacement is not finite")
+            raise ValueError("prescribed displacements must be finite")
         return b
 
     def actions(self, displacements: Mapping[str, Support]) -> list[Action]:
-        """Responses to prescribed displacements, one for each component of a support."""
+        """Unit responses to prescribed displacements, one for each component of a support."""
         b = self.values(displacements)
         if not np.any(b):
             return []
@@ -127,7 +134,7 @@ class Supports:
 
 
 class Loads:
-    """Loads by name, as actions."""
+    """Loads, given by name, as unit actions."""
 
     def __init__(self, bodies: Bodies) -> None:
         self._bodies = bodies
@@ -141,7 +148,10 @@ class Loads:
         body_forces: Vector | Mapping[str, Vector] | None,
         point_forces: Mapping[tuple[float, float], tuple[float, float]],
     ) -> list[Action]:
-        """Responses to loads; ValueError for unknown names and values that are not finite."""
+        """Unit responses to loads.
+
+        Raises ValueError for unknown names and for values that are not finite.
+        """
         found: list[Action] = []
         for name, p in pressures.items():
             found += self._one(("pressure", name), p, partial(self._pressure, name))
@@ -176,16 +186,18 @@ class Loads:
         obstacle = self._bodies.obstacles.get(key[1]) if isinstance(key[1], str) else None
         most = 2 if obstacle is None else 3
         if not isinstance(value, tuple | list | np.ndarray):
-            raise ValueError(f"the {key[0]} on {key[1]!r} has components x and y, got {value!r}")
+            raise ValueError(
+                f"the {key[0]} on {key[1]!r} must have components x and y, got {value!r}"
+            )
         if not (2 <= len(value) <= most and np.all(np.isfinite(value))):
             raise ValueError(
-                f"the {key[0]} on {key[1]!r} needs finite components x and y, got {value}"
+                f"the {key[0]} on {key[1]!r} must have finite components x and y, got {value}"
             )
         for motion, v in zip(MOTIONS, value, strict=False):
             if obstacle is not None and v != 0 and motion not in obstacle.free:
                 raise ValueError(
                     f"the force on obstacle {key[1]!r} has the component {v:g} along {motion}, "
-                    f"which is not free: its free motions are {obstacle.free or 'none'}"
+                    f"but only free motions can be loaded: {obstacle.free or 'none'}"
                 )
         units = np.eye(len(value))
         return [
@@ -210,7 +222,7 @@ class Loads:
         return point_load(self._bodies.basis, {point: force}, turn=self._turn)
 
     def _on_obstacle(self, name: str, force: tuple[float, ...]) -> Array:
-        """Force x, y and moment about its centre."""
+        """Forces (all,) from the force (x, y) and the moment about the centre of an obstacle."""
         f = np.zeros(self._bodies.count)
         first = self._bodies.basis.N + 3 * list(self._bodies.obstacles).index(name)
         f[first : first + len(force)] = force
@@ -218,7 +230,7 @@ class Loads:
 
 
 def components(support: Support) -> dict[str, Prescribed]:
-    """Component to value of a support."""
+    """Prescribed value of each component of a support."""
     if not isinstance(support, str | Mapping):
         raise ValueError(f'a support must be like "xy" or {{"x": 1e-3}}, got {support!r}')
     return dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)

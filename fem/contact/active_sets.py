@@ -1,10 +1,10 @@
 """Primal-dual active sets: the fast method for the condensed contact problem.
 
-Each row has a state (open, stick, or slip in one of two directions). The linear system of these
-states is solved, and rows that contradict their state change it: all rows together as long as their
-number decreases, otherwise one at a time (block principal pivoting, Judice and Pires 1994; finite
-without friction). With friction, the states may repeat in a cycle; the method then ends without a
-solution.
+Each row has a state: open, stick, or slip in one of two directions. The linear system of these
+states is solved. Rows whose solution contradicts their state change it: all of these rows together
+as long as their number decreases, otherwise one at a time (block principal pivoting, Judice and
+Pires 1994). Without friction, the method ends after a finite number of steps. With friction, the
+states may repeat in a cycle; the method then ends without a solution.
 """
 
 from dataclasses import dataclass
@@ -30,10 +30,10 @@ def exchanged(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int],
     finer: float = 1.0,
 ) -> Solution:  # fmt: skip
-    """Consistent multipliers, motions and states, on springs (k, k), from given `states` (m,).
+    """Multipliers, motions and the states that are consistent with them, on springs (k, k).
 
-    `changes` receives the number of rows of each exchange. NotFoundError if the states repeat or
-    continue to change.
+    The iteration begins with `states` (m,). `changes` receives the number of changed rows of each
+    iteration. Raises NotFoundError if the states repeat or continue to change.
     """
     rough, seen = bool(system.rough.size), set()
     fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
@@ -57,15 +57,15 @@ def exchanged(
         if rough and known in seen:
             raise NotFoundError("the states of the contact repeat")
         seen.add(known)
-    raise NotFoundError(f"{other.size} of {states.size} points still change their state")
+    raise NotFoundError(f"{other.size} of {states.size} contact points still change their state")
 
 
 @dataclass(frozen=True)
 class StateEquations:
-    """The linear system A x = known for given `states`, on springs (k, k).
+    """Linear system A x = known for given contact `states`, on springs (k, k).
 
-    x contains the multipliers of the closed rows, then the motions. For slipping rows `slip`,
-    friction is `drag` times the multiplier `at`.
+    x contains the multipliers of the rows `own`, then the motions. The friction of the slipping
+    rows `slip` is `drag` times the multiplier of their normal row, whose position in x is `at`.
     """
 
     own: Indices
@@ -76,7 +76,7 @@ class StateEquations:
 
     @classmethod
     def of(cls, system: ContactSystem, states: States, spring: Array) -> "StateEquations":
-        """The equations of `states` (m,)."""
+        """Linear system for the contact states `states` (m,)."""
         closed = np.flatnonzero(states != OPEN)
         stick = np.flatnonzero((states == STICK) & (system.partner >= 0))
         slip = np.flatnonzero(SIGN[states] != 0)
@@ -92,7 +92,7 @@ class StateEquations:
         return cls(own, system.partner[slip], at, drag, A)
 
     def unpacked(self, x: Array, n: int) -> tuple[Array, Array]:
-        """Multipliers (n,) and motions (k,) of a solution."""
+        """Multipliers (n,) and motions (k,) from the solution x."""
         multipliers = np.zeros(n)
         multipliers[self.own] = x[: self.own.size]
         multipliers[self.slip] = self.drag * x[self.at]
@@ -102,9 +102,9 @@ class StateEquations:
 def linear(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States
 ) -> tuple[Array, Array]:
-    """Multipliers (n,) and motions (k,) for given `states`, on springs (k, k).
+    """Multipliers (n,) and motions (k,) for given contact `states`, on springs (k, k).
 
-    NotFoundError if they are not determined by the states.
+    Raises NotFoundError if the states do not determine them.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])
@@ -115,7 +115,7 @@ def linear(
     try:
         x = scale * np.linalg.solve(A, scale * known)
     except np.linalg.LinAlgError:
-        raise NotFoundError("the states of the contact leave its forces undetermined") from None
+        raise NotFoundError("the contact states do not determine the contact forces") from None
     return equations.unpacked(x, w_0.size)
 
 
@@ -123,7 +123,7 @@ def fitting_states(
     system: ContactSystem, w_0: Array, multipliers: Array, motion: Array, states: States,
     finer: float = 1.0,
 ) -> States:  # fmt: skip
-    """The states (m,) that multipliers and gaps call for, from those that gave them.
+    """Contact states (m,) that agree with multipliers and gaps, calculated from the old `states`.
 
     `finer` is a factor of the tolerances.
     """

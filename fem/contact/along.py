@@ -11,8 +11,8 @@ from fem.plane.supports import Prescribed
 class Along:
     """Supports of bodies along z.
 
-    `supports` prescribe u_z on boundaries and on obstacles, which are fixed by default. Obstacles
-    named in `free` move under forces. Ties of the plane also act along z.
+    `supports` prescribe u_z on boundaries and on obstacles. By default, obstacles are fixed along
+    z. Obstacles named in `free` move under forces. Ties of the plane also act along z.
     """
 
     supports: Mapping[str, Prescribed] = field(default_factory=dict)
@@ -21,13 +21,13 @@ class Along:
 
 @dataclass(frozen=True)
 class Pull:
-    """Forces `f` (nodes,) along z and prescribed displacements `u_0` (nodes,)."""
+    """Load along z: forces `f` (nodes,) and prescribed displacements `u_0` (nodes,)."""
 
     f: Array
     u_0: Array
 
     def after(self, before: "Pull | None", share: float) -> "Pull":
-        """The new value times its share, plus the rest of the value `before`."""
+        """Load `share` x this load + (1 - `share`) x the load `before`; None means a zero load."""
         if before is None:
             return Pull(share * self.f, share * self.u_0)
         rest = 1 - share

@@ -1,7 +1,7 @@
 """Displacements u_z(x, y) along the third axis of bodies in plane strain, condensed to surfaces.
 
-In isotropic bodies they do not mix with the plane: div(G grad u_z) = 0, with the shear stresses
-G du_z/dx and G du_z/dy.
+In isotropic bodies, u_z is not coupled with displacements in the plane: div(G grad u_z) = 0, with
+the shear stresses G du_z/dx and G du_z/dy.
 """
 
 from collections.abc import Mapping
@@ -21,17 +21,18 @@ from fem.plane.supports import Prescribed
 
 
 class AlongBodies:
-    """Stiffness and shifts along z of all bodies, condensed to their contact surfaces.
+    """Stiffness of all bodies and their rigid shifts along z, condensed to the contact surfaces.
 
-    `T` (nodes, n) maps the free unknowns to nodes; the last s unknowns are those of surfaces, rigid
-    bodies and obstacles. `shifts` (s, k) are the orthonormal shifts that supports permit; `words`
-    names them.
+    `T` (nodes, n) maps free unknowns to nodes. The last s unknowns belong to surfaces, rigid bodies
+    and obstacles. `shifts` (s, k) are the orthonormal rigid shifts that supports permit; `words`
+    describes each shift.
     """
 
     def __init__(self, bodies: Bodies, along: Along, surface: Indices) -> None:
-        """Factorise, with the `surface` unknowns (s,) of the plane last.
+        """Factorise the stiffness, with the `surface` unknowns (s,) of the plane last.
 
-        ValueError for unknown names, and bodies that neither supports nor any contact surface hold.
+        Raises ValueError for unknown names, and for bodies that have neither a support along z nor
+        a contact surface.
         """
         self.bodies, self.along = bodies, along
         self.nodes = AlongNodes(bodies, along)
@@ -41,11 +42,11 @@ class AlongBodies:
 
     @property
     def surface(self) -> csr_array:
-        """The columns (nodes, s) of T that belong to contact surfaces."""
+        """Columns (nodes, s) of T that belong to contact surfaces."""
         return self.T[:, self.T.shape[1] - self.condensed.springs.size :]
 
     def compliance(self, forces: Array) -> Array:
-        """Displacements (s, ...) of the surface under `forces` (s, ...), without shifts."""
+        """Displacements (s, ...) of the surface under `forces` (s, ...), without rigid shifts."""
         return np.asarray(cho_solve(self._factor, forces, check_finite=False))
 
     def load(self, pull: Pull) -> tuple[Array, Array]:
@@ -54,7 +55,7 @@ class AlongBodies:
         return load, self.condensed.load(load)
 
     def displacements(self, pull: Pull, pushed: Array, shift: Array) -> Array:
-        """u_z (nodes,) under loads, contact forces `pushed` (s,) and the free `shift` (k,)."""
+        """u_z (nodes,) under loads, contact forces `pushed` (s,) and the rigid `shift` (k,)."""
         load, on_surface = self.load(pull)
         own = self.shifts @ (self.shifts.T @ on_surface)
         surface = self.compliance(on_surface - own + pushed) + self.shifts @ shift
@@ -63,7 +64,10 @@ class AlongBodies:
         return self.T @ q + pull.u_0
 
     def pull(self, forces: Mapping[str, float], displacements: Mapping[str, Prescribed]) -> Pull:
-        """Loads along z by name; supports that `displacements` do not name keep their values."""
+        """Loads along z from values by name.
+
+        Supports that are not named in `displacements` retain their values.
+        """
         if unknown := set(displacements) - set(self.nodes.supported):
             raise ValueError(
                 f"no support holds {min(unknown)!r} along z; there are: "
@@ -72,14 +76,17 @@ class AlongBodies:
         f = np.zeros(self.nodes.count)
         for name, force in forces.items():
             if not isinstance(force, int | float | np.number) or not np.isfinite(force):
-                raise ValueError(f"the force along z on {name!r} is a finite number, got {force!r}")
+                raise ValueError(
+                    f"the force along z on {name!r} must be a finite number, got {force!r}"
+                )
             f += self._force(name, float(force))
         return Pull(f, self.nodes.prescribed({**self.along.supports, **displacements}))
 
     def reaction(self, boundary: str, u: Array, forces: Array) -> float:
         """Force along z that the support of `boundary` exerts at `u`, under `forces` (nodes,).
 
-        If several supports prescribe a node, the reaction is that of the first.
+        If several supports prescribe a node, its reaction is assigned to the first of these
+        supports.
         """
         nodes, known = self.nodes, self.nodes.supported
         if boundary not in known:
@@ -94,7 +101,7 @@ class AlongBodies:
         return float(missing[own[nodes.group]].sum())
 
     def internal_forces(self, u: Array) -> Array:
-        """Forces (nodes,) of the shear stresses of `u` (nodes,), for the whole thickness."""
+        """Forces (nodes,) that balance the shear stresses of `u` (nodes,), over the thickness."""
         cells = self.bodies.cells
         weight = cells.mu[:, None, None] * cells.dx[:, :, None]
         stress = (weight * self.gradient(u)).reshape(len(weight), -1)
@@ -103,7 +110,7 @@ class AlongBodies:
         return np.bincount(at, force.ravel(), self.nodes.count).astype(float)
 
     def gradient(self, u: Array) -> Array:
-        """du_z/dx, du_z/dy (m, points, 2) at the quadrature points of every cell."""
+        """Gradient du_z/dx, du_z/dy (m, points, 2) at the quadrature points of every cell."""
         local = u[self.nodes.cells]
         local = local - local[:, :1]  # a shift causes no shear, only round-off
         found = (self.bodies.cells.slope @ local[..., None])[..., 0]
@@ -116,11 +123,11 @@ class AlongBodies:
         return float(np.sum(density * cells.dx)) / 2
 
     def named(self, amplitudes: Array) -> str:
-        """The shift that most of the `amplitudes` (k,) belongs to, in words."""
+        """Description of the rigid shift with the largest of the `amplitudes` (k,)."""
         return self.words[int(np.argmax(np.abs(amplitudes)))]
 
     def refuse(self, words: str) -> None:
-        raise ValueError(f"{words}: neither supports along z nor friction hold it")
+        raise ValueError(f"{words}: neither supports along z nor friction prevent this motion")
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:
@@ -130,7 +137,7 @@ class AlongBodies:
         return cho_factor(S + size * self.shifts @ self.shifts.T, check_finite=False)
 
     def _stiffness(self) -> csr_array:
-        """K (nodes, nodes) of int G grad u . grad v."""
+        """Stiffness matrix K (nodes, nodes) of the form int G grad u . grad v."""
         cells, at, count = self.bodies.cells, self.nodes.cells, self.nodes.count
         n = at.shape[1]
         weight = np.repeat(cells.mu[:, None] * cells.dx, 2, axis=1)
@@ -149,12 +156,14 @@ class AlongBodies:
         return np.reshape(q, (len(q), s)).T, tuple(words)
 
     def _force(self, name: str, force: float) -> Array:
-        """Forces (nodes,) of a total on a boundary, or on an obstacle."""
+        """Forces (nodes,) from a total force along z on a boundary or on an obstacle."""
         nodes, f = self.nodes, np.zeros(self.nodes.count)
         if name not in self.bodies.obstacles:
             f[: nodes.meshed] = force_load(self.bodies.basis, {name: (force, 0.0)})[nodes.dofs[0]]
         elif name in self.along.free:
             f[nodes.named(name)] = force
         elif force != 0:
-            raise ValueError(f"the force along z on obstacle {name!r}: it is not free along z")
+            raise ValueError(
+                f"force along z on obstacle {name!r}: the obstacle must be free along z"
+            )
         return f

@@ -1,4 +1,4 @@
-"""All contact pairs with friction as one system along z: slips and the compliance behind them."""
+"""All contact pairs with friction as one system along z: slips and the compliance of the bodies."""
 
 import numpy as np
 from scipy.sparse import csr_array, diags_array, vstack
@@ -44,7 +44,7 @@ class AlongInterface:
         return self.C @ at_rest + self.rows @ pull.u_0, e
 
     def check_held(self) -> None:
-        """ValueError if neither supports nor friction can prevent a shift of a body along z."""
+        """Raise ValueError if neither supports nor friction prevent a shift of a body along z."""
         felt = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
         own = np.abs(self.C).max(initial=0.0)
         if np.any(felt <= UNHELD * own):
@@ -52,7 +52,10 @@ class AlongInterface:
 
 
 def _slips(mortar: Mortar, columns: Indices) -> csr_array:
-    """Weighted u_z,m - u_z,s: normal and tangent act on a shift along x as one row along z."""
+    """Rows of the weighted slip u_z,m - u_z,s along z.
+
+    The normal and tangential rows of the plane, for a shift along x, give one row along z.
+    """
     n = mortar.points.n
     along_x = diags_array(n[0]) @ mortar.normal - diags_array(n[1]) @ mortar.tangential
     rows = mortar.weighted(along_x.tocsr()[:, columns])

@@ -1,4 +1,4 @@
-"""Nodes of bodies that move along z: numbers, names, and groups of equal displacement."""
+"""Nodes of bodies that move along z: numbers, names, and groups with equal displacement."""
 
 from collections.abc import Mapping
 
@@ -17,7 +17,7 @@ CONTRADICTION = 1e-9  # relative to the values prescribed along z
 
 
 class AlongNodes:
-    """Vertices, nodes on edges and in cells, and one node for each obstacle.
+    """Nodes with a displacement along z: nodes of the mesh, and one node for each obstacle.
 
     `dofs` (2, meshed) are the unknowns x and y of the nodes, `of_dof` (unknowns,) the node of each
     unknown, `cells` (cells, n) the nodes of each cell. Nodes of a rigid body, and tied nodes, have
@@ -25,7 +25,7 @@ class AlongNodes:
     """
 
     def __init__(self, bodies: Bodies, along: Along) -> None:
-        """Number the nodes; ValueError for unknown names."""
+        """Number the nodes. Raises ValueError for unknown names."""
         self.bodies, self.along = bodies, along
         self.dofs = node_dofs(bodies.basis)
         self.meshed = self.dofs.shape[1]
@@ -42,25 +42,28 @@ class AlongNodes:
 
     @property
     def columns(self) -> Indices:
-        """Of a row of the plane problem, the unknowns (count,) x of nodes and obstacles."""
+        """Numbers (count,) of the unknowns u_x of nodes and obstacles in the plane problem."""
         obstacles = self.bodies.basis.N + 3 * np.arange(len(self.bodies.obstacles))
         return np.concatenate([self.dofs[0], obstacles])
 
     @property
     def supported(self) -> list[str]:
-        """Boundaries and obstacles whose u_z is prescribed."""
+        """Names of boundaries and obstacles whose u_z is prescribed."""
         fixed = [o for o in self.bodies.obstacles if o not in self.along.free]
         return [*self.along.supports, *(o for o in fixed if o not in self.along.supports)]
 
     def named(self, name: str) -> Indices:
-        """Nodes of a boundary, or of an obstacle."""
+        """Numbers of the nodes of a boundary or of an obstacle."""
         if name in self.bodies.obstacles:
             return np.array([self.meshed + list(self.bodies.obstacles).index(name)])
         basis = self.bodies.basis
         return np.asarray(self.of_dof[nodes_on(basis, named_facets(basis.mesh, name))[0]])
 
     def prescribed(self, values: Mapping[str, Prescribed]) -> Array:
-        """Displacements (count,) of supported nodes; ValueError if supports contradict."""
+        """Displacements (count,) of supported nodes.
+
+        Raises ValueError if supports prescribe different values at the same node.
+        """
         given = np.full(self.held.size, np.nan)
         largest = 0.0
         for name, value in values.items():
@@ -76,10 +79,10 @@ class AlongNodes:
         return np.asarray(np.nan_to_num(given)[self.group])
 
     def ordered(self, surface: Indices) -> tuple[csr_array, int]:
-        """T (count, n) from free unknowns in order of elimination to nodes.
+        """Matrix T (count, n) from free unknowns to nodes, and the number of surface unknowns.
 
-        The last of them, as many as the second value says, belong to the nodes `surface`, to rigid
-        bodies and to obstacles.
+        The unknowns are in order of elimination. The surface unknowns are the last; they belong to
+        the nodes `surface`, to rigid bodies and to obstacles.
         """
         place = np.full(self.count, self.count)
         place[: self.meshed] = nested_dissection(self.bodies.basis)[self.dofs[0]]
@@ -96,9 +99,9 @@ class AlongNodes:
         return csr_array((np.ones(own.size), at), (self.count, free.size)), int(late[free].sum())
 
     def loose(self) -> list[tuple[NDArray[np.bool_], str]]:
-        """Nodes (count,) of every body that no support holds, and the body's name.
+        """For every body without support along z: a mask (count,) of its nodes, and its name.
 
-        A body is a set connected by cells, ties and rigidity.
+        A body is a set of nodes connected by cells, ties and rigid bodies.
         """
         first = np.repeat(self.cells[:, :1], self.cells.shape[1], axis=1).ravel()
         one = np.zeros(self.held.size, int)
@@ -112,18 +115,19 @@ class AlongNodes:
             if name not in self.bodies.obstacles or name in self.along.supports:
                 known = ", ".join(self.bodies.obstacles) or "none"
                 raise ValueError(
-                    f"along z obstacles without support are free, got {name!r}; there are: {known}"
+                    f"free along z must be obstacles without support along z, got {name!r}; "
+                    f"obstacles: {known}"
                 )
 
     def _value(self, name: str, value: Prescribed) -> Array:
         if callable(value):
             if name in self.bodies.obstacles:
-                raise ValueError(f"the motion along z of obstacle {name!r} is a number")
+                raise ValueError(f"the motion along z of obstacle {name!r} must be a number")
             u = np.asarray(value(self.bodies.basis.doflocs[:, self.dofs[0, self.named(name)]]))
         else:
             u = np.asarray(value, float)
         if not np.all(np.isfinite(u)):
-            raise ValueError(f"the displacement along z of {name!r} is not finite")
+            raise ValueError(f"the displacement along z of {name!r} must be finite")
         return u
 
     def _groups(self) -> Indices:
@@ -134,7 +138,7 @@ class AlongNodes:
         )
 
     def _joined(self, first: list[Indices], second: list[Indices]) -> Indices:
-        """A number (count,) for all nodes that pairs of them link."""
+        """Number (count,) of the group of each node; nodes linked by pairs have the same number."""
         at = np.concatenate(first), np.concatenate(second)
         links = csr_array((np.ones(at[0].size), at), (self.count, self.count))
         return np.asarray(connected_components(links, directed=False)[1])

@@ -1,4 +1,4 @@
-"""Contact with friction along the surface and along z: the plane step and the cone about it."""
+"""Contact with friction along the surface and along z: the plane problem extended by u_z."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -34,7 +34,7 @@ class AlongProblem:
     ) -> None:  # fmt: skip
         if assumption != "plane strain":
             raise ValueError(
-                f"displacements along the third axis need plane strain, got {assumption!r}"
+                f"displacements along z require the assumption 'plane strain', got {assumption!r}"
             )
         self.bodies = AlongBodies(bodies, along, surfaces.unknowns)
         self.bodies.pull({}, {})  # contradicting supports are an error from the start
@@ -51,10 +51,10 @@ class AlongProblem:
         closing: tuple[Indices, Array],
         in_plane: Callable[[], Rest],
     ) -> tuple[Rest, AlongStep]:
-        """The step under `w` and `e` of the plane, and `pull` along z.
+        """State of the plane and state along z, under `w` and `e` of the plane and `pull` along z.
 
-        `in_plane` gives the rest without friction along z; gaps of the normal rows `closing` close
-        in this step, each at its share of it.
+        `in_plane` calculates the state of the plane without friction along z. Gaps of the normal
+        rows in `closing` close in this step, each at its given share of the step.
         """
         interface = self._interface(plane)
         w_z, e_z = interface.loaded(pull)
@@ -72,7 +72,8 @@ class AlongProblem:
             residual, states, moved = interface.cone.judged(descent.w_0, descent.e, at)
             if not residual.largest <= EXACT:
                 raise NotFoundError(
-                    f"the solution violates the laws of contact by more than {EXACT:g}: {residual}"
+                    "the solution violates the contact laws by more than the tolerance "
+                    f"{EXACT:g}: {residual}"
                 )
             rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
         step = AlongStep(
@@ -85,19 +86,24 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """Solution of the cone; NoEquilibriumError if loads are outside the cone; NotFoundError."""
+        """Solution of the cone.
+
+        Raises NoEquilibriumError if the friction cone cannot balance the loads, and NotFoundError
+        if no solution is found.
+        """
         missed = missing(descent.cone, descent.e)
         if np.any(missed):
             raise NoEquilibriumError(
-                f"{self._who(missed, motions)}, and the loads do move it: along the surface and "
-                "along z together, friction is at most mu times the pressure"
+                f"{self._who(missed, motions)}, and no admissible contact forces balance "
+                "the loads: friction along the surface and along z together is at most mu "
+                "times the pressure"
             )
         try:
             return descent.solve(_starts(descent, before, in_plane))
         except SlidingError as slide:
             raise NotFoundError(
-                f"no state of rest was found: {self._who(slide.carried, motions)}, and slides or "
-                f"rolls on. Tried: {slide}"
+                f"no equilibrium was found: {self._who(slide.carried, motions)}, and continues to "
+                f"slide or roll. Methods tried: {slide}"
             ) from None
 
     def _interface(self, plane: Interface) -> AlongInterface:
@@ -109,7 +115,7 @@ class AlongProblem:
         self, interface: AlongInterface, w_z: Array, slips: Array, before: Before | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips along z of surfaces with an open gap, from `slips` until the gap closes."""
+        """Slips along z of surfaces with an initial gap, added to `slips` until the gap closes."""
         cone, r = interface.cone, slips.size
         B, D = cone.B[-r:, -r:] if r else cone.B[:0, :0], interface.C @ self.bodies.shifts
         trial = w_z - slips
@@ -122,14 +128,14 @@ class AlongProblem:
         return found
 
     def _who(self, amplitudes: Array, motions: int) -> str:
-        """The motion of the plane, or the shift along z, that most of the amplitudes belong to."""
+        """Description of the rigid motion or the shift along z with the largest amplitude."""
         plane, along = amplitudes[:motions], amplitudes[motions:]
         if along.size and np.linalg.norm(along) >= np.linalg.norm(plane):
             return self.bodies.named(along)
         return self.bodies.bodies.named(plane)
 
     def _check_small(self, plane: Interface, rest: Rest, step: AlongStep) -> None:
-        """NotFoundError if bodies slide along z by much more than they deform.
+        """Raise NotFoundError if bodies slide along z by much more than they deform.
 
         Such a state is in equilibrium, but outside the range of small displacements.
         """
@@ -142,7 +148,7 @@ class AlongProblem:
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
             raise NotFoundError(
-                "no state of rest was found with small motions: in the solution, "
+                "no equilibrium with small displacements was found: in the solution, "
                 f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g}, while surfaces "
                 f"deform by {size:.3g}"
             )
@@ -153,7 +159,11 @@ def _joined(rest: Rest, traction: Array, shift: Array) -> State:
 
 
 def _starts(descent: Descent, before: Before | None, in_plane: Callable[[], Rest]) -> list[State]:
-    """The plane's rest with all nodes sticking along z, if it is found, and the step before."""
+    """Initial states for the iteration.
+
+    These are the equilibrium of the plane with all nodes sticking along z, if it is found, and the
+    state of the previous step.
+    """
     starts = []
     with suppress(ArithmeticError):
         rest = in_plane()

@@ -15,9 +15,10 @@ from fem.plane.discretisation import Array
 class AlongStep:
     """Displacements and forces along z in equilibrium.
 
-    For nodes with friction: `traction` (r,) [stress] on the master, `w` (r,) weighted slips of this
-    step, `slips_before` (r,) weighted slips before it. `shift` (k,) are shifts of bodies supported
-    by friction only. `residual` is the violation of the laws by the whole step.
+    For nodes with friction: `traction` (r,) [stress] on the master, weighted slips `w` (r,) of this
+    step, and weighted slips `slips_before` (r,) before this step. `shift` (k,) are the rigid shifts
+    of bodies that have no support along z. `residual` is the violation of the contact laws by the
+    solution.
     """
 
     interface: AlongInterface
@@ -30,12 +31,12 @@ class AlongStep:
 
     @property
     def slips(self) -> Array:
-        """Weighted slips (r,) since the mesh."""
+        """Weighted slips (r,) accumulated since the undeformed mesh."""
         return self.slips_before + self.w
 
     @cached_property
     def u(self) -> Array:
-        """u_z (nodes,): vertices, nodes on edges and in cells, obstacles."""
+        """Displacements u_z (nodes,): of vertices, nodes on edges, nodes in cells, obstacles."""
         i = self.interface
         return i.bodies.displacements(self.pull, i.C.T @ self.traction, self.shift)
 
@@ -45,7 +46,7 @@ class AlongStep:
         return self.interface.bodies.strain_energy(self.u)
 
     def reaction(self, boundary: str) -> float:
-        """Force along z that the support of a boundary, or of an obstacle, exerts."""
+        """Force along z exerted by the support of a boundary or of an obstacle."""
         forces = self.pull.f + self.interface.rows.T @ self.traction
         return self.interface.bodies.reaction(boundary, self.u, forces)
 

@@ -1,4 +1,4 @@
-"""Bodies with an initial gap: positions of their surfaces after a rigid approach."""
+"""Bodies with an initial gap: rigid displacements of the surfaces up to first contact."""
 
 import numpy as np
 
@@ -14,8 +14,8 @@ LARGEST_GAP = 1e-4  # initial distance times curvature: below, gaps are linear i
 def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | None] | None:
     """Rigid displacements (all,) of the surfaces of each pair from the mesh to first contact.
 
-    None for a pair that needs no displacement, and None if no pair needs one: the surfaces in
-    contact were then paired at distances for which the gap is linear.
+    The entry of a pair that needs no displacement is None. The result is None if no pair needs a
+    displacement: all initial gaps of loaded points are then small enough for a linear gap.
     """
     sides = list(zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True))
     obstacles = solution.bodies.obstacles
@@ -36,7 +36,7 @@ def _is_far(touch: Touch, bend: float) -> bool:
 
 
 def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:
-    """The motions of the parts in contact on both sides, extended to the complete surfaces."""
+    """Rigid displacements of the loaded parts of both sides, extended to the complete surfaces."""
     base = np.zeros(u.size)
     base[count:] = u[count:]
     points, loaded = touch.mortar.points, touch.p > 0

@@ -1,4 +1,4 @@
-"""The bodies of a contact problem, elastic and rigid, condensed to their contact surfaces."""
+"""Bodies of a contact problem, elastic and rigid, condensed to their contact surfaces."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
@@ -28,11 +28,11 @@ UNHELD = 1e-9  # relative to a rigid motion: below, the surface does not resist 
 
 @dataclass(frozen=True)
 class Response:
-    """Response to loads `f` (all,) and prescribed displacements `u_0` (all,), linear in them.
+    """Response, linear in the loads `f` (all,) and the prescribed displacements `u_0` (all,).
 
-    `load` (n,) acts on the free unknowns; it is equivalent to `on_surface` (s,) on the surface.
-    Without contact, the displacement of the surface is `at_rest` (s,), except for rigid motions; on
-    these, the load exerts the forces `e` (k,).
+    `load` (n,) are the forces on the free unknowns; the equivalent forces on the surface are
+    `on_surface` (s,). `at_rest` (s,) are the displacements of the surface without contact and
+    without rigid motions. `e` (k,) are the forces of the load on the rigid motions.
     """
 
     f: Array
@@ -51,7 +51,7 @@ class Response:
 class Bodies:
     """Stiffness and rigid motions of all bodies, condensed to the contact surfaces.
 
-    `motions` (s, k) are the orthonormal rigid motions that supports permit; `words` names them.
+    `motions` (s, k) are the orthonormal rigid motions that supports permit; `words` describes them.
     """
 
     def __init__(
@@ -67,15 +67,19 @@ class Bodies:
     ) -> None:
         if assumption not in get_args(Assumption):
             known = ", ".join(map(repr, get_args(Assumption)))
-            raise ValueError(f"assumption is one of {known}, got {assumption!r}")
+            raise ValueError(f"assumption must be one of {known}, got {assumption!r}")
         self.turn = assumption == "axisymmetric"
         if not 0 < thickness < np.inf or (self.turn and thickness != 1):
-            raise ValueError(f"thickness must be positive, 1 around a turn, got {thickness:g}")
+            raise ValueError(
+                f"thickness must be positive and finite, and 1 if axisymmetric, got {thickness:g}"
+            )
         for name, obstacle in obstacles.items():
             if name in (mesh.boundaries or {}):
-                raise ValueError(f"obstacle {name!r} has the name of a boundary: rename it")
+                raise ValueError(
+                    f"obstacle {name!r} must not have the name of a boundary: rename it"
+                )
             if self.turn and set(obstacle.free) - {"y"}:
-                raise ValueError(f"obstacle {name!r}: around a turn only y is free")
+                raise ValueError(f"obstacle {name!r}: if axisymmetric, only y can be free")
         self.obstacles, self.thickness = dict(obstacles), thickness
         self.lam, self.mu, self.ratio, self.rigid = _moduli(mesh, materials, assumption)
         self.basis: Basis = basis_for(mesh, self.lam, self.mu, degree, turn=self.turn)
@@ -85,23 +89,23 @@ class Bodies:
 
     @property
     def free_obstacles(self) -> int:
-        """Unknowns of obstacles, the last of the free unknowns."""
+        """Number of free unknowns of obstacles; they are the last of the free unknowns."""
         return sum(len(o.free) for o in self.obstacles.values())
 
     @property
     def count(self) -> int:
-        """Unknowns of the mesh and of obstacles, free or not."""
+        """Number of unknowns of the mesh and of obstacles, free or not."""
         return int(self.basis.N) + 3 * len(self.obstacles)
 
     def plane_modulus(self, cells: Indices) -> float:
-        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite for a rigid body."""
+        """Mean E/(1 - nu^2) of `cells`, or mean E in plane stress; infinite for a rigid body."""
         lam, mu = self.lam[cells], self.mu[cells]
         if np.any(mu == 0):
             return np.inf
         return float(np.mean(4 * mu * (lam + mu) / (lam + 2 * mu)))
 
     def condense(self, conditions: Conditions, surface: Indices) -> None:
-        """Factorise, with the unknowns of the contact surfaces (s,) last."""
+        """Factorise the stiffness, with the unknowns of the contact surfaces (s,) last."""
         self.conditions = conditions
         rigid = [_pairs(self.basis, cells) for cells in self.rigid]
         self.unknowns: Unknowns = unknowns(
@@ -113,7 +117,10 @@ class Bodies:
         self.condensed: Condensed = condense(self._stiffness(), self.unknowns.surface)
 
     def _stiffness(self) -> csr_array:
-        """T' K T (n, n); if T only selects unknowns, K is assembled in this order at once."""
+        """Stiffness matrix T' K T (n, n).
+
+        If T only selects unknowns, K is assembled directly in this order.
+        """
         T = self.unknowns.T
         if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self.rigid:
             place = np.full(self.count, -1)
@@ -140,11 +147,11 @@ class Bodies:
         return np.linalg.qr(q)[0], words
 
     def named(self, amplitudes: Array) -> str:
-        """The single motion that is nearest to the `amplitudes` (k,) of rigid motions, in words."""
+        """Description of the rigid motion that is nearest to the `amplitudes` (k,)."""
         return self.words[int(np.argmax(np.abs(self._fields.T @ (self.motions @ amplitudes))))]
 
     def refuse(self, words: str) -> None:
-        raise ValueError(f"{words}: neither supports nor contact hold it")
+        raise ValueError(f"{words}: neither supports nor contact prevent this motion")
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:
@@ -158,7 +165,7 @@ class Bodies:
         return np.asarray(cho_solve(self._factor, forces, check_finite=False))
 
     def respond(self, f: Array, u_0: Array) -> Response:
-        """The response to forces (all,) and prescribed displacements (all,)."""
+        """Response to forces (all,) and prescribed displacements (all,)."""
         T, internal = self.unknowns.T, np.zeros(self.count)
         if np.any(u_0):
             internal[: self.basis.N] = self.cells.internal_forces(u_0[: self.basis.N])
@@ -172,14 +179,16 @@ class Bodies:
 def _moduli(
     mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic | Rigid], assumption: Assumption
 ) -> tuple[Array, Array, Array, list[Indices]]:
-    """Moduli of every cell, zero in rigid bodies, and the cells of each of these."""
+    """Moduli lambda, mu and ratio of every cell (zero if rigid); cells of each rigid body."""
     if isinstance(materials, Elastic):
         return *moduli(mesh, materials, assumption), []
     if not isinstance(materials, Mapping):
-        raise ValueError(f"materials are Elastic, or a mapping of bodies to it, got {materials!r}")
+        raise ValueError(
+            f"materials must be Elastic, or a mapping of bodies to materials, got {materials!r}"
+        )
     for body, material in materials.items():
         if not isinstance(material, Elastic | Rigid):
-            raise ValueError(f"the material of {body!r} is Elastic or Rigid, got {material!r}")
+            raise ValueError(f"the material of {body!r} must be Elastic or Rigid, got {material!r}")
     rigid = [named_cells(mesh, body) for body, m in materials.items() if isinstance(m, Rigid)]
     stand_in = Elastic(E=1.0, nu=0.0)
     elastic = {b: m if isinstance(m, Elastic) else stand_in for b, m in materials.items()}
@@ -190,6 +199,6 @@ def _moduli(
 
 
 def _pairs(basis: Basis, cells: Indices) -> Indices:
-    """Unknowns of the nodes of `cells`, in pairs x, y."""
+    """Unknowns of the nodes of `cells`, in order x, y for each node."""
     x, y = (np.unique(np.asarray(basis.element_dofs)[i::2, cells]) for i in (0, 1))
     return np.array([x, y]).T.ravel()

@@ -1,8 +1,8 @@
 """Solver of all plane contact problems: unilateral contact with Coulomb friction, condensed.
 
-Active sets are the fast method. If they end without a solution, Lemke's method follows, and for
-bodies without loads a linear programme for a motion that separates them. A solution is accepted
-only by its residual.
+The method of active sets is the fast method. If it ends without a solution, Lemke's method follows.
+For bodies without loads, a linear programme then looks for a motion that separates the bodies. A
+solution is accepted only if its residual is small enough.
 """
 
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ AWAY = "; bodies may slide or roll away under these loads, unless held or presse
 
 @dataclass(frozen=True)
 class Rest:
-    """A solved contact: `multipliers` (n,), `motion` (k,), `states` (normal rows,).
+    """Solution of a contact problem: `multipliers` (n,), `motion` (k,), `states` (normal rows,).
 
     `changes` lists the number of rows that changed their state in each iteration; `method` is the
     name of the method that found the solution.
@@ -49,11 +49,12 @@ class Complementarity(ContactSystem):
     """A condensed contact problem and its solutions."""
 
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
-        """Multipliers and motions under `w_0` (n,), `e` (k,), optionally from given states.
+        """Multipliers, motions and states under `w_0` (n,), `e` (k,).
 
-        Each residual of the result is below 1e-9 of its scale: the largest contact force, and the
-        approach by this force. Loads cause no motion if facets alone balance the last 1e-6 of them,
-        or if they are smaller than the effect of round-off of the gaps.
+        `start` optionally gives the initial states. Each residual of the result is below 1e-9 of
+        its scale: the largest contact force, or the elastic approach by this force. Two kinds of
+        loads cause no rigid motion: loads that the facets balance up to a fraction of 1e-6, and
+        loads that are smaller than the effect of round-off of the gaps.
 
         Raises
         ------
@@ -85,14 +86,14 @@ class Complementarity(ContactSystem):
             raise NoEquilibriumError("no admissible contact forces balance the loads")
         best = f"; the best candidate violates a law by {least:.1e}" if least < np.inf else ""
         raise NotFoundError(
-            f"no state of rest was found: {len(changes)} changes of the contact states and Lemke's "
-            f"method with {COVERING_VECTORS} covering vectors found no solution{best}{AWAY}"
+            f"no equilibrium was found: {len(changes)} changes of the contact states and Lemke's "
+            f"method with {COVERING_VECTORS} covering vectors gave no solution{best}{AWAY}"
         )
 
     def _candidates(
         self, w_0: Array, e: Array, start: NDArray[np.int8] | None, changes: list[int]
     ) -> Iterator[Rest]:
-        """Results of the methods, the fast methods first."""
+        """Results of the methods, those of the fast methods first."""
         release = Release(self, w_0, e, changes)
         if start is None:
             start = self._start(w_0, e)
@@ -113,13 +114,14 @@ class Complementarity(ContactSystem):
             yield Rest(*none, tuple(changes), METHODS[-1])
 
     def is_proven_non_unique(self, rest: Rest, w_0: Array, e: Array) -> bool:
-        """Whether the problem of `rest`, under `w_0` (n,) and `e` (k,), has further solutions.
+        """True if the problem of `rest` is proven to have further solutions.
 
-        The proof uses the index of the solution, the sign of the determinant of its states. If
-        loads can be balanced without friction, the sum of all indices is +1; a solution with index
-        -1 is therefore not the only one. No row may be at the limit between two states. If no load
-        acts, a motion that separates all surfaces is also a proof, because zero force is then a
-        solution. False proves nothing.
+        False proves nothing. The loads are `w_0` (n,) and `e` (k,). The proof uses the index of the
+        solution, which is the sign of the determinant of its states. If contact without friction
+        can balance the loads, the sum of all indices is +1. Therefore a solution with index -1 is
+        not the only solution. The proof requires that no row is at the limit between two states.
+        Without any load, a motion that separates all surfaces is also a proof, because zero contact
+        force is then a solution.
         """
         if np.any(self.smooth().missing(e)):
             return False
@@ -133,7 +135,10 @@ class Complementarity(ContactSystem):
         return self._parting(w_0) is not None
 
     def _is_strict(self, rest: Rest, w_0: Array) -> bool:
-        """Whether every row is well within its state: no gap, pressure, slip or reserve is zero."""
+        """True if no row is at the limit between two states.
+
+        Gaps, pressures, slips and friction reserves must be clearly different from zero.
+        """
         force = float(rest.multipliers[: self.friction.size].max(initial=0.0))
         share = w_0 + self.B @ rest.multipliers + self.D @ rest.motion
         share /= self.compliance * (force or 1.0)  # of a row's elastic approach
@@ -147,12 +152,12 @@ class Complementarity(ContactSystem):
         return bool(min(margins.min(initial=np.inf), along.min(initial=np.inf)) > STRICT)
 
     def _is_balanced_to_round_off(self, w_0: Array, e: Array, rest: Rest) -> bool:
-        """Whether loads are balanced to the round-off of the gaps."""
+        """True if the loads are balanced within the effect of round-off of the gaps."""
         missed, _ = self.missed(e, rest.multipliers)
         return missed <= self.loads_at_round_off(w_0) and not self.is_unloaded(w_0, e)
 
     def _polished(self, w_0: Array, e: Array, rest: Rest) -> Rest:
-        """Solution of the linear system of the states of `rest`, if its residual is smaller.
+        """Solution of the linear system of the states of `rest`, or `rest` if it is more accurate.
 
         The linear system contains no stabilising springs and no round-off from pivoting.
         """
@@ -164,9 +169,9 @@ class Complementarity(ContactSystem):
         return replace(rest, multipliers=found[0], motion=found[1]) if missed < before else rest
 
     def _parting(self, w_0: Array) -> Array | None:
-        """The motion (k,) that opens all gaps as uniformly as possible without force, or None.
+        """Rigid motion (k,) that opens all gaps without force, or None if there is no such motion.
 
-        A linear programme maximises the least gap, in units of the elastic approach of its row.
+        A linear programme maximises the smallest gap, relative to the elastic approach of its row.
         """
         m, k = self.friction.size, self.D.shape[1]
         scale = np.sqrt(self.compliance[:m])
@@ -180,11 +185,11 @@ class Complementarity(ContactSystem):
         return np.asarray(size * self.scales[1] * found.x[:k]) if is_open else None
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
-        """Start from the contact without friction; None if this contact is not found.
+        """Initial states: those of the contact without friction, or None if it has no solution.
 
-        Without given states, groups of rows are first treated as one row. Then only a few exchanges
-        are needed at the edges of the contact, instead of one exchange for each row by which it
-        shrinks.
+        To find these states, groups of rows are first treated as one row. The active sets then need
+        only a few iterations at the edges of the contact, instead of one iteration for each row by
+        which the contact becomes smaller.
         """
         m, rough = self.friction.size, bool(self.rough.size)
         if not rough and m <= FEW:

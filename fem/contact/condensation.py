@@ -1,4 +1,4 @@
-"""Bodies condensed to their contact surfaces: a dense stiffness from one factorisation.
+"""Bodies condensed to their contact surfaces: a dense stiffness from a single factorisation.
 
 The unknowns of the surface are eliminated last; therefore, the last block of the factors gives the
 Schur complement S = K_ss - K_si K_ii^-1 K_is. For bodies supported by contact only, S is singular,
@@ -17,7 +17,7 @@ from fem.plane.discretisation import Array
 
 @dataclass(frozen=True)
 class Condensed:
-    """Stiffness `S` (s, s) of the last s unknowns, and the map back to the others."""
+    """Stiffness `S` (s, s) of the last s unknowns, and the factors that give all unknowns."""
 
     factor: Cholesky
     S: Array
@@ -33,7 +33,7 @@ class Condensed:
         return self.S @ at_rest + self.springs * at_rest
 
     def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
-        """All unknowns under `f` (unknowns,), from the known displacements of the `surface` (s,).
+        """All unknowns under the forces `f` (unknowns,), from given displacements `surface` (s,).
 
         `on_surface` (s,) is the result of `load` for `f`.
         """
@@ -44,7 +44,10 @@ class Condensed:
 
 
 def condense(K: csr_array, count: int) -> Condensed:
-    """`K` (unknowns, unknowns), in order of elimination, condensed to its last `count` unknowns."""
+    """Condense `K` (unknowns, unknowns) to its last `count` unknowns.
+
+    The unknowns of `K` must be in order of elimination.
+    """
     n = K.shape[0]
     springs = K.diagonal()[n - count :].copy()
     none = springs <= 0

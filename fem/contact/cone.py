@@ -1,18 +1,18 @@
 """Coulomb's circular cone: contact with friction along the surface and along z at the same time.
 
 The unknowns are the multipliers l = (normal, tangential, along z) and the amplitudes a of rigid
-motions and of shifts along z, as in `complementarity`:
+motions and of shifts along z, as in the module `complementarity`:
 
     w = w_0 + B l + D a,    e + D' l = 0.
 
 Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. At nodes with friction, the length of (l_t, l_z) is at
-most mu l_n; at this bound, it opposes (w_t, w_z). These conditions are equivalent to
+most mu l_n; if it equals mu l_n, (l_t, l_z) is opposite to (w_t, w_z). Equivalent conditions are
 
     l_n = max(0, l_n - c_n w_n),   (l_t, l_z) = P((l_t, l_z) - c (w_t, w_z)),
 
-with P the projection on the disc of radius mu max(0, l_n - c_n w_n). Newton's method solves these
-equations; each node is open, sticking or slipping according to its projection (Alart and Curnier
-1991). The direction of slip changes with the solution.
+where P is the projection on the disc of radius mu max(0, l_n - c_n w_n). Newton's method solves
+these equations. The projection of a node determines its state: open, sticking or slipping (Alart
+and Curnier 1991). The direction of slip is part of the solution.
 """
 
 from dataclasses import dataclass
@@ -30,10 +30,10 @@ CANCELLED = 1e-5  # relative to the pressures that close gaps: smaller ones are 
 
 @dataclass(frozen=True)
 class Residual:
-    """Violation of the laws by a solution.
+    """Violation of the contact laws by a solution.
 
-    Of Coulomb's and of the complementarity of gap and pressure as a share of the largest pressure,
-    of the equilibrium of rigid motions as a share of the forces on these.
+    `coulomb` (Coulomb's law) and `complementarity` (gap and pressure) are relative to the largest
+    pressure. `equilibrium` (of rigid motions) is relative to the forces on the rigid motions.
     """
 
     coulomb: float
@@ -48,15 +48,15 @@ class Residual:
 
     @property
     def largest(self) -> float:
-        """Largest of the three residuals."""
+        """Largest of the residuals of Coulomb's law, complementarity and equilibrium."""
         return max(self.coulomb, self.complementarity, self.equilibrium)
 
 
 class Cone(System):
-    """The system with Coulomb's and Signorini's laws."""
+    """Equations of contact with Coulomb's law of friction and Signorini's conditions."""
 
     def imbalance(self, w_0: Array, e: Array, at: State) -> float:
-        """Share of the forces on rigid motions by which they are out of balance."""
+        """Unbalanced force on rigid motions, relative to all forces on rigid motions."""
         pushed = np.abs(self.D.T)
         size = np.abs(e) + pushed @ np.abs(at.multipliers)
         least = self._cancelled(w_0, self.trial(w_0, at)[0], at.motion)
@@ -65,14 +65,17 @@ class Cone(System):
         return float(missed.max(initial=0.0) / (most or 1.0))
 
     def trial(self, w_0: Array, at: State) -> tuple[Array, Array, Array]:
-        """Gaps and slips w (n,), max(0, l_n - c_n w_n) (m,) and the friction's trial (2, r)."""
+        """Gaps and slips w (n,), max(0, l_n - c_n w_n) (m,) and trial friction (2, r)."""
         m, (c_n, c) = self.friction.size, self.augmentation
         w = w_0 + self.B @ at.multipliers + self.D @ at.motion
         pressure = np.maximum(at.multipliers[:m] - c_n * w[:m], 0.0)
         return w, pressure, at.multipliers[self.tau] - c * w[self.tau]
 
     def error(self, task: Task, at: State) -> tuple[float, NDArray[np.int8]]:
-        """How far `at` is from its projection, of the pressure, and the states (m,) of that."""
+        """Distance of `at` from its projection, and the projected states (m,).
+
+        The distance is relative to the largest pressure.
+        """
         w, pressure, trial = self.trial(task.w_0, at)
         normal, along, states = self._projected(at, pressure, trial, task.friction)
         balance = task.e + self.D.T @ at.multipliers - task.K @ at.motion
@@ -81,7 +84,11 @@ class Cone(System):
         return float(np.linalg.norm(np.concatenate(parts)) / size), states
 
     def _size(self, w_0: Array, e: Array, w: Array, at: State, pressure: Array) -> float:
-        """The largest pressure, or the resolution of pressures by loads and gaps under rounding."""
+        """Pressure that residuals are relative to.
+
+        This is the largest pressure, or the uncertainty of pressures by round-off of loads and gaps
+        if this is larger.
+        """
         closing = np.abs(w_0) / self.yields
         pulling = np.abs(e) / self.reach
         least = EXACT * float(max(closing.max(initial=0.0), pulling.max(initial=0.0))) or 1.0
@@ -89,7 +96,7 @@ class Cone(System):
         return max(largest, self._cancelled(w_0, w, at.motion), least)
 
     def _cancelled(self, w_0: Array, w: Array, motion: Array) -> float:
-        """A pressure below which gaps `w` that nearly close are uncertain by rounding."""
+        """Pressure below which nearly closed gaps `w` are uncertain because of round-off."""
         m = self.friction.size
         gaps = np.abs(w_0[:m]) + np.abs(self.D[:m]) @ np.abs(motion)
         closed = w[:m] <= CANCELLED * gaps
@@ -98,7 +105,7 @@ class Cone(System):
     def _projected(
         self, at: State, pressure: Array, trial: Array, friction: Array
     ) -> tuple[Array, Array, NDArray[np.int8]]:
-        """Multipliers less their projections, (m,) and (2, r), and the states of these."""
+        """Multipliers minus their projections, (m,) and (2, r), and the projected states."""
         most = (friction * pressure)[self.rough]
         length = np.hypot(*trial)
         slips = length > most
@@ -109,7 +116,7 @@ class Cone(System):
         return at.multipliers[: pressure.size] - pressure, along, states
 
     def judged(self, w_0: Array, e: Array, at: State) -> tuple[Residual, NDArray[np.int8], Array]:
-        """Violation by `at`, its states (m,), and its gaps and slips w (n,)."""
+        """Residuals of the state `at`, its contact states (m,), and its gaps and slips w (n,)."""
         w, pressure, trial = self.trial(w_0, at)
         normal, along, states = self._projected(at, pressure, trial, self.friction)
         size = self._size(w_0, e, w, at, pressure)

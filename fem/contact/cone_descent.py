@@ -1,19 +1,19 @@
 """Solutions of the equations of a friction cone under given loads.
 
-Newton's method is tried from each start. If it fails for all of them, paths of solutions are
-followed past their turning points: from zero friction to the given friction, on springs that resist
-the motions, and then to ever weaker springs; also from a friction at which everything sticks to the
-given friction.
+Newton's method is tried from each initial state. If it fails for all of them, paths of solutions
+are followed past their turning points. The first path leads from zero friction to the given
+friction, with springs that resist the rigid motions, and then to weaker and weaker springs. The
+second path leads from a friction at which all nodes stick to the given friction.
 
-A path proves the following. On springs, a bounded solution exists for every friction; the first
-path therefore cannot end before it arrives. With ever weaker springs, the solution remains bounded
-if pressures alone can balance the loads, -e = D_n' l_n with l_n >= 0 (without loads on motions:
-always). Then a state of rest exists for every friction, and the path leads to it, except for
-rounding and coincident events. If only friction balances the loads, there may be no state of rest,
-or several: a failed search proves nothing, and neither do bodies that continue to move as the
-springs become weaker. `cone_reach` proves that no state of rest exists. Between the limit of its
-cone and the loads of real slip, the elastic distribution of pressures matters; no bound is given
-here.
+The paths have the following properties. With springs, a bounded solution exists for every friction.
+The first part of the path therefore reaches the given friction. With weaker and weaker springs, the
+solution remains bounded if pressures alone can balance the loads: -e = D_n' l_n with l_n >= 0. This
+is always the case without loads on rigid motions. A state of rest then exists for every friction,
+and the path leads to it, except for round-off and coincident events. If the balance of the loads
+needs friction, there may be no state of rest, or several. A failed search then proves nothing, and
+neither do bodies that continue to move as the springs become weaker. The module `cone_reach` proves
+that no state of rest exists. Loads within the limit of `cone_reach` can still cause slip, depending
+on the elastic distribution of pressures; no bound for this range is given here.
 """
 
 from collections.abc import Callable
@@ -39,17 +39,17 @@ BEYOND = 1.01  # relative to the friction that is mobilised: there the path down
 
 @dataclass(frozen=True)
 class Descent:
-    """A cone under `w_0` (n,) and `e` (k,)."""
+    """Search for the solution of a cone under `w_0` (n,) and `e` (k,)."""
 
     cone: Cone
     w_0: Array
     e: Array
 
     def solve(self, starts: list[State]) -> State:
-        """The solution from the first start that converges, otherwise along a path.
+        """Solution of the first search that converges: from initial states, then along paths.
 
-        SlidingError if a search ends with bodies that continue to move; otherwise, NotFoundError
-        with the reasons of all searches.
+        Raises SlidingError if bodies continue to move at the end of a search. Otherwise raises
+        NotFoundError with the reasons of all failed searches.
         """
         reasons: list[str] = []
         carried: Array | None = None
@@ -67,14 +67,14 @@ class Descent:
                 carried = error.carried if isinstance(error, SlidingError) else carried
         if carried is not None:
             raise SlidingError(carried, reasons)
-        raise NotFoundError(f"no state of rest was found ({'; '.join(reasons)})")
+        raise NotFoundError(f"no equilibrium was found ({'; '.join(reasons)})")
 
     @property
     def _newton(self) -> Newton:
         return Newton(self.cone, self.w_0, self.e)
 
     def _from_smooth(self) -> State:
-        """The end of the path from no friction, on springs, and then to weaker springs."""
+        """Solution at the end of the path from zero to given friction and to weaker springs."""
         cone, mu, K = self.cone, self.cone.friction, self.cone.springs(STIFF)
         none = np.zeros_like(K)
 
@@ -91,7 +91,7 @@ class Descent:
         return Path(cone, weaker).follow(at, 0.0)
 
     def _from_stuck(self) -> State:
-        """End of the path that starts with all nodes sticking, on weak springs about this state."""
+        """Solution at the end of the path that begins with all nodes sticking, on weak springs."""
         cone, mu, K = self.cone, self.cone.friction, self.cone.springs(SPRING)
         at = self._newton.at_rest(self._smooth(cone.springs(STIFF)), MOST_FRICTION * mu)
         share = min(BEYOND * float(cone.utilisation(at.multipliers).max(initial=0)), MOST_FRICTION)
@@ -106,7 +106,7 @@ class Descent:
         return Path(cone, smoother).follow(self._newton.solve(at, smoother(0.0)[0]), 0.0)
 
     def _smooth(self, K: Array) -> State:
-        """The solution without friction on springs `K`: least energy of pressures alone."""
+        """Solution without friction on springs `K`: pressures with the lowest energy."""
         m = self.cone.friction.size
         D = self.cone.D[:m]
         yields = np.linalg.solve(K, np.column_stack([D.T, self.e]))
@@ -124,7 +124,7 @@ class Descent:
 
 
 def sticking(cone: Cone, w_0: Array, e: Array, plane: State) -> State:
-    """A start: a solution of the plane, with all nodes that touch sticking along z."""
+    """Initial state: a solution of the plane, with all closed nodes sticking along z."""
     n, k = len(cone.B) - cone.rough.size, plane.motion.size
     closed = cone.z[plane.multipliers[cone.rough] > 0]
     B, D = cone.B[np.ix_(closed, closed)], cone.D[closed, k:]

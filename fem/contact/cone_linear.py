@@ -1,8 +1,10 @@
-"""The linear system of a cone at given states: Newton's step, and tangents of a path of solutions.
+"""Linear system of a cone for given states: Newton's step, and tangents of a path of solutions.
 
-Multipliers are l = Q x: pressures with the friction of slipping nodes, then sticking components,
-then friction across the direction of slip. The rows are P' w, with P' l = x, and the balance of
-forces. P and Q (n, unknowns) are never made: they pick rows and combine two or three of them.
+The multipliers are l = Q x. The unknowns x are the pressures, the components of friction at
+sticking nodes, and the friction perpendicular to the direction of slip. At slipping nodes, Q also
+contains the friction in the direction of slip. The equations are the rows P' w of gaps
+and slips, and the balance of forces, with P' l = x. P and Q (n, unknowns) are not formed as
+matrices: they select and combine rows.
 """
 
 from dataclasses import dataclass
@@ -21,7 +23,7 @@ NEGLIGIBLE = 1e-24  # relative to the largest stiffness against a motion, in who
 
 @dataclass(frozen=True)
 class Rate:
-    """Change of `friction` (m,) and of springs `K` (k, k) per unit of a path's parameter."""
+    """Derivatives of `friction` (m,) and of springs `K` (k, k) by the parameter of a path."""
 
     friction: Array
     K: Array
@@ -29,7 +31,10 @@ class Rate:
 
 @dataclass(frozen=True)
 class Linearised:
-    """The cone `cone` about `at`, each node open, sticking or slipping by `states` (m,)."""
+    """Equations of `cone`, linearised at `at`.
+
+    `states` (m,) gives the state of each node: open, sticking or slipping.
+    """
 
     cone: Cone
     task: Task
@@ -37,15 +42,15 @@ class Linearised:
     states: NDArray[np.int8]
 
     def newton(self) -> State:
-        """Result of Newton's step; ArithmeticError if the system is singular."""
+        """Result of one Newton step. Raises ArithmeticError if the system is singular."""
         x = self.scale * _solved(self._scaled, self.scale * self._known)
         return State(self._multipliers(x[: x.size - self._motions]), x[x.size - self._motions :])
 
     def bordered(self, rate: Rate, row: Array, t: float, to: float) -> tuple[Array, float]:
-        """The solution (n + k + 1,) on `row` z = `to`, of z = (l, a, t), and the sign of det.
+        """Solution z = (l, a, t) (n + k + 1,) with `row` z = `to`, and the sign of the determinant.
 
-        `row` (n + k + 1,) is a plane across the path, `t` the parameter of the task. With t = nan
-        the right side is zero but for `to`: the result is the tangent, of any length.
+        `row` (n + k + 1,) defines a plane across the path; `t` is the parameter of the task. If `t`
+        is nan, all other right-hand sides are zero, and z is the tangent, of any length.
         """
         n, k = self.cone.D.shape
         change = np.zeros(n)
@@ -92,15 +97,16 @@ class Linearised:
 
     @cached_property
     def _d(self) -> Array:
-        """Directions (2, slipping) of the friction of slipping nodes."""
+        """Directions (2, slipping) of friction at slipping nodes."""
         trial = self._trial[1][:, self._slip]
         return np.asarray(trial / np.hypot(*trial))
 
     @cached_property
     def _places(self) -> tuple[Indices, Indices, Indices]:
-        """Rows of pressures and sticking components; slipping rows (2, slipping); their pressures.
+        """Rows and positions of the unknowns.
 
-        The last are places among the unknowns.
+        Rows of pressures and of sticking components; rows (2, slipping) of slipping nodes. The last
+        array gives the positions of the pressures of slipping nodes among the unknowns.
         """
         cone, slip = self.cone, self._slip
         closed = np.flatnonzero(self.states != OPEN)
@@ -111,17 +117,17 @@ class Linearised:
 
     @cached_property
     def _drag(self) -> Array:
-        """Friction (2, slipping) of slipping nodes under unit pressure."""
+        """Friction (2, slipping) at slipping nodes under unit pressure."""
         return np.asarray(self.task.friction[self.cone.rough[self._slip]] * self._d)
 
     def _unpushed(self, rows: Array) -> Array:
-        """M P (..., unknowns) of `rows` M (..., n)."""
+        """Product M P (..., unknowns) for `rows` M (..., n)."""
         x, (t, z), _ = self._places
         across = rows[..., t] * -self._d[1] + rows[..., z] * self._d[0]
         return np.concatenate([rows[..., x], across], axis=-1)
 
     def _pushed(self, rows: Array) -> Array:
-        """M Q (..., unknowns) of `rows` M (..., n)."""
+        """Product M Q (..., unknowns) for `rows` M (..., n)."""
         _, (t, z), pressed = self._places
         found = self._unpushed(rows)
         found[..., pressed] += rows[..., t] * self._drag[0]
@@ -129,7 +135,7 @@ class Linearised:
         return found
 
     def _multipliers(self, unknowns: Array) -> Array:
-        """Q x (n,) of `unknowns` x."""
+        """Multipliers Q x (n,) for the `unknowns` x."""
         x, (t, z), pressed = self._places
         found, pressure, across = np.zeros(len(self.cone.B)), unknowns[pressed], unknowns[x.size :]
         found[x] = unknowns[: x.size]
@@ -139,7 +145,7 @@ class Linearised:
 
     @cached_property
     def scale(self) -> Array:
-        """Units of the unknowns, in which the entries of the system are about one."""
+        """Scaling factors of the unknowns, with which the entries of the system are about one."""
         (x, (t, z), _), own, yields = self._places, self.cone.stiffness, self.cone.yields
         across = self._d[1] ** 2 * yields[t] + self._d[0] ** 2 * yields[z]
         stiff = np.concatenate([yields[x], across])
@@ -170,5 +176,5 @@ def _solved(A: Array, known: Array) -> Array:
         return np.asarray(np.linalg.solve(A, known), np.float64)
     except np.linalg.LinAlgError:
         raise ArithmeticError(
-            "the contact has no unique forces: supports or another pair fix the same nodes"
+            "the contact forces are not unique: a support or another pair acts on the same nodes"
         ) from None

@@ -1,4 +1,4 @@
-"""Newton's method on a cone's equations, with the motions on springs that follow them."""
+"""Newton's method for the equations of a cone, with relaxed springs on the rigid motions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,9 +23,9 @@ MAX_RELEASES = 60
 
 
 class SlidingError(NotFoundError):
-    """No state of rest was found: springs still carry the loads `carried` (k,) on motions.
+    """No state of rest was found: springs still carry the loads `carried` (k,) on rigid motions.
 
-    This is no proof: another solution at rest may exist.
+    This is not a proof: another state of rest may exist.
     """
 
     def __init__(self, carried: Array, reasons: Sequence[str] = ()) -> None:
@@ -35,16 +35,17 @@ class SlidingError(NotFoundError):
 
 @dataclass(frozen=True)
 class Newton:
-    """A cone under `w_0` (n,) and `e` (k,)."""
+    """Newton's method for a cone under `w_0` (n,) and `e` (k,)."""
 
     cone: Cone
     w_0: Array
     e: Array
 
     def at_rest(self, at: State, friction: Array) -> State:
-        """The solution on springs that follow the motions until the springs carry no loads.
+        """State of rest, found with springs on the motions that are relaxed to zero load.
 
-        SlidingError if they always carry loads, NotFoundError if a step fails.
+        Raises SlidingError if the springs still carry loads at the end, NotFoundError if a step
+        fails.
         """
         spring, imbalance = SPRING, np.inf
         for _ in range(MAX_RELEASES):
@@ -63,7 +64,7 @@ class Newton:
         raise SlidingError(self.e + self.cone.D.T @ at.multipliers)
 
     def solve(self, at: State, task: Task) -> State:
-        """The solution of the task from `at`; NotFoundError without convergence."""
+        """Solution of `task`, iterated from `at`. Raises NotFoundError without convergence."""
         error, states = self.cone.error(task, at)
         errors = [error]
         for step in range(MAX_STEPS):
@@ -74,14 +75,18 @@ class Newton:
             if error <= FINE or (error <= GOOD and (still or step >= MAX_STEPS // 2)):
                 return at
         raise NotFoundError(
-            f"after {MAX_STEPS} steps Newton's method still misses Coulomb's law by {error:.1e} of "
-            "the pressure"
+            f"after {MAX_STEPS} steps of Newton's method, the violation of Coulomb's law is still "
+            f"{error:.1e} of the pressure"
         )
 
     def _step(
         self, task: Task, at: State, states: NDArray[np.int8], errors: list[float]
     ) -> tuple[State, float, NDArray[np.int8]]:
-        """Newton's step, or a part of it that does not increase the residual; else the best."""
+        """State after a step, its residual and contact states.
+
+        The step is Newton's step or a part of it. Chosen is the longest part with an acceptable
+        residual, or the part with the smallest residual if no residual is acceptable.
+        """
         goal, share = Linearised(self.cone, task, at, states).newton(), 1.0
         found: list[tuple[float, State, NDArray[np.int8]]] = []
         while share >= SHORTEST:

@@ -1,10 +1,10 @@
-"""A path of solutions of the equations of a cone, followed past turning points by its arc length.
+"""Path of solutions of the equations of a cone, followed past turning points by its arc length.
 
 The problem changes with a parameter t. Each step follows the tangent and returns to the path by
-Newton's method in a plane normal to the tangent, in which t is also unknown. The path is smooth
-except where a node changes its state; there, it may reverse its direction. The determinant of the
-equations and the tangent has a constant sign along the path, which gives the direction (Allgower
-and Georg 1990).
+Newton's method in a plane normal to the tangent, in which t is also unknown. The path is smooth,
+except at points where a node changes its state; there, the path may reverse its direction. The
+determinant of the equations and the tangent has a constant sign along the path. This sign gives the
+direction (Allgower and Georg 1990).
 """
 
 from collections.abc import Callable
@@ -29,7 +29,7 @@ PROBES, INTO = 20, 4  # steps, each twice the one before: to the next states, an
 
 @dataclass(frozen=True)
 class Point:
-    """`z` (n + k + 1,) = (l, a, t) with its `states` (m,) and the unit `tangent` of its path."""
+    """Point of a path: `z` (n + k + 1,) = (l, a, t), its `states` (m,) and the unit `tangent`."""
 
     z: Array
     states: NDArray[np.int8]
@@ -38,15 +38,19 @@ class Point:
 
 @dataclass(frozen=True)
 class Path:
-    """Solutions of `cone` under `task`(t), required at t = 1; `rate`(t) is its change."""
+    """Path of solutions of `cone` under `task`(t) up to t = 1.
+
+    `task`(t) also returns the derivative of the task.
+    """
 
     cone: Cone
     task: Callable[[float], tuple[Task, Rate]]
 
     def follow(self, at: State, t: float) -> State:
-        """An approximate solution at t = 1, from one `at` t < 1: correct it by Newton's method.
+        """Approximate solution at t = 1, from a solution `at` for `t` < 1.
 
-        NotFoundError if the path does not arrive within MAX_STEPS.
+        Newton's method can correct the result. Raises NotFoundError if the path does not reach t =
+        1 within MAX_STEPS steps.
         """
         z, h = np.concatenate([at.multipliers, at.motion, [t]]), FIRST
         row = np.append(np.zeros(z.size - 1), 1.0)
@@ -76,7 +80,7 @@ class Path:
         raise NotFoundError(f"the path of solutions ends at {here.z[-1]:.3g} of its length")
 
     def _step(self, here: Point, h: float, sign: float) -> tuple[Point, int] | None:
-        """The point `h` further and its corrections, or None."""
+        """Point of the path at the arc length `h` and its number of corrections, or None."""
         row = self._weight(here.z) * here.tangent
         found = self._corrected(here.z + h * here.tangent, row)
         if found is None:
@@ -89,7 +93,7 @@ class Path:
         return Point(z, states, tangent), steps
 
     def _turn(self, here: Point, h: float, sign: float) -> Point | None:
-        """The point behind the next change of states, which the path does not cross straight."""
+        """Point after the next change of states, if the path has a kink there; or None."""
         for _ in range(PROBES):
             z = here.z + h * here.tangent
             states = self._error(z)[1]
@@ -107,7 +111,7 @@ class Path:
         return None
 
     def _corrected(self, z: Array, row: Array) -> tuple[Array, NDArray[np.int8], int] | None:
-        """The point of the path in the plane `row` through `z`, its states, and the corrections."""
+        """Point of the path in the plane `row` through `z`, its states, number of corrections."""
         to = row @ z
         for step in range(MAX_CORRECTIONS + 1):
             if not (np.all(np.isfinite(z)) and z[-1] >= 0):
@@ -120,7 +124,7 @@ class Path:
         return None
 
     def _tangent(self, z: Array, states: NDArray[np.int8], row: Array, sign: float) -> Array:
-        """The unit tangent, in the direction that keeps the path's `sign`."""
+        """Unit tangent, in the direction for which the determinant has the sign `sign`."""
         found, now = self._linear(z, states).bordered(self.task(z[-1])[1], row, np.nan, 1.0)
         return self._unit(z, found if now == sign else -found)
 
@@ -135,7 +139,7 @@ class Path:
         return State(z[:n], z[n:-1])
 
     def _weight(self, z: Array) -> Array:
-        """Weights (n + k + 1,) of squares that make the present forces and motions about one."""
+        """Weights (n + k + 1,) of squares, with which current forces and motions are about one."""
         weight = np.append(np.diag(self.cone.B), self.cone.stiffness)
         size = float(weight @ z[:-1] ** 2)
         return np.append(weight / (size or 1.0), 1.0)

@@ -1,8 +1,8 @@
-"""Whether friction in its cone can balance loads on rigid bodies.
+"""Test whether contact forces within their friction cones can balance loads on rigid bodies.
 
-Pressures may have any non-negative values here. Loads outside this range therefore have no
-equilibrium, which is a proof. Loads in the range may also have none, if elasticity does not give
-the necessary pressures.
+In this test, pressures may have any non-negative values. Loads that cannot be balanced have no
+equilibrium; this is a proof. Loads that can be balanced may also have no equilibrium, if elasticity
+does not give the necessary pressures.
 """
 
 import numpy as np
@@ -17,10 +17,10 @@ MAX_ROUNDS = 60
 
 
 def missing(cone: Cone, e: Array) -> Array:
-    """Part of the loads `e` (k,) on motions and shifts that no contact forces can balance.
+    """Part of the loads `e` (k,) on rigid motions and shifts that no contact forces can balance.
 
-    Zero if all loads can be balanced. Forces are sums of edges of the cones; edges are added as
-    long as the unbalanced loads have a component along an edge.
+    The result is zero if all loads can be balanced. Forces are sums of edges of the cones. Edges
+    are added as long as the unbalanced loads have a component along an edge.
     """
     if not np.any(e):
         return np.zeros_like(e)

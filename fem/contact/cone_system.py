@@ -1,4 +1,4 @@
-"""The condensed system of a cone: compliance, motions, friction, and the scales of these."""
+"""Condensed system of a cone: compliance, rigid motions, friction, and their scales."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,7 +17,7 @@ NEUTRAL_SPRING = 1e-2  # over the contact's stiffness: supports motions that onl
 
 @dataclass(frozen=True)
 class State:
-    """Multipliers (n,) and motions (k,)."""
+    """Multipliers (n,) and amplitudes of rigid motions (k,)."""
 
     multipliers: Array
     motion: Array
@@ -25,7 +25,7 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """Loads `w_0` (n,), `e` (k,), springs `K` (k, k) on the motions, and `friction` (m,)."""
+    """Loads `w_0` (n,), `e` (k,), springs `K` (k, k) on the rigid motions, and `friction` (m,)."""
 
     w_0: Array
     e: Array
@@ -35,10 +35,10 @@ class Task:
 
 @dataclass(frozen=True, kw_only=True)
 class System:
-    """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
+    """Compliance `B` (n, n) and rigid motions `D` (n, k); the first m rows are normal rows.
 
-    `friction` (m,) is mu of each normal row; `rough` (r,) are the normal rows with friction. The
-    rows m to m + r are their tangential rows, and m + r to m + 2 r their rows along z.
+    `friction` (m,) is mu of each normal row; `rough` (r,) are the normal rows with friction. Rows m
+    to m + r are the tangential rows of `rough`, rows m + r to m + 2 r their rows along z.
     """
 
     B: Array
@@ -48,7 +48,10 @@ class System:
 
     @classmethod
     def of(cls, plane: Complementarity, B_z: Array, D_z: Array) -> Self:
-        """The plane system with compliance `B_z` (r, r) and shifts `D_z` (r, k) along z."""
+        """System of the plane, extended by `B_z` (r, r) and `D_z` (r, k) along z.
+
+        `B_z` is the compliance along z, `D_z` are the shifts along z.
+        """
         (n, k), (r, k_z) = plane.D.shape, D_z.shape
         B, D = np.zeros((n + r, n + r)), np.zeros((n + r, k + k_z))
         B[:n, :n], B[n:, n:] = plane.B, B_z
@@ -72,45 +75,48 @@ class System:
 
     @cached_property
     def yields(self) -> Array:
-        """Diagonal (n,) of B."""
+        """Diagonal (n,) of the compliance B."""
         return np.diag(self.B).copy()
 
     @cached_property
     def reach(self) -> Array:
-        """Sums (k,) of the movements of rows under unit motions; 1 if none moves."""
+        """Sums (k,) of the movements of all rows under a unit rigid motion; 1 if no row moves."""
         reach = np.abs(self.D).sum(axis=0)
         return np.where(reach > 0, reach, 1.0)
 
     @cached_property
     def augmentation(self) -> tuple[Array, Array]:
-        """c_n (m,) and c (r,): pressures that close unit weighted gaps and slips."""
+        """Penalty factors c_n (m,) and c (r,): pressures that close unit gaps and slips."""
         yields = self.yields
         return 1 / yields[: self.friction.size], 1 / np.sqrt(yields[self.t] * yields[self.z])
 
     @cached_property
     def stiffness(self) -> Array:
-        """The contact's stiffness (k,) against motions."""
+        """Stiffness (k,) of the contact against rigid motions."""
         return np.asarray((self.D**2 / self.yields[:, None]).sum(axis=0))
 
     @cached_property
     def _resisted(self) -> Array:
-        """The part (k, k) of motions that the contact resists; only facets resist the others."""
+        """Projection (k, k) on motions that the contact resists.
+
+        Only the facets of the mesh resist the other motions.
+        """
         rows = directions(self.D)
         size, motions = np.linalg.eigh(rows.T @ rows)
         resisted = motions[:, size > RESISTED * size.max(initial=0.0)]
         return resisted @ resisted.T
 
     def springs(self, share: float) -> Array:
-        """Springs (k, k) on motions, of a share of the contact's stiffness.
+        """Springs (k, k) on rigid motions, with `share` of the stiffness of the contact.
 
-        Those on motions that only facets resist are always the same.
+        Motions that only facets resist have constant springs.
         """
         neutral = np.eye(len(self._resisted)) - self._resisted
         unit = float(self.stiffness.max(initial=0.0))
         return unit * (share * self._resisted + NEUTRAL_SPRING * neutral)
 
     def utilisation(self, multipliers: Array) -> Array:
-        """Friction (r,) as a share of mu times the pressure, zero without pressure."""
+        """Friction (r,) relative to mu times the pressure; zero without pressure."""
         friction = np.hypot(multipliers[self.t], multipliers[self.z])
         most = self.friction[self.rough] * multipliers[self.rough]
         pressed = most > EXACT * most.max(initial=0.0)

@@ -1,4 +1,4 @@
-"""The least value of a convex, piecewise quadratic function, by Newton's method."""
+"""Minimum of a convex, piecewise quadratic function, by Newton's method."""
 
 from dataclasses import dataclass
 
@@ -23,10 +23,11 @@ SUPERLU = {
 
 @dataclass(frozen=True, kw_only=True)
 class Piecewise:
-    """J(v) = v A v / 2 - f v + sum_i w_i Psi_i(Z_i v + z_i); Psi_i' limits a value to an interval.
+    """Convex function J(v) = v A v / 2 - f v + sum_i w_i Psi_i(Z_i v + z_i).
 
-    `A` (n, n) is symmetric, `f` (n,), `Z` (rows, n), `z`, `weight` w, `low` and `high` (rows,);
-    `stiffness` (n,) is a positive measure of A and Z.
+    Psi_i' is its argument limited to the interval `low_i` to `high_i`. `A` (n, n) is symmetric; `f`
+    is (n,), `Z` (rows, n); `z`, `weight` w, `low` and `high` are (rows,). `stiffness` (n,) is a
+    positive measure of the size of A and Z.
     """
 
     A: csr_array
@@ -39,14 +40,14 @@ class Piecewise:
     stiffness: Array
 
     def cut(self, v: Array) -> Array:
-        """Values (rows,) of Z v + z cut to their intervals."""
+        """Values (rows,) of Z v + z, limited to their intervals."""
         return np.clip(self.z + self.Z @ v, self.low, self.high)
 
     def least(self, v: Array) -> tuple[Array, int]:
-        """Point (n,) of the minimum of J, from `v` (n,), and the number of steps.
+        """Point (n,) of the minimum of J, iterated from `v` (n,), and the number of steps.
 
-        Springs to the previous point affect the steps, but not the result. ArithmeticError if J is
-        not convex or has no minimum, or if the steps do not converge.
+        Springs to the previous point affect the steps, but not the result. Raises ArithmeticError
+        if J is not convex or has no minimum, or if the iteration does not converge.
         """
         for step in range(MAX_STEPS):
             push = self.Z.T @ (self.weight * self.cut(v))
@@ -61,8 +62,8 @@ class Piecewise:
         if missed > size:  # round-off strains of bodies that move far away exceed all loads
             raise ArithmeticError(ADRIFT)
         raise ArithmeticError(
-            f"the contact did not converge: after {MAX_STEPS} steps forces still miss by "
-            f"{missed / size:.1e} of the largest, allowed {CONVERGED:.0e}"
+            f"the contact did not converge: after {MAX_STEPS} steps the error of the forces is "
+            f"{missed / size:.1e} of the largest force, allowed {CONVERGED:.0e}"
         )
 
     def _factor(self, v: Array, springs: float) -> SuperLU:
@@ -72,12 +73,12 @@ class Piecewise:
         factor = splu((H + diags_array(springs * self.stiffness)).tocsc(), **SUPERLU)
         if not np.all(factor.U.diagonal() > 0):
             raise ArithmeticError(
-                "the stiffness of Nitsche's method is not positive definite: lower alpha"
+                "the stiffness of Nitsche's method must be positive definite: reduce alpha"
             )
         return factor
 
     def _length(self, v: Array, way: Array, residual: Array) -> float:
-        """Share of the step (n,) at which J is least."""
+        """Factor of the step (n,) for which J is least."""
         start, bend = -float(residual @ way), float(way @ (self.A @ way))
         before, rate = self.cut(v), self.Z @ way
 

@@ -1,4 +1,4 @@
-"""Two bodies under given forces: the section of the upper body is displaced until they are met."""
+"""Two bodies under given forces: the section of the upper body is displaced until forces agree."""
 
 import numpy as np
 
@@ -11,10 +11,11 @@ HIT = 1e-12  # relative to P, within which loads are met
 
 
 class DrivenDiscs:
-    """Two bodies with friction whose sections move as rigid lines; a secant method meets the loads.
+    """Two bodies with friction under given forces on their rigidly displaced sections.
 
-    `problem` has the boundary "upper.middle" with prescribed motion, and one pair of surfaces. P
-    [N/m] acts along -y; `approach` [m] is the approximate displacement of the section by P.
+    A secant method finds the displacement. `problem` has the boundary "upper.middle" with
+    prescribed motion, and one pair of surfaces. P [N/m] acts along -y; `approach` [m] is the
+    approximate displacement of the section by P.
     """
 
     def __init__(self, problem: ContactProblem, *, P: float, approach: float) -> None:
@@ -22,14 +23,15 @@ class DrivenDiscs:
         self.pressed, self.flexibility = self._press(approach)
 
     def at(self, cut: Array, after: ContactSolution | None) -> ContactSolution:
-        """The state with the upper cut moved by `cut` (x, y) [m]."""
+        """Contact state for the displacement `cut` (x, y) [m] of the upper section."""
         moved = {"upper.middle": {"x": float(cut[0]), "y": float(cut[1])}}
         return self.problem.solve(displacements=moved, after=after)
 
     def loaded(self, Q: float, cut: Array, after: ContactSolution) -> tuple[ContactSolution, Array]:
-        """The state under Q and P [N/m], one step after `after`, and the position of the section.
+        """Contact state under Q and P [N/m], one step after `after`; displacement of the section.
 
-        `cut` is the start of the search (Broyden's method). NotFoundError if the loads are not met.
+        `cut` is the initial displacement of the search (Broyden's method). Raises NotFoundError if
+        the search does not reach the loads.
         """
         target, flexibility = np.array([Q, -self.P]), self.flexibility
         state = self.at(cut, after)
@@ -50,7 +52,7 @@ class DrivenDiscs:
         )
 
     def _press(self, y: float) -> tuple[tuple[ContactSolution, Array], Array]:
-        """The state under P alone, with x fixed, and an initial estimate of the flexibility."""
+        """Contact state under P alone, its displacement, and an estimate of the flexibility."""
         touched = self.at(np.array([0.0, -y]), None)
         y *= self.P / touched.touches[0].normal_force  # secant from the origin
         self.flexibility = np.eye(2) * y / self.P

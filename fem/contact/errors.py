@@ -1,13 +1,13 @@
-"""Errors of the contact solvers, by their meaning.
+"""Errors of the contact solvers.
 
-Invalid input is a plain ValueError. `NoEquilibriumError` is a physical result. `NotFoundError` is
-not: a caller must never read it as a state of the bodies.
+Invalid input raises a plain ValueError. `NoEquilibriumError` is a physical result. `NotFoundError`
+is not a physical result: a caller must not interpret it as a state of the bodies.
 """
 
 
 class NoEquilibriumError(ArithmeticError, ValueError):
-    """It is proven that no admissible contact forces balance the loads."""
+    """No equilibrium exists: it is proven that no admissible contact forces balance the loads."""
 
 
 class NotFoundError(ArithmeticError):
-    """No equilibrium was found; this does not prove that none exists."""
+    """No equilibrium was found. This does not prove that none exists."""

@@ -1,9 +1,9 @@
 """The condensed contact problem as a linear complementarity problem, solved by Lemke's method.
 
-With w_t = w_t+ - w_t- and motions a = a+ - a- the unknowns z = (l_n, mu l_n + l_t, w_t-, a+, a-)
+With w_t = w_t+ - w_t- and motions a = a+ - a-, the unknowns z = (l_n, mu l_n + l_t, w_t-, a+, a-)
 are complementary to (w_n, w_t+, mu l_n - l_t, -(e + D'l), e + D'l) (Klarbring 1986). The matrix is
-copositive: z'M z = l'B l + 2 mu l_n w_t-. If the loads can be balanced without friction, or no
-motion is free, Lemke's method cannot end in a ray; a solution then exists for every mu.
+copositive: z'M z = l'B l + 2 mu l_n w_t-. If contact without friction can balance the loads, or if
+no rigid motion is free, Lemke's method cannot end in a ray. A solution then exists for every mu.
 """
 
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ SPREAD = 0.5  # relative to the covering vector's entries: breaks ties of symmet
 
 @dataclass(frozen=True)
 class FrictionLcp:
-    """A system under `w_0` (n,), `e` (k,) on springs (k, k), scaled to entries of about one."""
+    """Contact system under `w_0` (n,), `e` (k,) on springs (k, k), scaled to about one."""
 
     system: ContactSystem
     w_0: Array
@@ -31,9 +31,10 @@ class FrictionLcp:
     spring: Array
 
     def candidates(self) -> Iterator[tuple[Array, Array, States]]:
-        """Multipliers, motions and states that may solve the problem, by several covering vectors.
+        """Multipliers, motions and states that may solve the problem, for several covering vectors.
 
-        Of each vector first the solution of the linear system of its states, then of the pivots.
+        For each vector: first the solution of the linear system of the final states, then the
+        result of the pivots.
         """
         M, q = self.matrix, self.vector
         for seed in range(COVERING_VECTORS):
@@ -46,7 +47,7 @@ class FrictionLcp:
 
     @cached_property
     def matrix(self) -> Array:
-        """M (N, N)."""
+        """Matrix M (N, N) of the linear complementarity problem."""
         system, k = self.system, self.system.D.shape[1]
         m, r = system.friction.size, system.rough.size
         own, motions = system.scales
@@ -66,7 +67,7 @@ class FrictionLcp:
 
     @cached_property
     def vector(self) -> Array:
-        """Q (N,); loads at round-off are zero."""
+        """Vector q (N,) of the linear complementarity problem; loads below round-off are zero."""
         own, motions = self.system.scales
         e = self.e if np.abs(self.e).max(initial=0.0) > self._round_off else 0 * self.e
         free = motions * e
@@ -79,20 +80,20 @@ class FrictionLcp:
 
     @property
     def _rows(self) -> Array:
-        """Rows of the system: normal rows, then the tangential rows of rows with friction."""
+        """Rows of the system: normal rows, then the tangential rows of contacts with friction."""
         system = self.system
         return np.concatenate([np.arange(system.friction.size), system.partner[system.rough]])
 
     @cached_property
     def _friction(self) -> Array:
-        """Mu (r,) in the units of the multipliers."""
+        """Coefficients of friction (r,) in the units of the scaled multipliers."""
         system, own = self.system, self.system.scales[0]
         rough = system.rough
         return system.friction[rough] * own[rough] / own[system.partner[rough]]
 
     @cached_property
     def _tractions(self) -> Array:
-        """Q (n, m + r) of l = Q (l_n, mu l_n + l_t)."""
+        """Matrix Q (n, m + r) of l = Q (l_n, mu l_n + l_t)."""
         system, m, r = self.system, self.system.friction.size, self.system.rough.size
         Q, t = np.zeros((len(system.B), m + r)), system.partner[system.rough]
         Q[np.arange(m), np.arange(m)] = 1.0
@@ -112,7 +113,7 @@ class FrictionLcp:
         return multipliers, motions * (a[:k] - a[k:]), states
 
     def polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
-        """The solution of the linear system of the states that is nearest to the pivots' result."""
+        """Solution of the linear system of `states` that is nearest to the result of the pivots."""
         system = self.system
         equations = StateEquations.of(system, states, self.spring)
         scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

@@ -1,4 +1,4 @@
-"""All contact pairs of a problem as one system: gaps, slips and their compliance."""
+"""All contact pairs of a problem as one system: gaps, slips and compliance."""
 
 from collections.abc import Sequence
 
@@ -20,14 +20,14 @@ ROUND_OFF = 1e-9  # relative to the mesh's extent: overlaps that are round-off
 
 
 class Surfaces:
-    """The two traces of every pair in the mesh; no master trace for an obstacle."""
+    """Traces of the slave and the master of every pair; the master trace of an obstacle is None."""
 
     def __init__(self, bodies: Bodies, pairs: Sequence[Pair]) -> None:
         self.pairs = tuple(pairs)
         known = {*(bodies.basis.mesh.boundaries or {}), *bodies.obstacles}
         for p in pairs:
             if p.slave in bodies.obstacles:
-                raise ValueError(f"contact {p}: an obstacle can only be the master: swap them")
+                raise ValueError(f"contact {p}: an obstacle must be the master: swap the names")
             if p.master not in known:
                 raise ValueError(
                     f"contact {p}: there is no boundary or obstacle {p.master!r}; there are: "
@@ -42,18 +42,18 @@ class Surfaces:
 
     @property
     def unknowns(self) -> Indices:
-        """Unknowns (s,) of the mesh on any of the surfaces."""
+        """Unknowns (s,) of the mesh on all contact surfaces."""
         traces = [t for t in (*self.slaves, *self.masters) if t is not None]
         return np.unique(np.concatenate([t.dofs.ravel() for t in traces]))
 
 
 class Interface:
-    """The pairs; surfaces are displaced rigidly by `bases` (all,) from their positions in the mesh.
+    """System of all contact pairs, with surfaces displaced rigidly by `bases` (all,) from the mesh.
 
-    `rows` (r, all) are the weighted gaps of all pairs, one after the other, then the weighted slips
-    of those with friction. `gaps` (m,) are the weighted gaps without displacement, `sizes` (m,) the
-    integrals of their hat functions, `starts` the first rows of the pairs, and `kernel` the
-    compliance of all rows.
+    `rows` (r, all) are the weighted gaps of all pairs, one pair after the other, then the weighted
+    slips of pairs with friction. `gaps` (m,) are the weighted gaps without displacement, `sizes`
+    (m,) the integrals of their hat functions, `starts` the first rows of the pairs, and `kernel`
+    the compliance of all rows.
     """
 
     def __init__(
@@ -98,9 +98,9 @@ class Interface:
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 
     def check_held(self, surfaces: Surfaces) -> None:
-        """ValueError if neither supports nor a contact can prevent a motion of a body.
+        """Raise ValueError if neither supports nor a contact prevent a rigid motion of a body.
 
-        A round body may rotate in a round hole: this changes no gap.
+        The rotation of a round body in a round hole is permitted, because it changes no gap.
         """
         k = self.bodies.motions.shape[1]
         if not k:
@@ -129,8 +129,8 @@ class Interface:
             master = None if master is None else master.moved(base)
         if np.any(bodies.mu[slave.cells] == 0):
             raise ValueError(
-                f"contact {contact}: the slave is rigid, and the traction belongs to the surface "
-                "that deforms: swap slave and master"
+                f"contact {contact}: the slave must be elastic, because it carries the contact "
+                "traction: swap slave and master"
             )
         obstacle = 0, (0.0, 0.0)
         if master is None:
@@ -146,7 +146,7 @@ class Interface:
             share = self._share(slave, master) if contact.normal == "between" else 0.0
             points = pair(slave, master, share)
         if not points.s.size:
-            raise ValueError(f"contact {contact}: the surfaces do not face each other anywhere")
+            raise ValueError(f"contact {contact}: no parts of the surfaces face each other")
         if base is None and not contact.press_fit:
             self._check_overlap(contact, slave, master, points)
         depth = np.full(points.s.size, bodies.thickness)
@@ -155,7 +155,7 @@ class Interface:
         return mortar(slave, master, points, unknowns=bodies.count, depth=depth, obstacle=obstacle)
 
     def _share(self, slave: Trace, master: Trace) -> float:
-        """The share of the slave in both plane moduli, 0 if the master is rigid."""
+        """Share c_1/(c_1 + c_2) of the slave's plane modulus; 0 if the master is rigid."""
         own = self.bodies.plane_modulus(slave.cells)
         other = self.bodies.plane_modulus(master.cells)
         return own / (own + other)

@@ -18,10 +18,10 @@ PIVOTS_PER_ROW = 4
 
 
 def lemke(M: Array, q: Array, d: Array) -> Array | None:
-    """A solution z (N,) for `M` (N, N), `q` (N,); None after a ray or too many pivots.
+    """Solution z (N,) for `M` (N, N), `q` (N,); None after a ray or too many pivots.
 
-    `d` (N,) is the positive covering vector. z contains the round-off of all pivots; the caller
-    therefore solves the linear system of its basis once more.
+    `d` (N,) is the positive covering vector. z contains the round-off of all pivots. The caller
+    must therefore solve the linear system of the final basis again.
     """
     N, size = q.size, float(np.abs(q).max(initial=0.0))
     if np.all(q >= 0):
@@ -58,9 +58,10 @@ def _exchange(tableau: Array, row: int, column: int) -> None:
 
 
 def _blocking(rates: Array, values: Array, artificial: int) -> int:
-    """The row whose basic variable reaches zero first as the entering one grows; -1: a ray.
+    """Row whose basic variable first reaches zero as the entering variable grows; -1 for a ray.
 
-    If several reach zero together, z_0 leaves first, otherwise the row with the largest pivot.
+    If several variables reach zero together, z_0 leaves the basis, otherwise the variable with the
+    largest pivot.
     """
     falling = (rates < -PIVOT_TOLERANCE * max(rates.max(), -rates.min())).nonzero()[0]
     if not falling.size:

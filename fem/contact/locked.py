@@ -1,8 +1,9 @@
-"""A sector of a ring with flats under pressure, locked against rollers above its flats.
+"""Sector of a ring with flats under pressure, locked against rollers above its flats.
 
-Half a sector between the middle of a flat on the x axis and a corner, in plane stress. In the mesh,
-the bodies touch; the support of the roller then moves outwards by the clearance, so that gaps are
-linear in the loads. Forces are per unit width, of the whole roller or hub.
+The model is half a sector between the middle of a flat on the x axis and a corner, in plane stress.
+In the mesh, the bodies touch. The support of the roller then moves outwards by the clearance; gaps
+are therefore linear in the loads. Forces are per unit width, and those of the complete roller or
+hub.
 """
 
 from dataclasses import dataclass
@@ -23,9 +24,9 @@ Force = tuple[float, float]  # along the flat's normal, and along it away from i
 
 
 class FlatSector(NamedTuple):
-    """Half the angle between rollers [rad], diameters through corners and outside, apothem.
+    """Half angle between rollers [rad], diameters through the corners and outside, and apothem.
 
-    `clearance` is on the diameter; lengths in the mesh's unit.
+    `clearance` is the difference of diameters. Lengths are in the unit of the mesh.
     """
 
     half_angle: float
@@ -38,7 +39,7 @@ class FlatSector(NamedTuple):
 def rigid_roller(
     sector: FlatSector, mesh: Mesh2D, *, d: float, material: Elastic
 ) -> ContactProblem:
-    """The sector, body "ring", under a rigid roller, the obstacle "stop"."""
+    """Contact problem of the sector, body "ring", under a rigid roller, the obstacle "stop"."""
     r = sector.d_e / 2
     return ContactProblem(
         mesh,
@@ -53,7 +54,11 @@ def rigid_roller(
 def elastic_roller(
     sector: FlatSector, mesh: Mesh2D, *, d: float, material: Elastic
 ) -> ContactProblem:
-    """The sector under half a "roller" of its material, free along x, in a rigid race, "stop"."""
+    """Contact problem of the sector under half an elastic roller in a rigid race.
+
+    The body "roller" has the material of the ring and is free along x. The race is the obstacle
+    "stop".
+    """
     r, race = sector.d_e / 2, sector.d_e / 2 + d + sector.clearance / 2
     own = Circle((r + d / 2, 0.0), d / 2)
     return ContactProblem(
@@ -72,7 +77,7 @@ def elastic_roller(
 
 @dataclass(frozen=True)
 class LockedSector:
-    """A sector with its roller of diameter d; the hub may push on the flat at `e` from mid-flat."""
+    """Sector with its roller of diameter `d`; the hub force acts at `e` from mid-flat."""
 
     sector: FlatSector
     problem: ContactProblem
@@ -80,7 +85,7 @@ class LockedSector:
     e: float | None = None
 
     def at(self, p: float, hub: Force = (0.0, 0.0)) -> ContactSolution:
-        """The state under the pressure `p` and the hub's force."""
+        """Contact state under the pressure `p` and the hub force `hub`."""
         return self.problem.solve(
             pressures={"ring.bore": p},
             point_forces={} if self.e is None else {
@@ -90,14 +95,15 @@ class LockedSector:
         )  # fmt: skip
 
     def force(self, p: float, hub: Force = (0.0, 0.0)) -> float:
-        """Normal force of a roller."""
+        """Normal force of a roller per unit width."""
         return 2 * self.at(p, hub).touches[0].force[0]
 
     def efficiency(self, p: float) -> tuple[float, float]:
         """Share of an additional pressure force on the flat that reaches the roller, and its u.
 
-        A cubic polynomial over several pressures smooths the steps by which nodes come into
-        contact; the standard uncertainty is that of its slope.
+        Nodes come into contact one by one, which causes steps of the force. A cubic polynomial over
+        several pressures smooths these steps. u is the standard uncertainty of the slope of the
+        polynomial.
         """
         side = self.sector.d_i * np.sin(self.sector.half_angle)
         reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)
@@ -115,7 +121,7 @@ class LockedSector:
         return near.half_width((r, 0.0)), on_race
 
     def balance(self, p: float, hub: Force) -> tuple[float, float, float]:
-        """Resultant x, y of the forces on half a sector, and its hoop force along x."""
+        """Unbalanced forces x, y on half a sector, and the hoop force along x."""
         sector, state = self.sector, self.at(p, hub)
         c, s = np.cos(sector.half_angle), np.sin(sector.half_angle)
         names = ("ring.mid", "ring.corner")

@@ -1,13 +1,15 @@
 """Mortar operators of a pair of surfaces: weighted gaps, slips and the conjugate forces.
 
 The contact traction is piecewise linear between the vertices i of the slave, with hat functions
-phi_i along its facets. The weighted gaps, normal and tangential, and the work of the traction use
-the same integrals, over segments within one facet of each side:
+phi_i along its facets. The weighted gaps, the weighted slips and the work of the traction use the
+same integrals. Each integration segment lies within one facet of the slave and one facet of the
+master:
 
     g_i = int phi_i (gap + n . (u_m - u_s)),    s_i = int phi_i t . (u_m - u_s),
 
-n from slave to master, t = n turned by +90 deg. Pressure p = sum p_i phi_i pushes the slave along
--n and the master along +n; q = sum q_i phi_i pulls the master along +t and the slave along -t.
+where n is directed from slave to master and t is n rotated by +90 deg. The pressure p = sum p_i
+phi_i pushes the slave along -n and the master along +n. The traction q = sum q_i phi_i pulls the
+master along +t and the slave along -t.
 """
 
 from dataclasses import dataclass
@@ -24,12 +26,12 @@ BARE = 1e-9  # over the integral of a hat: less than that over the segments carr
 
 @dataclass(frozen=True)
 class Mortar:
-    """Operators of a pair; m slave vertices carry its traction.
+    """Operators of a contact pair; m slave vertices carry its traction.
 
-    `x` (2, m) are their positions, `arc` (m,) the arc lengths along the surface, `hats` (points, m)
-    the phi_i. `normal` and `tangential` (points, unknowns) are n . (u_m - u_s) and t . (u_m - u_s)
-    of displacements, `weight` (points,) [area] the weights, `size` (m,) the integrals of the hat
-    functions.
+    `x` (2, m) are the positions of the vertices, `arc` (m,) their arc lengths along the surface,
+    `hats` (points, m) the hat functions phi_i. `normal` and `tangential` (points, unknowns) give n
+    . (u_m - u_s) and t . (u_m - u_s) from displacements. `weight` (points,) [area] are the
+    integration weights, `size` (m,) the integrals of the hat functions.
     """
 
     points: Points
@@ -45,7 +47,7 @@ class Mortar:
         return self.hats.T @ self.weight
 
     def weighted(self, values: csr_array | Array) -> csr_array | Array:
-        """Integrals (m, ...) of each hat with given values at the points."""
+        """Integrals (m, ...) of `values` at the points, weighted with each hat function."""
         if isinstance(values, np.ndarray):
             return self.hats.T @ (self.weight * values)
         scaled = self.hats.copy()
@@ -62,7 +64,7 @@ def mortar(
     depth: Array,
     obstacle: tuple[int, tuple[float, float]] = (0, (0.0, 0.0)),
 ) -> Mortar:
-    """Operators at `points`, with the `depth` (points,) of each: thickness or circumference.
+    """Operators of a pair at `points`; `depth` (points,) is the thickness or the circumference.
 
     Without a master mesh, `obstacle` gives the first of the three unknowns of the rigid shape
     (shift x, y, rotation) and its centre of rotation.
@@ -118,7 +120,7 @@ def mortar(
 
 
 def _trace_rows(trace: Trace, k: Indices, s: Array, direction: Array) -> tuple[Array, Indices]:
-    """Entries and unknowns (2 nodes, points) of direction . u at `s` on the facets `k`."""
+    """Entries and unknowns (2 nodes, points) of the rows direction . u at `s` on the facets `k`."""
     shape = trace.displacement_shapes(s)
     entries = direction[:, None] * shape[None]
     return entries.reshape(-1, s.size), trace.dofs[:, :, k].reshape(-1, s.size)

@@ -1,14 +1,16 @@
-"""Contact by Nitsche's method, for comparison: without multipliers, by the stress of the bodies.
+"""Contact by Nitsche's method, for comparison: without multipliers, from stresses of the bodies.
 
-With P u the pressure by the stresses of the slave along the direction of contact, and g(u) the gap,
-the contact conditions are p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both are met if
+P u is the pressure calculated from the stress of the slave in the direction of contact, g(u) is the
+gap. The contact conditions are p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both
+conditions are satisfied if
 
     J(u) = a(u, u)/2 - f(u) + int gamma/2 ([P u - g(u)/gamma]_+^2 - (P u)^2)
 
-is minimal; therefore, gamma = alpha h/(lambda + 2 mu) with the depth h of a cell does not reduce
-the order (Chouly and Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is convex unless alpha
-is too large. Coulomb's friction limits P_t u - s(u)/gamma, with the slip s, to +-mu p. Here p is
-the pressure of the previous iteration, so that each J is convex (Tresca's friction).
+is minimal. Therefore gamma = alpha h/(lambda + 2 mu), with the depth h of a cell, does not reduce
+the order of convergence (Chouly and Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is
+convex unless alpha is too large. Coulomb's friction limits P_t u - s(u)/gamma, with the slip s, to
++-mu p. Here p is the pressure of the previous iteration, so that each J is convex (Tresca's
+friction).
 
 Pairs, integration points and body stiffness are those of `ContactProblem.solve`. The space of the
 tractions, the condensed system and the active sets are not used: tractions are computed at the
@@ -47,7 +49,7 @@ def solve_nitsche(
     displacements: Mapping[str, Support] | None = None,
     after: NitscheSolution | None = None,
 ) -> NitscheSolution:
-    """The equilibrium of `problem` under the loads of `ContactProblem.solve`.
+    """Equilibrium of `problem` under the loads of `ContactProblem.solve`.
 
     Parameters
     ----------
@@ -56,16 +58,16 @@ def solve_nitsche(
         other load. At the edge of contact, the pressure is smoothest if the slave is the softer
         body or has the shorter facets.
     alpha
-        The weight of the stress against the gap, 0.01 to 0.1. If it is smaller, the pressure
+        Weight of the stress relative to the gap, 0.01 to 0.1. With smaller values, the pressure
         oscillates.
     after
-        The previous step, from which friction continues.
+        Previous step, from which friction continues.
 
     Raises
     ------
     ValueError
-        For invalid slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and
-        bodies with too large an initial gap.
+        For invalid slaves, loads and names; for nu > 0.45 except in plane stress; and for bodies
+        with too large an initial gap.
     ArithmeticError
         If `alpha` is too large, if loads move a body without supports, or if the iteration does not
         converge.
@@ -103,7 +105,7 @@ def solve_nitsche(
 
 
 def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Array, int]:
-    """Unknowns, tractions and the number of steps, from friction's pressures `p` (n,) and `v`."""
+    """Unknowns, tractions and number of steps, from initial pressures `p` (n,) and unknowns `v`."""
     n, iterations = own.friction.size, 0
     for _ in range(MAX_BOUNDS):
         low, high = own.limits(p)
@@ -115,13 +117,13 @@ def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Ar
         if change <= BOUND * p.max(initial=0.0):
             return v, found, iterations
     raise ArithmeticError(
-        f"friction did not converge: after {MAX_BOUNDS} bounds the pressure still changes by "
-        f"{change:.1e} of {p.max():.1e}"
+        f"friction did not converge: after {MAX_BOUNDS} iterations the pressure still changes "
+        f"by {change:.1e}, largest pressure {p.max():.1e}"
     )
 
 
 def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
-    """ValueError if the stress of a slave does not give the traction of its pair."""
+    """Raise ValueError if the stress of a slave does not give the traction of its pair."""
     mesh, surfaces, mortars = problem.bodies.basis.mesh, problem.surfaces, problem.interface.mortars
     others = [(f"a load on {x!r}", named_facets(mesh, x)) for x in loaded if x in mesh.boundaries]
     touching = [
@@ -140,13 +142,13 @@ def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
         for what, facets in (*others, *taken[:i], *taken[i + 1 :]):
             if np.intersect1d(facets, touching[i]).size:
                 raise ValueError(
-                    f"contact {pair}: Nitsche's method needs the slave's surface for itself, "
-                    f"and {what} acts there too"
+                    f"contact {pair}: Nitsche's method needs a slave surface without other "
+                    f"loads or contacts, but {what} acts on it"
                 )
 
 
 def _check_gap(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
-    """ValueError if surfaces in contact were paired at too large a distance."""
+    """Raise ValueError if surfaces in contact were paired at too large a distance."""
     s = problem.surfaces
     for pair, slave, master, touch in zip(s.pairs, s.slaves, s.masters, touches, strict=True):
         bend = slave.curvature() + (0.0 if master is None else master.curvature())
@@ -154,5 +156,5 @@ def _check_gap(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
         if np.isfinite(gap) and gap * bend > LARGEST_GAP:
             raise ValueError(
                 f"contact {pair}: the initial gap of {gap:.3g} is too large for Nitsche's "
-                "method, which pairs the surfaces once: let them start close to each other"
+                "method, which pairs the surfaces only once: reduce the initial gap"
             )

@@ -17,10 +17,10 @@ from fem.plane.geometry import jacobians
 class Rows:
     """Rows at the n integration points of all pairs, then tangential rows of pairs with friction.
 
-    `stress` and `motion` (rows, unknowns) give the traction [stress] by the slave's stress, and the
-    gap or slip [length], of displacements. `start` (rows,) is the gap or slip without displacement;
-    `gamma` (rows,) [length/stress], `weight` (rows,) [area], `friction` (n,). `rough` (rows - n,)
-    are the points of the tangential rows.
+    From displacements, `stress` (rows, unknowns) gives the traction [stress] of the slave, and
+    `motion` (rows, unknowns) the gap or slip [length]. `start` (rows,) is the gap or slip without
+    displacement. `gamma` (rows,) is in [length/stress], `weight` (rows,) in [area]. `friction` (n,)
+    are coefficients of friction. `rough` (rows - n,) are the points of the tangential rows.
     """
 
     stress: csr_array
@@ -36,19 +36,22 @@ class Rows:
         return np.asarray(self.start + self.motion @ u)
 
     def limits(self, p: Array) -> tuple[Array, Array]:
-        """Least and largest tractions (rows,); friction limits for the pressures `p` (n,)."""
+        """Lower and upper limits (rows,) of tractions, with friction at the pressures `p` (n,)."""
         n, bound = self.friction.size, self.friction[self.rough] * p[self.rough]
         return np.concatenate([np.zeros(n), -bound]), np.concatenate([np.full(n, np.inf), bound])
 
     def forces(self, u: Array, tractions: Array) -> Array:
-        """Forces of contact with `tractions` (rows,) on the unknowns (unknowns,)."""
+        """Contact forces (unknowns,) of the tractions `tractions` (rows,)."""
         push = self.motion.T @ (self.weight * tractions)
         # without resultant: rigid motions have no stress
         missed = self.gamma * (tractions - self.stress @ u)
         return np.asarray(push - self.stress.T @ (self.weight * missed))
 
     def energy(self, bodies: Bodies, f: Array, u_0: Array) -> Piecewise:
-        """J of the free unknowns, without limits, under forces and prescribed displacements."""
+        """Function J of the free unknowns under forces and prescribed displacements.
+
+        The limits of the tractions are not set.
+        """
         T, n = bodies.unknowns.T, bodies.basis.N
         K = bodies.cells.stiffness()
         K.resize((bodies.count, bodies.count))
@@ -71,8 +74,8 @@ class Rows:
 def rows(bodies: Bodies, surfaces: Surfaces, interface: Interface, alpha: float) -> Rows:
     """Rows of all pairs, with gamma = `alpha` h/(lambda + 2 mu).
 
-    h is the depth of the cell behind a facet, area over length: it decides how well the cell's
-    energy bounds the stress on the facet.
+    h is the depth of the cell behind a facet, area over length. The depth determines how large the
+    stress on the facet can be for a given strain energy of the cell.
     """
     area = np.abs(jacobians(bodies.basis.mesh, bodies.basis.X)[1]) @ bodies.basis.W
     normal, tangential = [], []

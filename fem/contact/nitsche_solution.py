@@ -1,4 +1,4 @@
-"""Result of Nitsche's method, in the same terms as a `ContactSolution`."""
+"""Result of Nitsche's method, with the same quantities as a `ContactSolution`."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,23 +21,23 @@ class PointTouch(Touch):
     """Contact of a pair with tractions at the integration points.
 
     Tractions at the nodes are their best approximation by the hat functions of the mortar method. A
-    node is closed or sticks if most of the surface about it does.
+    node is closed or sticks if most of the surface near the node is closed or sticks.
     """
 
     @property
     def peak(self) -> float:
-        """The largest pressure at an integration point."""
+        """Largest pressure at an integration point."""
         return float(self.p.max(initial=0.0))
 
 
 @dataclass(frozen=True, kw_only=True)
 class NitscheSolution:
-    """A solved contact problem.
+    """Solution of a contact problem by Nitsche's method.
 
-    `touches` follow the problem's pairs. `displacements` (unknowns,) of the mesh, then
-    x, y and rotation of each obstacle; `forces` (unknowns,) the loads and the contact's.
-    `tractions` and `slips` belong to rows at the points, `free` are the unknowns T q + u_0 as q.
-    `iterations` counts linear systems.
+    `touches` are in the order of the pairs. `displacements` (unknowns,) are those of the mesh, then
+    x, y and rotation of each obstacle. `forces` (unknowns,) are the loads and the contact forces.
+    `tractions` and `slips` belong to rows at the integration points. `free` is the vector q of free
+    unknowns in u = T q + u_0. `iterations` is the number of linear systems solved.
     """
 
     bodies: Bodies
@@ -51,7 +51,7 @@ class NitscheSolution:
 
     @cached_property
     def plane(self) -> PlaneSolution:
-        """Displacements, stresses, reactions and energies; contact forces count as loads."""
+        """Displacements, stresses, reactions and energies; contact forces are included as loads."""
         return in_plane(self.bodies, self.displacements, self.forces)
 
     @property
@@ -63,7 +63,7 @@ class NitscheSolution:
 def touches_of(
     mortars: Sequence[Mortar], own: Rows, moved: Array, found: Array, *, turn: bool
 ) -> tuple[PointTouch, ...]:
-    """Contact state of the pairs with gaps and slips `moved`, tractions `found` (rows,)."""
+    """Contact states of all pairs, from gaps and slips `moved` and tractions `found` (rows,)."""
     touches, n = [], own.friction.size
     ends = np.cumsum([m.weight.size for m in mortars])
     for end, m in zip(ends, mortars, strict=True):

@@ -1,9 +1,10 @@
 """Pairing of surfaces: segments of a slave surface, each opposite to one facet of the master.
 
-Gap and contact traction have the same direction n, the normal of the surface on which the deformed
-bodies meet: n ~ c_1 n_1 - c_2 n_2. The outward normals of slave and master are weighted by the
-plane moduli of the bodies, because the stiffer body bends the softer one. With n_1 of a round slave
-alone, the error of Hertz's pressure would be of the order a/R instead of (a/R)^2.
+Gap and contact traction have the same direction n. This is the normal of the surface on which the
+deformed bodies meet: n ~ c_1 n_1 - c_2 n_2. The outward normals n_1 of the slave and n_2 of the
+master are weighted by the plane moduli c_1 and c_2 of the bodies, because the stiffer body bends
+the softer body. With n_1 of a round slave alone, the error of Hertz's pressure would be of the
+order a/R instead of (a/R)^2.
 """
 
 from dataclasses import dataclass
@@ -27,9 +28,11 @@ PAIRS = 2_000_000  # points times facets compared at once
 class Points:
     """Gauss points of the segments between two surfaces.
 
-    Facet `slave`, `master` (m,) and parameter `s`, `t` (m,) on each; `x` (2, m) on the slave,
-    `n` (2, m) the direction from slave to master, `gap` (m,) along it (negative: overlap), `weight`
-    (m,) [length]. On a rigid shape `master` is -1 and `y` (2, m) the point opposite.
+    A point lies on the facet `slave` (m,) at the parameter `s` (m,), opposite to the facet `master`
+    (m,) at `t` (m,). `x` (2, m) are positions on the slave, `y` (2, m) the opposite positions on
+    the master, `n` (2, m) directions from slave to master. `gap` (m,) is measured along n
+    (negative: overlap), `weight` (m,) [length] are integration weights. For a rigid shape, `master`
+    is -1.
     """
 
     slave: Indices
@@ -44,7 +47,7 @@ class Points:
 
 
 def pair_with_shape(slave: Trace, master: Shape) -> Points:
-    """Points of the slave's facets that face a rigid `master`, along the normals of that."""
+    """Gauss points on the slave's facets that face a rigid `master`, along its normals."""
     k = np.arange(slave.count)
     return _gauss(
         slave, k, np.zeros(k.size), np.ones(k.size), lambda k, s: _onto(slave, master, k, s)
@@ -52,9 +55,9 @@ def pair_with_shape(slave: Trace, master: Shape) -> Points:
 
 
 def pair(slave: Trace, master: Trace, share: float) -> Points:
-    """Points of the segments on which `slave` faces `master`.
+    """Gauss points of the segments on which `slave` faces `master`.
 
-    `share` is the slave's part c_1/(c_1 + c_2) of the two plane moduli.
+    `share` is c_1/(c_1 + c_2), the share of the slave in the sum of the two plane moduli.
     """
     ray = _Ray(slave, master, share)
     k, s_0, s_1 = _segments(ray)
@@ -75,7 +78,7 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
 
 
 def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices, t: Array) -> Array:
-    """Whether rays from points `s` on `k` to `t` on `opposite` pass only through the same body."""
+    """True (m,) where the ray from `s` on `k` to `t` on `opposite` lies within one body."""
     x = slave.places(k, s)
     gap = ((ray.master.places(opposite, t) - x) * slave.normals(k, s)).sum(axis=0)
     behind = np.flatnonzero(gap < 0)
@@ -88,7 +91,7 @@ def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices,
 
 
 def _onto(slave, master, k, s):
-    """The nearest points of a rigid shape, along its normals."""
+    """Nearest points of a rigid shape to points of the slave, along the normals of the shape."""
     x = slave.places(k, s)
     y = master.project(x)
     n = -master.normal(y)
@@ -97,7 +100,7 @@ def _onto(slave, master, k, s):
 
 
 def _gauss(slave, k, s_0, s_1, onto) -> Points:
-    """Gauss points of the segments from `s_0` to `s_1` of the facets `k`."""
+    """Gauss points of the segments from `s_0` to `s_1` on the facets `k`."""
     g, w = np.polynomial.legendre.leggauss(GAUSS)
     s = (s_0[:, None] + np.outer(s_1 - s_0, (g + 1) / 2)).ravel()
     weight = np.outer(s_1 - s_0, w / 2).ravel()
@@ -110,7 +113,7 @@ def _gauss(slave, k, s_0, s_1, onto) -> Points:
 
 
 def _segments(ray: "_Ray") -> tuple[Indices, Array, Array]:
-    """Facet, start and end (m,) of the slave's pieces between projected master vertices."""
+    """Facet, start and end (m,) of the segments of the slave between projected master vertices."""
     count = ray.slave.count
     k, s = ray.breaks()
     k = np.concatenate([*[np.arange(count)] * 3, k])
@@ -123,18 +126,18 @@ def _segments(ray: "_Ray") -> tuple[Indices, Array, Array]:
 
 
 class _Ray:
-    """Rays from the slave along the direction of contact, and intersections with the master."""
+    """Rays from the slave in the direction of contact, and intersections with the master."""
 
     def __init__(self, slave: Trace, master: Trace, share: float) -> None:
         self.slave, self.master, self.share = slave, master, share
 
     def direction(self, k: Indices, s: Array, j: Indices, t: Array) -> Array:
-        """Unit vectors (2, m) from slave to master."""
+        """Unit vectors (2, m) of the contact direction, from slave to master."""
         n = self.share * self.slave.normals(k, s) - (1 - self.share) * self.master.normals(j, t)
         return n / np.hypot(*n)
 
     def miss(self, k: Indices, s: Array, j: Indices, t: Array) -> Array:
-        """Distance (m,) of the master's point from the ray."""
+        """Distances (m,) of points of the master from the rays."""
         d = self.master.places(j, t) - self.slave.places(k, s)
         return cross(self.direction(k, s, j, t), d)
 
@@ -143,7 +146,7 @@ class _Ray:
         return self._root(lambda t: self.miss(k, s, j, t), k.size)
 
     def breaks(self) -> tuple[Indices, Array]:
-        """Slave facets and parameters opposite to the master's vertices."""
+        """Facets and parameters of the slave opposite to the vertices of the master."""
         j, t = np.tile(np.arange(self.master.count), 2), np.repeat([0.0, 1.0], self.master.count)
         places = np.vstack([self.master.places(j, t), self.master.normals(j, t)])
         # one facet represents both that share a vertex with one normal
@@ -157,7 +160,7 @@ class _Ray:
         return k[inside], s[inside]
 
     def cast(self, k: Indices, s: Array) -> tuple[Indices, Array]:
-        """The nearest master facet (m,) on the rays from `s` on `k`, -1 for none, and t."""
+        """Nearest master facet (m,) on the ray from `s` on `k` (-1 if none), and parameter t."""
         facet, t = np.full(k.size, -1), np.zeros(k.size)
         x, n = self.slave.places(k, s), self.slave.normals(k, s)
         hit, point = self._between(self._ends(self.master), x, n, 1.0)
@@ -170,7 +173,7 @@ class _Ray:
 
     @staticmethod
     def _ends(trace: Trace) -> tuple[Array, Array]:
-        """Places and normals (2, 2, m) of the start and end of all facets."""
+        """Positions and normals (2, 2, m) of the start and the end of all facets."""
         k = np.arange(trace.count)
         at = [
             (trace.places(k, e), trace.normals(k, e)) for e in (np.zeros(k.size), np.ones(k.size))
@@ -178,9 +181,10 @@ class _Ray:
         return np.array([a[0] for a in at]), np.array([a[1] for a in at])
 
     def _between(self, ends, x: Array, n: Array, side: float) -> tuple[Indices, Indices]:
-        """Facets with `ends`, and points `x`, `n` of the other surface on rays between these ends.
+        """Facets and points for which the ray of the point passes between the ends of the facet.
 
-        `side` is 1 if the points belong to the slave, -1 if the facets do.
+        `ends` are positions and normals of the ends of the facets; `x`, `n` are points and normals
+        of the other surface. `side` is 1 if the points belong to the slave, -1 if the facets do.
         """
         places, normals = ends
         own, other = (self.share, 1 - self.share) if side > 0 else (1 - self.share, self.share)
@@ -201,7 +205,7 @@ class _Ray:
 
     @staticmethod
     def _root(function, size: int) -> Array:
-        """Roots of `function` (m,) -> (m,), from the ends of facets on, by the secant method."""
+        """Roots (m,) of `function` by the secant method, from the initial values 0 and 1."""
         before, s = np.zeros(size), np.ones(size)
         f_before, f = function(before), function(s)
         for _ in range(SECANT_STEPS):

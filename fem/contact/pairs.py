@@ -1,4 +1,4 @@
-"""Possible contacts: pairs of boundaries, rigid obstacles, rigid bodies."""
+"""Possible contacts: pairs of boundaries, rigid obstacles and rigid bodies."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -13,15 +13,15 @@ Normal = Literal["between", "master"]
 
 @dataclass(frozen=True)
 class Rigid:
-    """The material of a body that does not deform."""
+    """Material of a body that does not deform."""
 
 
 @dataclass(frozen=True)
 class Obstacle:
     """A rigid surface without a mesh.
 
-    `free` names the motions that loads decide, of x, y and r (rotation about the shape's point or
-    centre, in radians); the others are prescribed.
+    `free` names the motions that result from the loads: x, y and r (rotation [rad] about the point
+    or the centre of the shape). All other motions are prescribed.
     """
 
     shape: Flat | Circle
@@ -29,11 +29,13 @@ class Obstacle:
 
     def __post_init__(self) -> None:
         if set(self.free) - set(MOTIONS) or len(set(self.free)) < len(self.free):
-            raise ValueError(f"an obstacle's free motions are of x, y and r, got {self.free!r}")
+            raise ValueError(
+                f"free motions of an obstacle must be different letters of 'xyr', got {self.free!r}"
+            )
 
     @property
     def centre(self) -> tuple[float, float]:
-        """The centre of rotation."""
+        """Centre of rotation."""
         return self.shape.centre if isinstance(self.shape, Circle) else self.shape.point
 
 
@@ -41,13 +43,14 @@ class Obstacle:
 class Pair:
     """Two surfaces that may touch, by boundary name; the master may be the surface of an obstacle.
 
-    The nodes of the slave carry the traction; the slave should have the finer mesh or the smaller
-    surface. `friction` is Coulomb's coefficient. The shapes are exact shapes of the meshed
-    boundaries: facets then do not affect the gap. `interference` [length] is subtracted from the
-    whole gap; `press_fit` permits surfaces that overlap in the mesh. `normal` is the direction of
-    gap and pressure: the normal of the surface "between" the deformed bodies, on which they meet,
-    or of the "master", for a body that slides along a flat of constant inclination. ValueError for
-    negative friction, infinite interference, or a surface paired with itself.
+    The nodes of the slave carry the traction. The slave should have the finer mesh or the smaller
+    surface. `friction` is Coulomb's coefficient. `slave_shape` and `master_shape` are the exact
+    shapes of the meshed boundaries; with these shapes, the facets do not affect the gap.
+    `interference` [length] is subtracted from the whole gap; `press_fit` permits surfaces that
+    overlap in the mesh. `normal` is the direction of gap and pressure: the normal of the surface
+    "between" the deformed bodies, on which the bodies meet, or the normal of the "master", for a
+    body that slides along a flat of constant inclination. Raises ValueError for negative friction,
+    infinite interference, or a surface paired with itself.
     """
 
     slave: str
@@ -70,8 +73,7 @@ class Pair:
             )
         if self.normal not in get_args(Normal):
             raise ValueError(
-                f"contact {self}: the normal is 'between' or that of the 'master', "
-                f"got {self.normal!r}"
+                f"contact {self}: normal must be 'between' or 'master', got {self.normal!r}"
             )
         if self.slave == self.master:
             raise ValueError(f"contact {self}: a boundary cannot touch itself")

@@ -1,4 +1,4 @@
-"""Readings of a contact that slips at its edges: stick zone, the loop of a cycle."""
+"""Evaluation of a contact that slips at its edges: stick zone and hysteresis loop of a cycle."""
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -10,11 +10,11 @@ WINDOW = 0.06  # of Q/(mu P) about a value's, over which a sweep is smoothed
 
 
 def stick_share(touch: Touch) -> float:
-    """(c/a)² from the moments of a traction mu p_a - mu p_c of two ellipses.
+    """Squared ratio (c/a)² of stick zone to contact, from moments of the tangential traction q.
 
-    Both mu p have the moments mu P and mu P a²/4, the moments for c have the factors (c/a)² and
-    (c/a)⁴, so that 4 M_2/(M_0 a²) = (1 - (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is about the centre
-    of q.
+    q is the difference mu p_a - mu p_c of two ellipses. The moments of the first are mu P and mu P
+    a²/4; those of the second have the factors (c/a)² and (c/a)⁴. Therefore 4 M_2/(M_0 a²) = (1 -
+    (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is the second moment about the centre of q.
     """
     s, load = touch.along((0.0, 0.0)), touch.q * touch.weight
     M_0 = load.sum()
@@ -23,10 +23,10 @@ def stick_share(touch: Touch) -> float:
 
 
 def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
-    """Value at k = `at` of a cubic through nearby samples, its uncertainty, and a sample's.
+    """Value at k = `at` of a cubic fitted to nearby samples, its uncertainty, and the scatter.
 
-    As the slip zones grow, nodes start to slip one by one; the value therefore varies with the
-    position of the end of the zone between two nodes.
+    The scatter is that of a single sample. As the slip zones grow, nodes start to slip one by one.
+    The value therefore depends on the position of the end of the zone between two nodes.
     """
     chosen = np.abs(k - at) <= window
     A = np.vander((k[chosen] - at) / window, 4)
@@ -37,12 +37,12 @@ def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[flo
 
 
 def apart(state: ContactSolution, other: ContactSolution) -> float:
-    """Largest difference of the tractions of two states [Pa]."""
+    """Largest difference of the tangential tractions of two states [Pa]."""
     return float(np.abs(state.touches[0].traction - other.touches[0].traction).max())
 
 
 def loop_area(x: Array, Q: Array) -> float:
-    """Area enclosed by a loop of even steps that reverses once, in the middle (Simpson)."""
+    """Area enclosed by a loop of equal steps that reverses once, in the middle (Simpson)."""
     weights = np.full(x.size // 2 + 1, 2.0)
     weights[1::2], weights[[0, -1]] = 4.0, 1.0
     half = x.size // 2
@@ -51,9 +51,9 @@ def loop_area(x: Array, Q: Array) -> float:
 
 
 def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
-    """Displacements (2n,) of a loop beyond the line from -Q_max to Q_max, down and up again.
+    """Deviations (2n,) of the displacement from the line between -Q_max and Q_max, down and up.
 
-    On each branch at the n shares `at` of Q_max, which rise.
+    Each branch of the loop is evaluated at the n rising values `at` of Q/Q_max.
     """
     half = x.size // 2
     beyond = x - x[0] / Q[0] * Q
@@ -63,7 +63,7 @@ def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
 
 
 def order_in_steps(x: Array, Q: Array, work: float) -> tuple[float, float]:
-    """Order of convergence of the area of a loop by straight steps, and its finer error.
+    """Order of convergence of the area of a loop by linear steps, and the error with fine steps.
 
     The reference is the `work` of friction, which is exact for any steps: the friction force of a
     slipping node is always mu p.

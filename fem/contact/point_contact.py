@@ -12,16 +12,17 @@ ABOUT, WIDE = (0.25, 0.75), 0.3  # z/a about the largest shear stress, and r/a
 
 
 def push(state: ContactSolution) -> float:
-    """The force on the upper body along y [N]."""
+    """Force [N] on the upper body along y."""
     return -state.touches[0].force[1]
 
 
 def at_load(
     problem: ContactProblem, P: float, approach: float, state: ContactSolution
 ) -> tuple[float, ContactSolution]:
-    """Approach [m] at which the force is `P`, by the secant method from a state at `approach`.
+    """Approach [m] at which the force is `P`, and the contact state there.
 
-    The boundary "upper.middle" is displaced along -y. NotFoundError if the load is not met.
+    A secant method begins with the contact state `state` at `approach`. The boundary "upper.middle"
+    is displaced along -y. Raises NotFoundError if the force does not converge to `P`.
     """
     force, step = push(state), 0.6 * approach * (P / push(state) - 1)
     for _ in range(STEPS):
@@ -36,7 +37,7 @@ def at_load(
 
 
 def middle_pressure(r: Array, p: Array, a: float) -> float:
-    """Pressure in the middle: sqrt(1 - r²/a²) (b + c r²/a²), fitted on the inner half.
+    """Pressure at the centre of contact, from a fit of sqrt(1 - r²/a²) (b + c r²/a²) for r < a/2.
 
     The pressure of the node on the axis is inaccurate, because its area is nearly zero.
     """
@@ -47,16 +48,16 @@ def middle_pressure(r: Array, p: Array, a: float) -> float:
 
 
 def axis_stresses(state: ContactSolution, y: Array) -> tuple[Array, Array]:
-    """Radial and axial stress (m,) at places y (m,) of the axis."""
+    """Radial and axial stress (m,) at the positions y (m,) on the axis."""
     stress = state.plane.at(np.array([np.zeros_like(y), y])).stress
     return stress[0], stress[1]
 
 
 def largest_axis_shear(x: Array, stress: Array, a: float) -> tuple[float, float]:
-    """Largest shear stress on the axis, and its depth over `a`.
+    """Largest shear stress on the axis, and its depth divided by `a`.
 
-    It is that of a polynomial, even in r, through (sigma_r - sigma_z)/2 at the points `x` (2, m)
-    near the axis: single stresses are discontinuous between cells.
+    A polynomial, even in r, is fitted to (sigma_r - sigma_z)/2 at the points `x` (2, m) near the
+    axis, because stresses are discontinuous between cells.
     """
     r, z = x[0] / a, np.abs(x[1]) / a
     near = (r < WIDE) & (z > ABOUT[0]) & (z < ABOUT[1])

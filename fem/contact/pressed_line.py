@@ -1,8 +1,9 @@
 """Two bodies of a line contact, pressed together until the contact carries a given load.
 
-The section through the centre of a disc moves as a rigid line; the quarter is therefore an exact
-part of a disc pressed from both sides. Plane problems without friction, symmetric about x = 0, with
-contact at the origin and displacement along y. Any consistent units; docstrings state SI units.
+The section through the centre of a disc moves as a rigid line. The quarter is therefore an exact
+part of a disc pressed from both sides. The problems are plane, without friction, and symmetric
+about x = 0, with contact at the origin and displacement along y. All units must be consistent;
+docstrings state SI units.
 """
 
 from collections.abc import Callable
@@ -28,7 +29,7 @@ Build = Callable[[float, int, int], ContactProblem]
 
 
 class PressedLine:
-    """A contact at the origin under the load P [N/m], pushed together along y."""
+    """Line contact at the origin under the load P [N/m]; the bodies are displaced along y."""
 
     def __init__(
         self, build: Build, level: int, *, P: float, guess: float, arc: float, softness: float,
@@ -36,10 +37,11 @@ class PressedLine:
     ) -> None:  # fmt: skip
         """`build(zone, cells, refine)` defines the problem; the boundary `cut` is displaced.
 
-        `guess` [m] is about the half-width; `arc` [m] is the radius along which cells are equal.
+        `guess` [m] is the approximate half-width; `arc` [m] is the radius along which cells are
+        equal.
 
-        A coarse solution finds the edge of the contact; the meshes have a vertex there, so that the
-        levels differ only in their size.
+        A coarse solution finds the edge of the contact. All meshes have a vertex there; therefore,
+        mesh levels differ only in the size of the cells.
         """
         self.P, self.guess, self.cut = P, guess, cut
         self.start, self.softness, self.level = P * softness, softness, level
@@ -62,13 +64,16 @@ class PressedLine:
 
     @property
     def half_width(self) -> float:
-        """2 sqrt(int q x^2 / int q) [m] with the load q along y, x halfway between the surfaces."""
+        """Half-width 2 sqrt(int q x^2 / int q) [m], with the load q along y at the coordinate x.
+
+        x is the mean of the coordinates of both surfaces.
+        """
         x, q = self.load
         return float(2 * np.sqrt(q @ x**2 / q.sum()))
 
     @property
     def load(self) -> tuple[Array, Array]:
-        """Positions x [m] of the integration points and the force along y on each [N/m]."""
+        """Positions x [m] of the integration points and forces along y at these points [N/m]."""
         points = self.touch.mortar.points
         return (points.x[0] + points.y[0]) / 2, self.touch.p * np.abs(points.n[1]) * points.weight
 
@@ -77,11 +82,11 @@ class PressedLine:
         return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:
-        """Round-off of one of the values [unit of the value].
+        """Uncertainty by round-off of `value` [unit of the value], the result named `key`.
 
-        Coordinates of nodes on a circle are rounded relative to the largest x. Over a cell of size
-        h, this is a strain x eps/h, and a pressure of this strain over the compliance of both
-        bodies.
+        Coordinates of nodes on a circle are rounded relative to the largest x. In a cell of size h,
+        this causes a strain x eps/h, and a pressure equal to this strain divided by the compliance
+        of both bodies.
         """
         largest = float(abs(self.solution.plane.basis.mesh.p).max())
         cell = ZONE * self.a / (CELLS * self.level)
@@ -90,7 +95,7 @@ class PressedLine:
         return (SOLVED + share * pressure / self.peak) * abs(value)
 
     def balance(self, supports: tuple[str, ...]) -> dict[str, float]:
-        """Unbalanced forces [N/m] and moment about the origin [N] on the pushed body."""
+        """Unbalanced forces [N/m] and moment about the origin [N] on the displaced body."""
         plane, touch = self.solution.plane, self.touch
         x, y, moment = np.sum([plane.reaction(name) for name in supports], axis=0)
         force = touch.force  # on the master; the pushed body is the slave
@@ -101,9 +106,9 @@ class PressedLine:
         }
 
     def shear(self) -> tuple[float, float]:
-        """Largest shear stress [Pa] on the axis of the upper body and its depth [m].
+        """Largest shear stress [Pa] on the axis of the upper body, and its depth [m].
 
-        A polynomial through the stresses of many cells smooths their steps.
+        A polynomial fitted to the stresses of many cells smooths the jumps between cells.
         """
         z = AXIS * self.a
         stress = self.solution.plane.at(np.array([np.zeros_like(z), z])).stress
@@ -115,7 +120,7 @@ class PressedLine:
         return float(fit(top)), top * self.a
 
     def _under_load(self) -> tuple[ContactSolution, float]:
-        """The state under the load P and the displacement of the section, by the secant method."""
+        """Contact state under P and the displacement of the section, by the secant method."""
         before, now = self.start, 3 * self.start
         missing = self._missing(before)[1]
         for _ in range(MOST):
@@ -125,10 +130,10 @@ class PressedLine:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise NotFoundError(f"the load was not reached: relative error {more:.1e}")
+        raise NotFoundError(f"the load P was not reached: relative error {more:.1e}")
 
     def _missing(self, d: float) -> tuple[ContactSolution, float]:
-        """The state with the cut moved down by `d` and the share of P that it lacks."""
+        """Contact state with the cut moved down by `d`, and the missing share of P."""
         solution = self.problem.solve(displacements={self.cut: {"y": -d}})
         half = abs(solution.touches[0].force[1])
         return solution, 2 * half / self.P - 1

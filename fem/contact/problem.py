@@ -8,14 +8,14 @@
     pressed = problem.solve(forces={"disc.top": (0, -1e5)})
     pushed = problem.solve(forces={"disc.top": (1e4, -1e5)}, after=pressed)
 
-Strains and rotations are small. Bodies with an initial gap are first moved together rigidly;
-afterwards, surfaces slide by small distances relative to their radii. For nearly incompressible
-bodies (nu above 0.48), pressures alternate from node to node, as for all displacements of one
-degree; their resultants and half-widths are not affected.
+Strains and rotations must be small. Bodies with an initial gap are first moved together rigidly;
+after that, surfaces may only slide by distances that are small relative to their radii. For nearly
+incompressible bodies (nu above 0.48), pressures alternate from node to node, as in all elements
+with one degree of displacements; resultants and half-widths are not affected.
 
 With `along=Along(supports={"block.bottom": 0.0})`, bodies in plane strain also move along the third
-axis, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`; friction then has one cone for both
-directions.
+axis z, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`. The resultant of both components of
+friction is then limited by mu times the pressure.
 """
 
 from collections.abc import Hashable, Mapping, Sequence
@@ -49,7 +49,7 @@ GAP_TOLERANCE = 1e-13  # relative to the mesh's extent: less is round-off of the
 
 
 class ContactProblem:
-    """Bodies, supports and contact pairs, factorised once; `solve` applies loads stepwise.
+    """Contact problem with bodies, supports and pairs, factorised once; `solve` applies loads.
 
     A steel roller of 10 mm radius on a flat under 800 N/mm; Hertz's peak pressure is 1714 MPa:
 
@@ -88,47 +88,48 @@ class ContactProblem:
         thickness: float = 1.0,
         degree: int | None = None,
     ) -> None:
-        """Set the problem up.
+        """Set up and factorise the problem.
 
         Parameters
         ----------
         mesh
-            All bodies in one mesh, not joined at the contacts; names in `mesh.boundaries` and
+            All bodies in one mesh, not joined at the contacts, with names in `mesh.boundaries` and
             `mesh.subdomains`.
         materials
-            One material, or one for each body named in `mesh.subdomains`, `Rigid()` among them.
+            One material, or a material for each body named in `mesh.subdomains`; `Rigid()` is
+            possible.
         assumption
             "plane strain", "plane stress" or "axisymmetric" (x is the radius, y the axis).
         contacts
-            Pairs of boundaries; a boundary may appear in several.
+            Pairs of boundaries; a boundary may appear in several pairs.
         supports, anchors
-            As for `solve_plane`. Bodies supported by contact and loads need no supports.
+            See `solve_plane`. Bodies that contact and loads hold in place need no supports.
         obstacles
             Rigid surfaces without a mesh, by name.
         ties, means
-            As for `solve_plane`: sections of cyclic sectors; boundaries with prescribed mean motion
-            that deform freely.
+            See `solve_plane`: ties between sections of cyclic sectors; boundaries with a prescribed
+            mean motion that deform freely.
         along
-            Supports along the third axis z, if bodies may move along it: u_z(x, y) in plane strain,
-            and friction with one limit for both components.
+            Supports along the third axis z, if bodies may move along z: u_z(x, y) in plane strain,
+            with one friction limit for the resultant of both components.
         thickness
-            Out-of-plane length; forces refer to it.
+            Length out of the plane; all forces refer to this length.
         degree
             Degree of the displacements, 1 or 2; by default the degree of the mesh.
 
         Raises
         ------
         ValueError
-            For unknown names, wrong values, surfaces that overlap without `press_fit` or do not
-            face each other, folded cells, and bodies without sufficient supports or contacts.
+            For unknown names, wrong values, folded cells, surfaces that overlap without `press_fit`
+            or do not face each other, and bodies without sufficient supports or contacts.
         """
         if not contacts:
-            raise ValueError("a contact problem needs a pair of surfaces, got none")
+            raise ValueError("a contact problem needs at least one pair of surfaces, got none")
         seen: set[frozenset[str]] = set()
         for pair in contacts:
             sides = frozenset((pair.slave, pair.master))
             if sides in seen:
-                raise ValueError(f"contact {pair}: these two surfaces are paired twice")
+                raise ValueError(f"contact {pair}: these two surfaces must be paired only once")
             seen.add(sides)
         self.bodies = Bodies(
             mesh, materials, assumption, thickness, degree, obstacles or {}, ties, means
@@ -160,39 +161,39 @@ class ContactProblem:
         after: ContactSolution | None = None,
         steps: int = 1,
     ) -> ContactSolution:
-        """Equilibrium under these loads, which replace the loads of the step `after`.
+        """Equilibrium under the given loads, which replace all loads of the step `after`.
 
         Parameters
         ----------
         pressures, tractions, body_forces, point_forces
-            As for `solve_plane`.
+            See `solve_plane`.
         forces
-            Boundary name to the total uniform force on it; obstacle name to (x, y) or
-            (x, y, moment about its centre).
+            For each boundary name, the total uniform force; for each obstacle name, (x, y) or (x,
+            y, moment about its centre).
         displacements
-            New values of supports, by boundary, with components that these hold; motions of
-            obstacles such as {"anvil": {"y": -1e-5}}, mean motions such as {"rim": {"r": 1e-3}}.
-            A name that is not given has its first value.
+            New values of components that supports already prescribe, by boundary; motions of
+            obstacles such as {"anvil": {"y": -1e-5}}; mean motions such as {"rim": {"r": 1e-3}}.
+            Supports that are not named have their original values.
         axial_forces, axial_displacements
-            Along the third axis, with `along`: total uniform forces on boundaries, or on
-            obstacles that are free along it; new values of supports along it.
+            Forces and displacements along the third axis, with `along`: total uniform forces on
+            boundaries, or on obstacles that are free along it; new values of supports along it.
         after
-            The previous step, from which friction continues.
+            Previous step, from which friction continues.
         steps
-            Number of equal shares in which all loads change from `after`, or from zero. Friction
-            depends on the path: pressing bodies of different materials together requires about 20
-            steps, or as many calls of `solve`. In each share, slip is counted from the closure of a
-            gap.
+            Number of equal increments in which all loads change from those of `after`, or from
+            zero. Friction depends on the load path: pressing bodies of different materials together
+            requires about 20 steps, or as many calls of `solve`. Where a gap closes, slip begins at
+            its closure.
 
         Raises
         ------
         ValueError
             For unknown names and wrong values.
         NoEquilibriumError
-            If it is proven that no contact forces balance the loads: they move a body. Also a
-            ValueError.
+            If it is proven that no contact forces balance the loads, so that a body moves. It is
+            also a ValueError.
         NotFoundError
-            If no state of rest was found. This proves nothing about the bodies.
+            If no equilibrium was found. This proves nothing about the bodies.
         """
         actions = [
             *self.loads.actions(
@@ -201,7 +202,7 @@ class ContactProblem:
             *self.supports.actions(displacements or {}),
         ]  # fmt: skip
         if after is not None and after.bodies is not self.bodies:
-            raise ValueError("the step `after` belongs to another contact problem")
+            raise ValueError("the step `after` must belong to the same contact problem")
         if steps < 1:
             raise ValueError(f"steps must be 1 or more, got {steps}")
         before = () if after is None else after.actions
@@ -227,7 +228,7 @@ class ContactProblem:
     def _step(
         self, actions: list[Action], pull: Pull | None, after: ContactSolution | None
     ) -> ContactSolution:
-        """Equilibrium under `actions`, paired at the positions at which bodies with a gap meet."""
+        """Equilibrium under `actions`; bodies with an initial gap are paired where they touch."""
         interface = self.interface if after is None else after.interface
         found = self._equilibrium(actions, pull, interface, after)
         for _ in range(MAX_APPROACHES):
@@ -238,7 +239,7 @@ class ContactProblem:
             moved = Interface(self.bodies, self.surfaces, bases)
             found = self._equilibrium(actions, pull, moved, after)
         raise NotFoundError(
-            f"no state of rest was found: after {MAX_APPROACHES} approaches bodies still move"
+            f"no equilibrium was found: bodies still move after {MAX_APPROACHES} approaches"
         )
 
     def _equilibrium(
@@ -276,13 +277,13 @@ class ContactProblem:
         return found
 
     def _no_gap(self, interface: Interface) -> Array:
-        """Weighted gaps (m,) up to which surfaces touch, except for round-off."""
+        """Weighted gaps (m,) below which surfaces touch, within round-off."""
         extent = float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
         return GAP_TOLERANCE * extent * interface.sizes
 
     @staticmethod
     def _trial(interface: Interface, w: Array, after: ContactSolution | None) -> Array:
-        """`w` at unchanged contact forces."""
+        """Gaps and slips `w` for unchanged contact forces."""
         kernel = interface.kernel
         if after is None:
             return w
@@ -291,11 +292,12 @@ class ContactProblem:
     def _closes(
         self, interface: Interface, w: Array, after: ContactSolution | None
     ) -> tuple[Indices, Array]:
-        """Normal rows with friction whose gaps close under load, and the share of the load.
+        """Normal rows with friction whose gaps close, and the fraction of the load at closure.
 
         It is assumed that other contact forces are constant and that the rest of `w` grows
-        linearly. Nodes of a pair that already touches stick or slip from their present positions,
-        and so do nodes of bodies supported by contact only: their motion is not known beforehand.
+        linearly. Two kinds of nodes are excluded: nodes of a pair that already touches, and nodes
+        of bodies without sufficient supports, whose motion is not known in advance. These nodes
+        stick or slip from their present positions.
         """
         kernel, m = interface.kernel, interface.gaps.size
         gaps, touching = interface.gaps, interface.gaps <= self._no_gap(interface)
@@ -311,7 +313,7 @@ class ContactProblem:
         self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips of surfaces with an open gap, from `slips` until a gap closes at its share."""
+        """Slips of surfaces with an open gap, from `slips` until the gap closes."""
         kernel, m, (closes, share) = interface.kernel, interface.gaps.size, closing
         rows = kernel.partner[closes]
         found = np.zeros(slips.size)
@@ -319,10 +321,10 @@ class ContactProblem:
         return found
 
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
-        """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought into contact.
+        """Weighted slips (r - m,) of bodies that the loads `w`, `e` bring into contact.
 
-        Friction acts from this state on; sliding before contact requires no force. Bodies that
-        overlap from the start, or that no load moves, stick at their positions.
+        Friction begins to act in this state; sliding before contact requires no force. Bodies that
+        overlap initially, or that no load moves, stick at their positions.
         """
         kernel, m, smooth = interface.kernel, interface.gaps.size, interface.kernel.smooth()
         slips = np.zeros(w.size - m)
@@ -352,10 +354,10 @@ class ContactProblem:
         return self._shifts[key]
 
     def _check_small(self, found: ContactSolution, after: ContactSolution | None) -> None:
-        """NotFoundError if bodies move by much more than their deformations and closed gaps.
+        """Raise NotFoundError if bodies move by much more than their deformations and closed gaps.
 
-        Only the facets of the mesh stop such motions; the assumption of small motions is violated.
-        Motions are measured from the previous step, and deformations are those of both steps.
+        Only the facets of the mesh stop such motions, and the assumption of small motions is
+        violated. Motions are measured from the previous step; deformations are those of both steps.
         """
         rest = found.rest
         if not (rest.motion.size and np.any(rest.multipliers)):
@@ -367,12 +369,12 @@ class ContactProblem:
         moved = float(np.abs(self.bodies.motions @ motion).max())
         if moved > RUNAWAY * size:
             raise NotFoundError(
-                f"no state of rest was found with small motions: in the solution, "
+                f"no equilibrium with small motions was found: in the solution, "
                 f"{self.bodies.named(motion)}, by {moved:.3g}, while surfaces deform by {size:.3g}"
             )
 
     def _deformation(self, found: ContactSolution) -> float:
-        """How far surfaces deform and closed gaps were open."""
+        """Largest elastic displacement of surfaces plus the largest gap that was closed."""
         elastic = found.yielded + sum(share * one.at_rest for share, one in found.responses)
         closed = np.flatnonzero(found.rest.states)
         gaps = found.interface.gaps[closed] / found.interface.sizes[closed]
@@ -380,9 +382,9 @@ class ContactProblem:
         return float(size + ROUND_OFF * np.ptp(self.bodies.basis.mesh.p, axis=1).max())
 
     def _refuse(self, missing: Array) -> None:
-        """NoEquilibriumError if loads on rigid motions lack contact forces `missing` (k,)."""
+        """Raise NoEquilibriumError if loads on rigid motions need contact forces `missing` (k,)."""
         if np.any(missing):
             raise NoEquilibriumError(
-                f"{self.bodies.named(missing)}, and the loads do move it: contact can only push, "
-                "and no contact force balances them"
+                f"{self.bodies.named(missing)}, and the loads do move it: contact can only "
+                "push, and no admissible contact forces balance the loads"
             )

@@ -1,7 +1,7 @@
-"""Contact of bodies supported by contact only: rigid motions on springs that are released.
+"""Contact of bodies without sufficient supports: rigid motions on springs that are relaxed.
 
-Springs resist the motions; on stiff springs, the solution is unique. A sequence of ever weaker
-springs follows this solution until they carry no load.
+Springs resist the rigid motions. With stiff springs, the solution is unique. The springs are made
+weaker in steps, and the solution is followed until the springs carry no load.
 """
 
 from dataclasses import dataclass, field
@@ -25,10 +25,10 @@ ACCEPTED_RESIDUAL = 1e-9
 
 @dataclass(frozen=True)
 class Release:
-    """The method of released springs for a system under `w_0` (n,), `e` (k,).
+    """Method of relaxed springs for a contact system under `w_0` (n,), `e` (k,).
 
-    `changes` lists the number of rows that changed their state in each exchange; `pivoted` is the
-    number of solutions by Lemke's method.
+    `changes` lists the number of rows that changed their state in each iteration; `pivoted` has one
+    entry for each solution by Lemke's method.
     """
 
     system: ContactSystem
@@ -39,9 +39,9 @@ class Release:
     finer: float = 1.0  # factor of the tolerances of states
 
     def rest(self, states: States, springs: tuple[float, ...]) -> Solution:
-        """The solution from given states, on ever weaker springs, then without springs.
+        """Solution from given initial states, on weaker and weaker springs, then without springs.
 
-        NotFoundError if none of the methods solves a step, or if motions continue to grow.
+        Raises NotFoundError if no method solves a step, or if motions continue to grow.
         """
         system, motion = self.system, np.zeros(self.system.D.shape[1])
         for share in springs if motion.size else (0.0,):
@@ -58,10 +58,12 @@ class Release:
                 if missed <= max(NEUTRAL * size, nothing):
                     return multipliers, motion, states  # a neutral motion is unchanged
                 share = max(share / 10, WEAKEST_SPRING)  # a gap still has to close
-        raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")
+        raise NotFoundError(
+            f"contact forces differ from the loads by {missed:.1e}, largest force {size:.1e}"
+        )
 
     def _settled(self, motion: Array, share: float, states: States) -> Solution:
-        """The solution on springs that pull back to `motion` (k,)."""
+        """Solution on springs that are unloaded at `motion` (k,)."""
         spring = self.system.springs(share)
         e = self.e + spring @ motion
         try:
@@ -75,4 +77,6 @@ class Release:
             if missed.largest <= ACCEPTED_RESIDUAL:
                 self.pivoted.append(len(self.changes))
                 return found
-        raise NotFoundError("neither active sets nor Lemke's method solve the problem on springs")
+        raise NotFoundError(
+            "neither active sets nor Lemke's method solve the contact problem with springs"
+        )

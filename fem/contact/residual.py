@@ -1,4 +1,4 @@
-"""Violation of the laws of contact by multipliers and motions, each residual over its scale."""
+"""Violation of the contact laws by multipliers and motions; each residual is dimensionless."""
 
 from dataclasses import dataclass
 
@@ -13,14 +13,15 @@ TRAVEL_SHARE = 1e-5  # round-off of a gap relative to gaps and travel
 
 @dataclass(frozen=True)
 class Residual:
-    """Largest violation of each law, dimensionless.
+    """Largest violation of each contact law, dimensionless.
 
-    Forces are relative to the largest contact force. If no load acts on the bodies, so that they
-    may separate, they are relative to at least a part of the forces that would close the overlaps.
-    `gap`: overlap over the elastic approach of a row under the largest contact force.
-    `complementarity`: pressure across an open gap, over the largest contact force.
-    `friction`: tangential traction less its projection on Coulomb's bounds, over the same.
-    `balance`: loads on rigid motions that contact does not balance, over the forces there.
+    Forces are relative to the largest contact force. If no load acts on the bodies, the scale is at
+    least a fraction of the forces that would close the overlaps, because the bodies may separate.
+    `gap`: overlap, relative to the elastic approach of a row under the largest contact force.
+    `complementarity`: pressure across an open gap, relative to the largest contact force.
+    `friction`: difference between the tangential traction and its projection on Coulomb's limits,
+    relative to the largest contact force. `balance`: loads on rigid motions that contact does not
+    balance, relative to all forces on them.
     """
 
     gap: float
@@ -30,13 +31,13 @@ class Residual:
 
     @property
     def laws(self) -> float:
-        """The largest but for the balance."""
+        """Largest residual of gap, complementarity and friction."""
         found = (self.gap, self.complementarity, self.friction)
         return max(found) if np.all(np.isfinite(found)) else np.inf
 
     @property
     def largest(self) -> float:
-        """The largest of the four; infinite if one is not a number."""
+        """Largest of the four residuals; infinite if one of them is not a number."""
         return max(self.laws, self.balance) if np.isfinite(self.balance) else np.inf
 
 

@@ -1,4 +1,4 @@
-"""Exact shapes of contact surfaces, so that facets do not pollute the gap."""
+"""Exact shapes of contact surfaces, with which facets do not affect the gap."""
 
 import math
 from dataclasses import dataclass, replace
@@ -12,10 +12,10 @@ NEWTON, ROUND_OFF = 20, 1e-15  # steps to a spiral's nearest point, and its angl
 
 
 class Shape(Protocol):
-    """A smooth curve that bounds a body, with its outward side."""
+    """Smooth curve that bounds a body, with a normal directed out of the body."""
 
     def project(self, x: Array) -> Array:
-        """The nearest points (2, ...) of the curve to `x` (2, ...)."""
+        """Nearest points (2, ...) of the curve to the points `x` (2, ...)."""
         ...
 
     def normal(self, x: Array) -> Array:
@@ -34,22 +34,22 @@ class Shape(Protocol):
 
 @dataclass(frozen=True)
 class Motion:
-    """A small rigid motion: `shift` of the point `about`, and rotation `angle` [rad]."""
+    """Small rigid motion: `shift` of the point `about`, and rotation by `angle` [rad]."""
 
     shift: tuple[float, float]
     angle: float
     about: tuple[float, float]
 
     def of(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Image of `point` under the motion."""
+        """Position of `point` after the motion."""
         x, y = np.array(point) + self.displacement(np.array(point)[:, None])[:, 0]
         return float(x), float(y)
 
     def displacement(self, x: Array) -> Array:
-        """Displacements (2, m) of points `x` (2, m).
+        """Displacements (2, m) of the points `x` (2, m).
 
-        The rotation is exact, not linear in the angle: otherwise, points would leave the surface by
-        half the square of the angle times the radius.
+        The rotation is exact, not linear in the angle. With a linear rotation, points would leave
+        the surface by half the square of the angle times the radius.
         """
         arm = x - np.reshape(self.about, (2, 1))
         sine, versine = math.sin(self.angle), 2 * math.sin(self.angle / 2) ** 2
@@ -58,7 +58,7 @@ class Motion:
 
     @classmethod
     def fitted(cls, x: Array, u: Array) -> "Motion":
-        """The rigid motion nearest to displacements `u` (2, m) of points `x` (2, m)."""
+        """Rigid motion nearest to the displacements `u` (2, m) of the points `x` (2, m)."""
         about, shift = x.mean(axis=1), u.mean(axis=1)
         x, u = x - about[:, None], u - shift[:, None]
         sine, cosine = float((x[0] * u[1] - x[1] * u[0]).sum()), float((x * (x + u)).sum())
@@ -68,7 +68,7 @@ class Motion:
 
 @dataclass(frozen=True)
 class Flat:
-    """The straight line through `point`; `normal` points out of the body."""
+    """Straight line through `point`; `outward` is its normal, directed out of the body."""
 
     point: tuple[float, float] = (0.0, 0.0)
     outward: tuple[float, float] = (0.0, 1.0)
@@ -76,7 +76,9 @@ class Flat:
     def __post_init__(self) -> None:
         size = math.hypot(*self.outward)
         if not (math.isfinite(size) and size > 0 and all(map(math.isfinite, self.point))):
-            raise ValueError(f"a flat needs a point and a direction, got {self}")
+            raise ValueError(
+                f"a flat needs a finite point and a finite normal that is not zero, got {self}"
+            )
 
     def project(self, x: Array) -> Array:
         n = self.normal(x)
@@ -97,9 +99,9 @@ class Flat:
 
 @dataclass(frozen=True)
 class Circle:
-    """The circle of `radius` about `centre` [length]: a disc's rim, or with `hollow` a ring's bore.
+    """Circle of `radius` about `centre` [length]: the rim of a disc, or a bore if `hollow`.
 
-    ValueError unless radius and centre are finite and the radius is positive.
+    Raises ValueError unless radius and centre are finite and the radius is positive.
     """
 
     centre: tuple[float, float]
@@ -108,9 +110,11 @@ class Circle:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.radius) and self.radius > 0):
-            raise ValueError(f"a circle's radius must be positive, got {self.radius:g}")
+            raise ValueError(
+                f"the radius of a circle must be positive and finite, got {self.radius:g}"
+            )
         if not all(map(math.isfinite, self.centre)):
-            raise ValueError(f"a circle's centre must be finite, got {self.centre}")
+            raise ValueError(f"the centre of a circle must be finite, got {self.centre}")
 
     def project(self, x: Array) -> Array:
         d = x - _column(self.centre, x)
@@ -130,9 +134,9 @@ class Circle:
 
 @dataclass(frozen=True)
 class Spiral:
-    """The spiral rho = `radius` exp(`growth` (angle - `start`)) about `pole`, near `start`.
+    """Spiral rho = `radius` exp(`growth` (angle - `start`)) about `pole`, near the angle `start`.
 
-    Angles [rad] are positive anticlockwise from +x; the body is on the side of the pole.
+    Angles [rad] are measured anticlockwise from +x. The body is on the side of the pole.
     """
 
     pole: tuple[float, float]
@@ -142,9 +146,11 @@ class Spiral:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.radius) and self.radius > 0):
-            raise ValueError(f"a spiral's radius must be positive, got {self.radius:g}")
+            raise ValueError(
+                f"the radius of a spiral must be positive and finite, got {self.radius:g}"
+            )
         if not all(map(math.isfinite, (*self.pole, self.start, self.growth))):
-            raise ValueError(f"a spiral's pole, start and growth must be finite, got {self}")
+            raise ValueError(f"pole, start and growth of a spiral must be finite, got {self}")
 
     def project(self, x: Array) -> Array:
         d = x - _column(self.pole, x)

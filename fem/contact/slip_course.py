@@ -15,40 +15,47 @@ Value = tuple[float, float]  # and its standard uncertainty, from the slip of si
 
 @dataclass(frozen=True)
 class Push:
-    """A first push: shares k = Q/(mu P), (c/a)² that stick, displacements x [m], all (n,)."""
+    """First tangential loading under constant normal load; all arrays are (n,).
+
+    `k` is Q/(mu P), `stick` the squared ratio (c/a)² of the stick zone, `x` are displacements [m].
+    """
 
     k: Array
     stick: Array
     x: Array
 
     def stick_half_width(self, share: float, a: float) -> Value:
-        """Half-width c [m] of the stick zone at a share, of the half-width `a`."""
+        """Half-width c [m] of the stick zone at Q/(mu P) = `share`; standard uncertainty."""
         c2, u, _ = smoothed(self.k, self.stick, share)
         c = a * np.sqrt(c2)
         return float(c), float(u * c / (2 * c2))
 
     def growth(self, shares: Array) -> Array:
-        """c/a at shares (m,)."""
+        """Ratios c/a at the values `shares` (m,) of Q/(mu P)."""
         return np.sqrt([smoothed(self.k, self.stick, share)[0] for share in shares])
 
     def beyond_chord(self, share: float, chord: float) -> Value:
-        """Displacement [m] at a share beyond the straight line from 0 to the share `chord`."""
+        """Displacement [m] at `share` minus the line from 0 to `chord`; standard uncertainty.
+
+        `share` and `chord` are values of Q/(mu P).
+        """
         far, u_far, _ = smoothed(self.k, self.x, chord)
         x, u, _ = smoothed(self.k, self.x, share)
         part = share / chord
         return x - part * far, float(np.hypot(u, part * u_far))
 
     def loop_jitter(self, share: float) -> float:
-        """Scatter [m] of the area of a loop to `share`, over mu P.
+        """Scatter [m] of the area of a loop up to Q/(mu P) = `share`, divided by mu P.
 
-        By Masing each branch of a cycle is the first push, twice as large.
+        By Masing's rule, each branch of a cycle is the first loading curve, enlarged by a factor of
+        2.
         """
         area = 8 * cumulative_trapezoid(self.k, self.x, initial=0.0) - 4 * self.k * self.x
         return smoothed(self.k, area, share)[2]
 
 
 def push(discs: DrivenDiscs, to: float, *, limit: float, steps: int) -> Push:
-    """Equal steps of the pressed bodies to a displacement `to` [m]; `limit` is mu P [N/m]."""
+    """First loading in equal steps to a displacement `to` [m]; `limit` is mu P [N/m]."""
     state, cut = discs.pressed
     found = []
     for x in np.linspace(0.0, to, steps + 1)[1:]:
@@ -60,9 +67,9 @@ def push(discs: DrivenDiscs, to: float, *, limit: float, steps: int) -> Push:
 
 @dataclass(frozen=True)
 class Swing:
-    """A swing from a state to its opposite and back, in steps: x [m] and Q [N/m] (2n + 1,).
+    """Cycle from a state to its opposite and back, in steps: x [m] and Q [N/m] (2n + 1,).
 
-    `work` [J/m] is the work of friction; `opposite` and `last` are the states in the middle and in
+    `work` [J/m] is the work of friction; `opposite` and `last` are the states in the middle and at
     the end.
     """
 
@@ -74,13 +81,13 @@ class Swing:
 
     @property
     def half(self) -> tuple[Array, Array]:
-        """X and Q of the first half, (n + 1,)."""
+        """Displacements x and forces Q of the first half of the cycle, (n + 1,)."""
         n = self.x.size // 2 + 1
         return self.x[:n], self.Q[:n]
 
 
 def swing(discs: DrivenDiscs, first: ContactSolution, top: Array, Q: float, steps: int) -> Swing:
-    """The swing from the state `first` under Q [N/m], whose cut is at `top` (x, y) [m]."""
+    """Cycle from the state `first` under Q [N/m]; `top` (x, y) [m] is its displacement."""
     there = np.linspace(1.0, -1.0, steps + 1)[1:]
     state, work, found = first, 0.0, [(top[0], Q)]
     opposite = first

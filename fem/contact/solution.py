@@ -1,4 +1,4 @@
-"""A solved contact problem: contact state of its surfaces, and fields in its bodies."""
+"""Solution of a contact problem: contact state of its surfaces, and fields in its bodies."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,12 +23,13 @@ STICKING_TOLERANCE = 1e-9  # relative to the normal force: less on sticking node
 class Touch:
     """Contact state of the two surfaces of a pair.
 
-    At the m nodes of the slave, in order along the surface: `x` (2, m), `arc` (m,) [length] from
-    its start, `pressure`, `traction` (m,) [stress] on the master (along the normal from slave to
-    master rotated by +90°), `gap`, `slip` (m,) [length] (weighted means about each node; slip since
-    the previous step), `closed`, `sticks` (m,); `traction_z`, `slip_z` (m,) along the third axis,
-    zero for plane problems. At the integration points: `points`, `p`, `q`, `q_z` (n,) and `weight`
-    (n,) [area].
+    Values at the m nodes of the slave, in order along the surface: `x` (2, m) positions; `arc` (m,)
+    [length] from the start of the surface; `pressure` (m,) [stress]; `traction` (m,) [stress] on
+    the master, along the normal from slave to master rotated by +90°; `gap` and `slip` (m,)
+    [length], weighted means about each node, with the slip since the previous step; `closed` and
+    `sticks` (m,); `traction_z` and `slip_z` (m,) along the third axis, zero for plane problems.
+    Values at the n integration points of `mortar`: `p`, `q`, `q_z` (n,) [stress] and `weight` (n,)
+    [area].
     """
 
     x: Array
@@ -53,28 +54,28 @@ class Touch:
 
     @property
     def force(self) -> tuple[float, float]:
-        """Force (x, y) on the master; on the slave it is the opposite."""
+        """Force (x, y) on the master. The force on the slave is opposite."""
         x, y = self._density() @ self.weight
         return float(x), float(y)
 
     @property
     def normal_force(self) -> float:
-        """Integral of the pressure."""
+        """Normal force: integral of the pressure."""
         return float(self.p @ self.weight)
 
     @property
     def friction_force(self) -> float:
-        """Integral of the tangential traction on the master."""
+        """Friction force on the master: integral of the tangential traction."""
         return float(self.q @ self.weight)
 
     @property
     def force_z(self) -> float:
-        """Force along the third axis on the master."""
+        """Force on the master along the third axis."""
         return float(self.q_z @ self.weight)
 
     @property
     def sticking_share(self) -> float:
-        """Part of the normal force on nodes that stick, 0 to 1; 0 without contact.
+        """Share of the normal force on nodes that stick, 0 to 1; 0 without contact.
 
         If it is zero, the whole contact slides.
         """
@@ -83,9 +84,9 @@ class Touch:
         return float(load[self.sticks].sum()) / total if total > 0 else 0.0
 
     def moment(self, about: tuple[float, float] = (0.0, 0.0), *, on: str = "master") -> float:
-        """Moment of the tractions on the "master", or on the "slave", about a point."""
+        """Moment of the tractions on the "master" or the "slave" about the point `about`."""
         if on not in ("master", "slave"):
-            raise ValueError(f"a moment acts on 'master' or 'slave', got {on!r}")
+            raise ValueError(f"`on` must be 'master' or 'slave', got {on!r}")
         points = self.mortar.points
         at = points.y if on == "master" else points.x
         t = self._density() * (1 if on == "master" else -1)
@@ -94,13 +95,13 @@ class Touch:
 
     @property
     def peak(self) -> float:
-        """The largest pressure at a node."""
+        """Largest pressure at a node."""
         return float(self.pressure.max(initial=0.0))
 
     def along(self, centre: tuple[float, float] | None = None) -> Array:
-        """Coordinate (n,) of the integration points along the surface from `centre`.
+        """Coordinates (n,) of the integration points along the tangent at `centre`.
 
-        The centre of pressure by default; the direction is the tangent there.
+        The default of `centre` is the centre of pressure.
         """
         points, load = self.mortar.points, self.p * self.weight
         share = load / load.sum()
@@ -110,10 +111,10 @@ class Touch:
         return t @ (points.x - origin[:, None])
 
     def half_width(self, centre: tuple[float, float] | None = None) -> float:
-        """Half-width of an elliptic pressure with the same moments; 0 without contact.
+        """Half-width of an elliptic pressure distribution with the same moments; 0 without contact.
 
-        2 sqrt(int p x^2 / int p), `centre` being the centre of pressure if not given; of a body of
-        revolution the radius sqrt(5/2 int p r^2 / int p) about the axis.
+        It is 2 sqrt(int p x^2 / int p), with x from `centre` (default: the centre of pressure). For
+        a body of revolution, it is the radius sqrt(5/2 int p r^2 / int p) about the axis.
         """
         load = self.p * self.weight
         if not load.sum() > 0:
@@ -129,9 +130,9 @@ class Touch:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactSolution:
-    """A step of a contact problem in equilibrium.
+    """Equilibrium in a step of a contact problem.
 
-    `touches` follow the problem's pairs.
+    `touches` are the contact states of the pairs, in their order in the problem.
     """
 
     bodies: Bodies
@@ -151,14 +152,14 @@ class ContactSolution:
 
     @property
     def changes(self) -> tuple[int, ...]:
-        """Number of nodes that changed between open, stick and slip, by iteration."""
+        """Number of nodes that changed between open, stick and slip, in each iteration."""
         return self.rest.changes
 
     @property
     def is_proven_non_unique(self) -> bool:
-        """Whether other states of rest under the same loads and history are proven to exist.
+        """True if further states of rest under the same loads and history are proven to exist.
 
-        In the plane; false proves nothing. See `Complementarity.is_proven_non_unique`.
+        Only for plane problems. False proves nothing. See `Complementarity.is_proven_non_unique`.
         """
         kernel, rest = self.interface.kernel, self.rest
         w_0 = self.w - kernel.B @ rest.multipliers - kernel.D @ rest.motion
@@ -166,17 +167,17 @@ class ContactSolution:
 
     @property
     def slides(self) -> bool:
-        """Whether a pair slides as a whole or has lost its contact: no loaded node sticks."""
+        """True if a pair slides as a whole or has lost contact, so that no loaded node sticks."""
         return any(touch.sticking_share <= STICKING_TOLERANCE for touch in self.touches)
 
     @cached_property
     def slips(self) -> Array:
-        """Weighted slips of the rows with friction since the mesh."""
+        """Weighted slips of the rows with friction, accumulated since the undeformed mesh."""
         return self.slips_before + self.w[self.interface.gaps.size :]
 
     @cached_property
     def touches(self) -> tuple[Touch, ...]:
-        """Tractions, gaps and slips, pair by pair."""
+        """Contact states of all pairs: tractions, gaps and slips."""
         return tuple(self._touch(i) for i in range(len(self.interface.mortars)))
 
     def _touch(self, i: int) -> Touch:
@@ -200,7 +201,7 @@ class ContactSolution:
 
     @cached_property
     def total(self) -> Response:
-        """The response of the bodies to all loads and prescribed displacements, without contact."""
+        """Response of the bodies to all loads and prescribed displacements, without contact."""
         none, free = np.zeros(self.bodies.count), np.zeros(self.bodies.unknowns.T.shape[1])
         surface = np.zeros(self.bodies.unknowns.surface)
         e = np.zeros(self.bodies.motions.shape[1])
@@ -211,12 +212,12 @@ class ContactSolution:
 
     @cached_property
     def yielded(self) -> Array:
-        """Displacement (s,) of the surface under the contact forces, without rigid motions."""
+        """Displacements (s,) of the surface under the contact forces, without rigid motions."""
         return self.bodies.compliance(self.interface.C.T @ self.rest.multipliers)
 
     @cached_property
     def displacements(self) -> Array:
-        """Displacements of all unknowns: the mesh, then x, y and rotation of each obstacle."""
+        """Displacements of all unknowns: of the mesh, then x, y and rotation of each obstacle."""
         b, i, rest = self.bodies, self.interface, self.rest
         pushed = i.C.T @ rest.multipliers
         surface = self.total.at_rest + self.yielded + b.motions @ rest.motion
@@ -229,13 +230,13 @@ class ContactSolution:
     def plane(self) -> PlaneSolution:
         """Displacements, stresses, reactions and energies of the bodies.
 
-        Contact forces count as its loads: reactions are forces of the supports only.
+        Contact forces are included as loads; reactions are forces of the supports only.
         """
         contact = self.interface.rows.T @ self.rest.multipliers
         return in_plane(self.bodies, self.displacements, self.total.f + contact)
 
     def motion(self, obstacle: str) -> tuple[float, float, float]:
-        """Shift (x, y) and rotation [rad] of an obstacle; ValueError for an unknown one."""
+        """Shift (x, y) and rotation [rad] of an obstacle. Raises ValueError for an unknown name."""
         if obstacle not in self.bodies.obstacles:
             known = ", ".join(self.bodies.obstacles) or "none"
             raise ValueError(f"there is no obstacle {obstacle!r}; obstacles: {known}")
@@ -245,15 +246,15 @@ class ContactSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Strain energy of all bodies [force x length], shear along the third axis included."""
+        """Strain energy of all bodies [force x length], including shear along the third axis."""
         along = 0.0 if self.along is None else self.along.strain_energy
         return self.plane.strain_energy + along
 
     @property
     def u_z(self) -> Array:
-        """Displacements (nodes,) along z: vertices, nodes on edges and in cells, obstacles.
+        """Displacements u_z (nodes,): of vertices, nodes on edges, nodes in cells, obstacles.
 
-        Zero in the plane.
+        They are zero in plane problems.
         """
         if self.along is None:
             return np.zeros(self.bodies.basis.N // 2 + len(self.bodies.obstacles))
@@ -261,9 +262,9 @@ class ContactSolution:
 
 
 def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:
-    """The bodies under displacements `u` (all,) and forces `f` (all,), contact forces included.
+    """Solution in the plane from displacements `u` (all,) and forces `f` (all,).
 
-    Reactions are forces of the supports only.
+    Contact forces are included in `f`; reactions are forces of the supports only.
     """
     n, T = bodies.basis.N, bodies.unknowns.T
     internal = bodies.cells.internal_forces(u[:n])

@@ -1,13 +1,13 @@
 """The condensed contact problem: weighted gaps and slips that depend linearly on tractions.
 
-The unknowns are the multipliers l = (normal, tangential) and the amplitudes a of rigid motions of
-bodies supported by contact only. Weighted gaps and slips are linear in them, and the equilibrium of
-the motions completes the system:
+The unknowns are the multipliers l = (normal, tangential) and the amplitudes a of rigid motions that
+supports do not prevent. Weighted gaps and slips are linear in the unknowns. The equilibrium of the
+rigid motions completes the system:
 
     w = w_0 + B l + D a,    e + D' l = 0.
 
-Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. Tangential rows, each with a normal row: |l_t| <= mu
-l_n; at this bound, l_t opposes w_t.
+Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. Each tangential row belongs to a normal row: |l_t| <=
+mu l_n; if |l_t| = mu l_n, l_t opposes w_t.
 """
 
 from dataclasses import dataclass
@@ -32,9 +32,10 @@ OFFSET = 1e-3  # the same for neutral rotations, whose moments refer to points o
 
 
 def directions(D: Array) -> Array:
-    """Rows of `D` (n, k) of unit length: which motions contact resists, however soft the bodies.
+    """Rows of `D` (n, k) scaled to unit length, which give the motions that contact resists.
 
-    Rows that act on no rigid motion are zero.
+    Unit rows make the result independent of the compliance. Rows that act on no rigid motion are
+    zero.
     """
     length = np.sqrt((D**2).sum(axis=1))
     acts = length > BARE * length.max(initial=0.0)
@@ -43,10 +44,11 @@ def directions(D: Array) -> Array:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactSystem:
-    """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
+    """Compliance `B` (n, n) and rigid motions `D` (n, k); the first m rows are normal rows.
 
-    `friction` (m,) is mu of each normal row; `partner` (m,) is its tangential row, or -1. `part`
-    (m,) is the number of the surface of a normal row; rows follow each other along it.
+    `friction` (m,) is mu of each normal row; `partner` (m,) is the number of its tangential row, or
+    -1. `part` (m,) is the number of the surface of each normal row; rows of a surface are in order
+    along the surface.
     """
 
     B: Array
@@ -62,37 +64,38 @@ class ContactSystem:
 
     @cached_property
     def compliance(self) -> Array:
-        """Diagonal (n,) of B."""
+        """Diagonal (n,) of the compliance B."""
         return np.diag(self.B).copy()
 
     @cached_property
     def reach(self) -> Array:
-        """Roots (n,) of the compliance: its products bound the entries of B."""
+        """Square roots (n,) of the diagonal of B; products of two roots bound the entries of B."""
         return np.sqrt(self.compliance)
 
     @cached_property
     def arms(self) -> Array:
-        """Absolute movement (n, k) of rows with unit motions."""
+        """Absolute movements (n, k) of all rows under unit rigid motions."""
         return np.abs(self.D)
 
     @cached_property
     def scales(self) -> tuple[Array, Array]:
-        """Units (n,) of multipliers and (k,) of motions that make the system about one."""
+        """Scales of multipliers (n,) and motions (k,) with which the system is about one."""
         own = 1 / self.reach
         felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
         return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
 
     @cached_property
     def stiffness(self) -> float:
-        """The contact's stiffness against the motion that it resists most."""
+        """Stiffness of the contact against the rigid motion that it resists most."""
         own = (self.D**2 / self.compliance[:, None]).sum(axis=0)
         return float(own.max(initial=0.0))
 
     @cached_property
     def motions(self) -> tuple[Array, Array]:
-        """Motions (k, .) that the contact resists, and neutral motions with hardly any resistance.
+        """Motions (k, .) that contact resists, and neutral motions (k, .) that it hardly resists.
 
-        A smooth pin in a hole may rotate: only facets resist this motion.
+        An example of a neutral motion is the rotation of a smooth pin in a hole: only facets resist
+        it.
         """
         rows = directions(self.D)
         size, motions = np.linalg.eigh(rows.T @ rows)
@@ -100,29 +103,29 @@ class ContactSystem:
         return motions[:, resisted], motions[:, ~resisted]
 
     def springs(self, share: float) -> Array:
-        """Springs (k, k) on rigid motions; springs on neutral motions are unchanged."""
+        """Springs (k, k) on rigid motions; springs on neutral motions do not depend on `share`."""
         resisted, neutral = self.motions
         return self.stiffness * (
             share * resisted @ resisted.T + STAYING * neutral @ neutral.T
         )  # fmt: skip
 
     def loads_at_round_off(self, w_0: Array) -> float:
-        """Loads on motions that are caused by the round-off of `w_0` (n,)."""
+        """Loads on rigid motions that the round-off of `w_0` (n,) causes."""
         closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
         return LOAD_TOLERANCE * closing * float(self.arms.max(initial=0.0))
 
     def is_unloaded(self, w_0: Array, e: Array) -> bool:
-        """Whether no load beyond round-off acts on the rigid motions, if there are any."""
+        """True if no load beyond round-off acts on the rigid motions."""
         return float(np.abs(e).max(initial=0.0)) <= self.loads_at_round_off(w_0)
 
     def without_round_off(self, w_0: Array) -> Array:
-        """`w_0` (n,) with zero for each gap within the round-off of all gaps and slips."""
+        """Gaps and slips `w_0` (n,), with gaps smaller than round-off set to zero."""
         size = self.scales[0] * np.abs(w_0)
         normal = np.arange(w_0.size) < self.friction.size
         return np.where(normal & (size <= GAP_TOLERANCE * size.max(initial=0.0)), 0.0, w_0)
 
     def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
-        """Unbalanced loads on the rigid motions, and the magnitude of the forces on them."""
+        """Unbalanced loads on the rigid motions, and the magnitude of all forces on them."""
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
         missed = np.abs(self.motions[0].T @ (e + self.D.T @ multipliers))
         return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
@@ -130,7 +133,7 @@ class ContactSystem:
     def missing(self, e: Array) -> Array:
         """Part of the loads `e` (k,) on rigid motions that no contact forces can balance.
 
-        Zero if all can be balanced, to round-off.
+        The result is zero if all loads can be balanced within round-off.
         """
         m, (resisted, neutral) = self.friction.size, self.motions
         if not np.any(e):
@@ -150,13 +153,13 @@ class ContactSystem:
         return np.zeros_like(e) if balanced else missed
 
     def unfelt(self, e: Array) -> Array:
-        """Part of the loads `e` (k,) on neutral motions; zero if it is small."""
+        """Part of the loads `e` (k,) on neutral motions; zero if this part is small."""
         _, neutral = self.motions
         found = neutral @ (neutral.T @ e)
         return found if np.linalg.norm(found) > OFFSET * np.linalg.norm(e) else np.zeros_like(e)
 
     def groups(self, group: int) -> Indices:
-        """Numbers (m,) of the groups that normal rows belong to, `group` rows each."""
+        """Group number (m,) of each normal row; groups have `group` consecutive rows."""
         along = np.arange(self.part.size) - np.searchsorted(self.part, self.part)
         return np.asarray(np.cumsum(along % group == 0) - 1)
 
@@ -174,5 +177,5 @@ class ContactSystem:
 
     @cached_property
     def _smoothed(self) -> dict[int, Self]:
-        """Results of `smooth` by `group`: every load uses them."""
+        """Results of `smooth` for each `group`, stored because every load uses them."""
         return {}

@@ -1,7 +1,7 @@
-"""The trace of a mesh on a named boundary: positions, normals, displacements along its facets.
+"""Trace of a mesh on a named boundary: positions, normals and displacements along its facets.
 
-A facet's parameter s runs from 0 to 1 with the body on the left, so that the outward normal is
-the tangent turned by -90 deg.
+The parameter s of a facet runs from 0 to 1 with the body on the left. The outward normal is
+therefore the tangent rotated by -90 deg.
 """
 
 from dataclasses import dataclass, replace
@@ -19,12 +19,12 @@ SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
 
 @dataclass(frozen=True)
 class Trace:
-    """Facets of a contact surface, in the order in which they follow each other.
+    """Facets of a contact surface, in consecutive order.
 
     `nodes` (2, 3, m) are the positions of both ends and the middle, `ends` (2, m) vertex numbers,
-    `dofs` (2, k, m) the unknowns x, y of the k = 2 or 3 nodes with displacements, ends first;
-    `facets` (m,) and `cells` (m,) are numbered as in the mesh; `end_normals` (2, 2, m) are outward
-    unit normals at both ends, common to the facets of a smooth wall.
+    `dofs` (2, k, m) the unknowns x, y of the k = 2 or 3 nodes with displacements, ends first.
+    `facets` (m,) and `cells` (m,) are numbered as in the mesh. `end_normals` (2, 2, m) are outward
+    unit normals at both ends; adjacent facets of a smooth wall have a common normal.
     """
 
     nodes: Array
@@ -42,26 +42,26 @@ class Trace:
 
     @property
     def points(self) -> Array:
-        """Places (2, k m) of the nodes, in the order of `dofs`."""
+        """Positions (2, k m) of the nodes, in the order of `dofs`."""
         return self.nodes[:, : self.dofs.shape[1]].reshape(2, -1)
 
     @property
     def extent(self) -> float:
-        """The larger side of the box around the surface."""
+        """Length of the longer side of the rectangle around the surface."""
         return float(np.ptp(self.points, axis=1).max())
 
     def places(self, k: Indices, s: Array) -> Array:
-        """Points (2, ...) at parameters `s` (...) of the facets `k` (...)."""
+        """Points (2, ...) at the parameters `s` (...) of the facets `k` (...)."""
         x = np.einsum("n...,in...->i...", _quadratic(s), self.nodes[:, :, k])
         return x if self.shape is None else self.shape.project(x)
 
     def tangents(self, k: Indices, s: Array) -> Array:
-        """dx/ds (2, ...) of the facets themselves."""
+        """Tangents dx/ds (2, ...) of the meshed facets, without the exact shape."""
         slope = np.array([4 * s - 3, 4 * s - 1, 4 - 8 * s])
         return np.einsum("n...,in...->i...", slope, self.nodes[:, :, k])
 
     def normals(self, k: Indices, s: Array) -> Array:
-        """Outward unit normals (2, ...) of the shape, or between those at the ends of the facet."""
+        """Outward unit normals (2, ...) of the shape, or interpolated between facet ends."""
         if self.shape is not None:
             return self.shape.normal(self.places(k, s))
         n = self.end_normals[:, 0, k] * (1 - s) + self.end_normals[:, 1, k] * s
@@ -76,17 +76,17 @@ class Trace:
         return self.dofs[0]
 
     def hats(self, s: Array) -> Array:
-        """Hat functions (k, ...) of these nodes at `s` (...), linear between neighbours."""
+        """Hat functions (k, ...) of the traction nodes at `s` (...), linear between neighbours."""
         if self.dofs.shape[1] == 2:
             return np.array([1 - s, s])
         return np.array([np.maximum(1 - 2 * s, 0), np.maximum(2 * s - 1, 0), 1 - np.abs(1 - 2 * s)])
 
     def lengths(self) -> Array:
-        """Length (m,) of the facets' chords."""
+        """Lengths (m,) of the chords of the facets."""
         return np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))
 
     def arc(self, k: Indices, s: Array) -> Array:
-        """Length (...) along the surface from its start, in chords, to `s` (...) on facets `k`."""
+        """Arc length (...) along chords from the start of the surface to `s` on facets `k`."""
         length = self.lengths()
         linked = np.concatenate([[False], self.ends[0, 1:] == self.ends[1, :-1]])
         before = np.cumsum(length) - length
@@ -94,7 +94,7 @@ class Trace:
         return before[k] + s * length[k]
 
     def sag(self) -> Array:
-        """Bound (m,) of the distance of a facet from the curve with its end normals."""
+        """Upper bound (m,) of the distance between a facet and the curve with its end normals."""
         if self.shape is not None:
             return np.zeros(self.count)
         length = np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))
@@ -105,7 +105,7 @@ class Trace:
         return length * np.where(straight, turn / 8, turn**3 / 200)
 
     def moved(self, displacement: Array) -> "Trace":
-        """The trace with its nodes displaced by `displacement` (unknowns,)."""
+        """Trace with its nodes displaced by `displacement` (unknowns,)."""
         u = displacement[self.dofs]
         if u.shape[1] == 2:
             u = np.concatenate([u, u.mean(axis=1, keepdims=True)], axis=1)
@@ -116,7 +116,7 @@ class Trace:
         return replace(self, nodes=nodes, end_normals=normals, shape=shape)
 
     def curvature(self) -> float:
-        """The largest change of the angle of a facet's normals, over its length [1/length]."""
+        """Largest curvature [1/length]: change of angle of a facet's normals over its length."""
         if self.shape is not None:
             return self.shape.curvature
         turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))
@@ -124,9 +124,9 @@ class Trace:
 
 
 def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
-    """The trace of the outer boundary `name`, whose exact shape may be given.
+    """Trace of the outer boundary `name`, optionally with its exact shape.
 
-    ValueError for an unknown or inner boundary.
+    Raises ValueError for an unknown boundary or a boundary inside the mesh.
     """
     mesh, facets = basis.mesh, _chained(basis.mesh, np.unique(outer_facets(basis.mesh, name)))
     cells, ends = mesh.f2t[0, facets], _oriented(mesh, facets)
@@ -147,7 +147,7 @@ def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
 
 
 def _check_shape(trace: Trace, name: str, shape: Shape) -> None:
-    """ValueError unless `shape` contains the vertices, with its normals on the same side."""
+    """Raise ValueError unless the vertices lie on `shape` and its normals point out of the body."""
     x = trace.nodes[:, :2]
     beside = np.hypot(*(shape.project(x) - x))
     astray = beside > BESIDE * trace.lengths()
@@ -156,13 +156,13 @@ def _check_shape(trace: Trace, name: str, shape: Shape) -> None:
         i, k = np.argwhere(astray | against)[0]
         what = f"lies {beside[i, k]:.3g} beside it" if astray[i, k] else "has its body beyond it"
         raise ValueError(
-            f"boundary {name!r} is not of the shape {shape}: its vertex at "
+            f"boundary {name!r} must have the shape {shape}, but its vertex at "
             f"({x[0, i, k]:.10g}, {x[1, i, k]:.10g}) {what}"
         )
 
 
 def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
-    """Start and end vertices (2, m) of `facets`, with the body on their left."""
+    """Start and end vertices (2, m) of `facets`, with the body on the left."""
     ends = mesh.facets[:, facets]
     a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
     inside = mesh.p[:, mesh.t[:, mesh.f2t[0, facets]]].mean(axis=1)
@@ -170,7 +170,7 @@ def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
 
 
 def _chained(mesh: Mesh2D, facets: Indices) -> Indices:
-    """`facets` in consecutive order, one chain after the other."""
+    """Facets in consecutive order, one chain after the other."""
     start, end = _oriented(mesh, facets)
     from_vertex = dict(zip(start.tolist(), range(facets.size), strict=True))
     heads = np.flatnonzero(~np.isin(start, end)).tolist()
@@ -190,7 +190,7 @@ def _quadratic(s: Array) -> Array:
 
 
 def _end_normals(nodes: Array, ends: Indices) -> Array:
-    """Normals (2, 2, m) at both ends of each facet; their mean if two facets form a smooth wall."""
+    """Normals (2, 2, m) at both ends of each facet; mean normals on a smooth wall."""
     a, b, middle = nodes.swapaxes(0, 1)
     t = np.array([4 * middle - 3 * a - b, 3 * b + a - 4 * middle])  # dx/ds at s = 0 and 1
     n = np.array([t[:, 1], -t[:, 0]])

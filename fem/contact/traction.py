@@ -1,4 +1,4 @@
-"""Tractions of the stresses of a body along its contact surface."""
+"""Tractions on a contact surface, calculated from the stresses of the body."""
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -13,8 +13,8 @@ from fem.plane.geometry import shapes
 def traction_rows(bodies: Bodies, slave: Trace, points: Points, direction: Array) -> csr_array:
     """Rows (m, unknowns) of -direction . sigma(u) n_1 [stress] at the slave's `points`.
 
-    n_1 is the outward normal of the facets, `direction` (2, m) unit vectors. Along the direction
-    of contact that is the pressure. The stress is taken in the cell behind each point.
+    n_1 is the outward normal of the facets, `direction` (2, m) are unit vectors. For the direction
+    of contact, the result is the pressure. The stress is that of the cell behind each point.
     """
     basis, cells = bodies.basis, slave.cells[points.slave]
     X = _cell_points(bodies, slave, points)

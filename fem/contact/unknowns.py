@@ -1,7 +1,7 @@
 """Free unknowns of elastic bodies, rigid bodies and obstacles, in order of elimination.
 
 Displacements are u = T q + L b with free unknowns q and prescribed values b. A rigid body has up to
-three unknowns, an obstacle its free ones. Unknowns of the contact surfaces are last.
+three unknowns; an obstacle has one for each free motion. Unknowns of contact surfaces are last.
 """
 
 from collections.abc import Sequence
@@ -24,13 +24,13 @@ CONTRADICTION = 1e-9
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Free and prescribed displacements.
+    """Maps from free unknowns and prescribed values to displacements.
 
     Columns of `T` (all, n) are orthonormal, except those of obstacles. "all" are the unknowns of
-    the mesh, then three for each obstacle. The last `surface` of the n free unknowns are those of
-    contact surfaces, rigid bodies and obstacles. `L` (all, m) maps the values of the m conditions,
-    motions of obstacles and mean motions to displacements; `rows` (conditions, all) evaluate the
-    conditions.
+    the mesh, then three for each obstacle. The last `surface` of the n free unknowns belong to
+    contact surfaces, rigid bodies and obstacles. `L` (all, m) maps m prescribed values to
+    displacements: values of conditions, motions of obstacles, mean motions. `rows` (conditions,
+    all) evaluate the conditions.
     """
 
     T: csr_array
@@ -39,14 +39,17 @@ class Unknowns:
     rows: csr_array
 
     def displaced(self, values: Array) -> Array:
-        """L b; ValueError if the supports of a node, or of a rigid body, contradict each other."""
+        """Displacements L b for the prescribed `values` b.
+
+        Raises ValueError if the supports of a node or of a rigid body contradict each other.
+        """
         u = np.asarray(self.L @ values)
         given = values[: self.rows.shape[0]]
         missed = np.abs(self.rows @ u - given)
         if np.any(missed > CONTRADICTION * np.abs(given).max(initial=0)):
             raise ValueError(
                 "the supports contradict each other at a node or on a rigid body: "
-                f"{given[np.argmax(missed)]:g} is prescribed and missed by {missed.max():.3g}"
+                f"prescribed {given[np.argmax(missed)]:g}, difference {missed.max():.3g}"
             )
         return u
 
@@ -65,7 +68,8 @@ def unknowns(
     """Unknowns of `basis`; `surface` are the unknowns on contact surfaces.
 
     `rigid` lists the unknowns of each rigid body, in pairs x, y. The rows `means` (k, mesh
-    unknowns) give the prescribed mean motions. With `turn`, bodies only move along the axis y.
+    unknowns) define the prescribed mean motions. With `turn`, bodies can only move along the axis
+    y.
     """
     place = nested_dissection(basis)
     place[surface] += 2 * basis.N
@@ -78,7 +82,7 @@ def unknowns(
         value=np.zeros(int(elastic.sum())), owner=conditions.owner[elastic],
     )  # fmt: skip
     if np.any(stiff[tied.follower]) or np.any(stiff[tied.leader]):
-        raise ValueError("a rigid body cannot be tied: give it elastic material")
+        raise ValueError("ties need elastic bodies, but a rigid body is tied: make it elastic")
     T, _ = tied.free_directions(basis, still, place)
     T = T[:, abs(T.T) @ stiff.astype(float) == 0]
     on_surface = np.zeros(basis.N)
@@ -111,7 +115,7 @@ def unknowns(
 def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> csr_array:
     """Displacements (count, of) of least norm for unit values of `conditions`.
 
-    These conditions are number `index` (m,) of all `of` conditions.
+    `index` (m,) gives the numbers of these conditions among all `of` conditions.
     """
     number, dofs, direction = conditions.by_node()
     inverse = np.linalg.pinv(direction, rcond=INDEPENDENT).swapaxes(1, 2)
@@ -123,7 +127,7 @@ def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> 
 def _rigid(
     basis: Basis, conditions: Conditions, dofs: Indices, own: Indices, turn: bool
 ) -> tuple[Array, Array]:
-    """Orthonormal free motions (dofs, k) of a rigid body, and those prescribed by supports.
+    """Orthonormal free motions (dofs, k) of a rigid body, and the motions prescribed by supports.
 
     The columns of the second result (dofs, conditions) belong to the values of the conditions.
     """
@@ -145,7 +149,10 @@ def _rigid(
 
 
 def _moving(obstacles: Sequence[Obstacle], extent: float) -> tuple[csr_array, csr_array]:
-    """Free motions (3 obstacles, k), rotations as a shift at `extent`, and prescribed motions."""
+    """Free motions (3 obstacles, k) and prescribed motions of obstacles.
+
+    Free rotations are scaled to a unit displacement at the distance `extent`.
+    """
     free = [3 * i + MOTIONS.index(c) for i, o in enumerate(obstacles) for c in o.free]
     count = 3 * len(obstacles)
     scale = [1 / extent if k % 3 == 2 else 1.0 for k in free]

@@ -1,8 +1,8 @@
 """Half a roller on an inclined race under a normal force: free, caged, or released.
 
-The bisector is the x axis; the wedge becomes narrower towards +x. By symmetry, the section y = 0 of
-the roller remains straight without friction. The race moves along its normal; the caller chooses
-its tangential displacement and the force at the middle of the roller.
+The bisector of the wedge is the x axis; the wedge becomes narrower towards +x. By symmetry and
+without friction, the section y = 0 of the roller remains straight. The race is displaced along its
+normal. The caller chooses its tangential displacement and the force at the middle of the roller.
 """
 
 import math
@@ -25,7 +25,7 @@ MOST = 40
 
 
 class Geometry(NamedTuple):
-    """Radius R [m], half of the wedge angle [rad], half-width a [m] that the mesh is fine for."""
+    """Radius R [m], half of the wedge angle [rad], and half-width a [m] resolved by the mesh."""
 
     R: float
     half: float
@@ -33,17 +33,17 @@ class Geometry(NamedTuple):
 
     @property
     def normal(self) -> Array:
-        """Unit normal out of the roller at the contact."""
+        """Outward unit normal of the roller at the contact."""
         return np.array([math.sin(self.half), math.cos(self.half)])
 
     @property
     def tangent(self) -> Array:
-        """Unit tangent to the race at the contact, into the wedge."""
+        """Unit tangent to the race at the contact, directed into the wedge."""
         return np.array([math.cos(self.half), -math.sin(self.half)])
 
 
 class Wedge:
-    """A roller supported along the bisector by its contacts only, or by a cage at its middle."""
+    """Roller in a wedge, held along the bisector by its contacts only, or by a cage."""
 
     def __init__(
         self, geometry: Geometry, mesh: Mesh2D, *, E: float, nu: float, mu: float,
@@ -56,9 +56,9 @@ class Wedge:
         self, down: float, *, along: float = 0.0, push: float = 0.0,
         after: ContactSolution | None = None, steps: int = 1,
     ) -> ContactSolution:  # fmt: skip
-        """State with the race displaced `down` and `along` [m], and a force at the middle [N/m].
+        """Contact state for race displacements `down` and `along` [m] and the force `push` [N/m].
 
-        The force acts on half of the roller; positive values point into the wedge.
+        `push` acts at the middle of half a roller and is positive into the wedge.
         """
         x, y = along * self.geometry.tangent - down * self.geometry.normal
         forces = {"roller.inner": (push, 0.0)} if push else None
@@ -66,16 +66,16 @@ class Wedge:
         return self.problem.solve(displacements=moved, forces=forces, after=after, steps=steps)
 
     def forces(self, state: ContactSolution) -> tuple[float, float]:
-        """Normal and tangential force [N/m]: the latter drags the roller into the wedge."""
+        """Normal and tangential force [N/m]; the tangential force pulls the roller inwards."""
         force = np.array(state.touches[0].force)
         return float(force @ self.geometry.normal), float(-force @ self.geometry.tangent)
 
     def pressed(
         self, N: float, *, along: float = 0.0, push: float = 0.0, near: float | None = None
     ) -> tuple[ContactSolution, float]:
-        """The state under the normal force N [N/m], and the displacement of the race for it.
+        """Contact state under the normal force N [N/m], and the displacement of the race for N.
 
-        The search starts `near` a displacement [m], or at about half of Hertz's approach.
+        The search begins at the displacement `near` [m], or at about half of Hertz's approach.
         """
         now = near or self.geometry.a**2 / self.geometry.R
         before = now / 2 if near is None else 0.99 * near
@@ -90,7 +90,7 @@ class Wedge:
             else:
                 step = -more * (now - before) / (more - missing)
             before, now, missing = now, now + step, more
-        raise NotFoundError(f"the normal force was not reached: relative error {more:.1e}")
+        raise NotFoundError(f"the normal force N was not reached: relative error {more:.1e}")
 
     def _missing(self, state: ContactSolution, N: float) -> float:
         return self.forces(state)[0] / N - 1
@@ -100,10 +100,11 @@ def wedge_problem(
     geometry: Geometry, mesh: Mesh2D, E: float, nu: float, mu: float, *, caged: bool,
     normal: Normal,
 ) -> ContactProblem:  # fmt: skip
-    """Problem with supports on section and far side of the race, friction between roller and race.
+    """Contact problem of a roller on a race, with friction and with supports.
 
-    Bodies "roller" (boundaries "surface", and "inner", "outer" on its section) and "race"
-    ("surface", "bottom"); a cage acts on the inner part of the section.
+    Supports act on the section of the roller and on the far side of the race. The bodies are
+    "roller" (boundary "surface", and "inner", "outer" on its section) and "race" ("surface",
+    "bottom"). A cage acts on the inner part of the section.
     """
     (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
     return ContactProblem(

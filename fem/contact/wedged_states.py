@@ -1,4 +1,4 @@
-"""States of a roller in a wedge: released after pressing, at the least friction that holds it."""
+"""States of a roller in a wedge: after removal of the pressing force, and at limiting friction."""
 
 import math
 from collections.abc import Callable
@@ -17,9 +17,10 @@ HELD = 0.9  # relative to N: below this share, the roller is expelled
 
 
 def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
-    """T/(mu N) and (c/a)² (m,) of a roller as its force is removed and T grows; N is constant.
+    """Ratios T/(mu N) and (c/a)² (m,) of a roller while its pressing force is removed.
 
-    It is first pressed without friction: the force at its middle balances the normal force alone.
+    N is constant; T increases as the force at the middle of the roller decreases. Before that, the
+    roller is pressed without friction: the force at its middle alone balances the normal force.
     """
     half = wedge.geometry.half
     push = N * math.sin(half)
@@ -37,10 +38,11 @@ def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
 
 
 def share_stuck(touch: Touch) -> float:
-    """(c/a)² from the second moment of the traction about the middle of the contact.
+    """Squared ratio (c/a)² of stick zone to contact, from the second moment of the traction.
 
-    By Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1. The moment is about a fixed point, for which
-    an odd part of the traction has no effect: pressing a round body on a flat leaves such a part.
+    For Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1. The moment is about the fixed middle of the
+    contact. Therefore an odd part of the traction has no effect; pressing a round body on a flat
+    leaves such a part.
     """
     middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
     s, load = touch.along(middle), touch.q * touch.weight
@@ -54,17 +56,17 @@ def slipping(touch: Touch) -> float:
 
 
 def uneven(touch: Touch, slope: float) -> float:
-    """Difference of the traction from `slope` times the pressure in L2, over the norm of that."""
+    """Relative difference in L2 between the traction and `slope` times the pressure."""
     wanted = slope * touch.p
     return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
 
 
 def least_friction(left: Callable[[float], float], share: float) -> tuple[float, float]:
-    """The least friction that holds a roller, by bisection, and half of the last bracket.
+    """Lowest friction coefficient that holds a roller, by bisection, and half of the last bracket.
 
-    `left` returns the remaining part of the normal force for a friction coefficient: nearly all of
-    it, or nearly none. The first bracket is about `share`, the ratio T/N that friction must
-    transmit. NaN if the roller is held at both ends of the bracket, or at none.
+    `left` returns the remaining share of the normal force for a friction coefficient: nearly one,
+    or nearly zero. The first bracket is about `share`, the ratio T/N that friction must transmit.
+    The result is NaN if the roller is held at both ends of the bracket, or at neither end.
 
     >>> value, half = least_friction(lambda mu: 1.0 if mu > 0.05 else 0.0, 0.05)
     >>> abs(value - 0.05) <= half

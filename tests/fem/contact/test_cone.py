@@ -122,11 +122,11 @@ def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
         assert s.along is not None
         assert s.along.residual.largest < 1e-9
     for share in (1.000001, 50.0):
-        with pytest.raises(ValueError, match="the loads do move it"):
+        with pytest.raises(ValueError, match="no admissible contact forces balance"):
             pulled(share)
     if low is HARD:
         # friction that has turned into the pull all over: it rests after 200 times what it deforms
-        with pytest.raises(ArithmeticError, match="with small motions"):
+        with pytest.raises(ArithmeticError, match="with small"):
             pulled(1 - 1e-7)
 
 
@@ -163,7 +163,7 @@ def test_a_disc_in_a_wedge_holds_an_axial_force_within_the_cone():
         assert used < 1
         assert touch.normal_force == pytest.approx(N, rel=0.01)
     for share in (1.02, 3.0):
-        with pytest.raises(ArithmeticError, match="slides"):
+        with pytest.raises(ArithmeticError, match="continues to slide"):
             problem.solve(axial_forces={"above": share * limit}, after=pressed)
 
 

@@ -98,7 +98,7 @@ def test_roller_and_hub_share_what_pressure_brings():
 
 def test_a_pressure_that_is_not_found_is_no_result():
     never = SimpleNamespace(force=lambda p, hub=(0.0, 0.0): 1 + p**2)  # as little as is asked for
-    with pytest.raises(NotFoundError, match="still has the error"):
+    with pytest.raises(NotFoundError, match="did not converge"):
         DrivenSector(lambda *_: never, kappa=0.1, phi_1=0.0, p=1.0).pressure(0.5)
 
 

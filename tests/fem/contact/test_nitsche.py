@@ -181,10 +181,10 @@ HELD = {
     [
         ({}, {"alpha": 0.0}, ValueError, "alpha must be positive and finite"),
         ({}, {"alpha": np.nan}, ValueError, "alpha must be positive and finite"),
-        ({}, {"alpha": 2.0}, ArithmeticError, "not positive definite: lower alpha"),
-        ({}, {"pressures": {"up.bottom": 1e3}}, ValueError, "a load on 'up.bottom' acts there too"),
+        ({}, {"alpha": 2.0}, ArithmeticError, "must be positive definite: reduce alpha"),
+        ({}, {"pressures": {"up.bottom": 1e3}}, ValueError, "a load on 'up.bottom' acts on it"),
         ({"contacts": [TOUCH, Pair(slave="up.bottom", master="floor")], "obstacles": FLOOR}, {},
-         ValueError, "the contact 'up.bottom' on 'floor' acts there too"),
+         ValueError, "the contact 'up.bottom' on 'floor' acts on it"),
         ({}, {"tractions": {"up.top": (0.0, 1e6)}}, ArithmeticError,
          "neither supports nor contact hold"),
         ({"materials": Elastic(E=1.0, nu=0.4999)}, {}, ValueError,

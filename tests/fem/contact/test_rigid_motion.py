@@ -119,5 +119,5 @@ def test_pressure_keeps_one_direction_along_a_flat_master_and_turns_between_two_
     np.testing.assert_allclose(n[0] / -n[1], expected, rtol=0.01, atol=1e-6)
     x, y = touch.force
     assert abs(x / (MU * y) + 1) > 1e-4  # the contact has moved to where the surface is inclined
-    with pytest.raises(ValueError, match="'between' or that of the 'master', got 'slave'"):
+    with pytest.raises(ValueError, match="'between' or 'master', got 'slave'"):
         Pair(slave="a", master="b", normal="slave")

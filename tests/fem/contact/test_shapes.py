@@ -52,7 +52,7 @@ def test_a_moved_spiral_runs_through_the_moved_points():
 @pytest.mark.parametrize(
     ("changed", "rule"),
     [
-        ({"radius": 0.0}, "radius must be positive"),
+        ({"radius": 0.0}, "radius of a spiral must be positive"),
         ({"growth": nan}, "finite"),
     ],
 )
