@@ -1,6 +1,6 @@
 """Beams and frames on a line mesh.
 
-Any consistent units; docstrings and messages of springs state SI units.
+All units must be consistent. Docstrings and messages about springs state SI units.
 """
 
 from fem.public import lazily

@@ -1,4 +1,4 @@
-"""Small displacements of unloaded frames, without the round-off of thin strips."""
+"""Small displacements of unstressed frames, without the round-off errors of thin strips."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,10 +14,10 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 class AtRest:
     """Small displacements of an unloaded frame, as accurate as the positions of its nodes.
 
-    `strain`, `stretch` and `tangent` describe its `elements` at rest; `free` are the unknowns
+    `strain`, `stretch` and `tangent` describe the undeformed `elements`; `free` are the unknowns
     that can move. Strains and residuals are computed in extended precision, because the strains of
-    a thin strip are differences of nearly equal displacements: in double precision, the axial force
-    of a spring with L/b = 250 has four digits.
+    a thin strip are differences of nearly equal displacements: in double precision, only four
+    digits of the axial force of a spring with L/b = 250 would be correct.
     """
 
     elements: Any
@@ -39,7 +39,7 @@ class AtRest:
         return splu(self.K.tocsc())
 
     def stiffness(self, stress: Any, elements: Any) -> Any:
-        """Stiffness of the `elements` under the `stress` N, V, M (n, n)."""
+        """Stiffness (n, n) of the `elements` under the section forces `stress` (N, V, M)."""
         return elements.tangent_stiffness(self.S, self.strain, self.tangent, stress)
 
     def solve(self, load: Any) -> Any:
@@ -54,7 +54,7 @@ class AtRest:
         return u
 
     def strains(self, u: Any) -> Any:
-        """Small strains (m, q, 3) of displacements (n,) in extended precision."""
+        """Small strains (m, q, 3) from displacements (n,), in extended precision."""
         e = self.elements
         nodes = u.reshape(-1, 3)[e.nodes]
         change = (e.slope @ (nodes - nodes[:, :1]))[..., [0, 1, 2, 2]]
@@ -62,7 +62,7 @@ class AtRest:
         return (self.S @ change[..., None])[..., 0].astype(float)
 
     def lowest(self, G: Any, push: Any) -> Any:
-        """The mode (n,) with the least positive load of K + load G, to the accuracy of K."""
+        """Mode (n,) with the smallest positive load factor of K + load x G, as accurate as K."""
         own, start = G[self.free][:, self.free], self.factor.solve(push[self.free])
         inverse = LinearOperator(own.shape, self.factor.solve)
         _, modes = eigsh(-own, 1, self.K, which="LA", Minv=inverse, v0=start)
@@ -71,7 +71,7 @@ class AtRest:
         return mode
 
     def load(self, mode: Any, G: Any) -> float:
-        """Rayleigh's quotient, with K's part from the strains of the mode."""
+        """Load factor of a mode by Rayleigh's quotient, with the elastic energy from strains."""
         e, shape = self.elements, mode.astype(float)
         energy = ((e.moduli * self.strains(mode) ** 2).sum(axis=-1) * e.weight).sum()
         return float(-energy / (shape @ (G @ shape)))

@@ -4,8 +4,8 @@ r"""Plane curved Timoshenko beams in scikit-fem: quadratic displacements on quad
           + EI\,\kappa\,\bar\kappa\; ds, \qquad
    \varepsilon = t\cdot u', \quad \gamma = n\cdot u' - \phi, \quad \kappa = \phi'
 
-with the tangent t of the true curve. Two Gauss points an element (reduced integration) keep
-shear and membrane strains from locking. Shares nothing with the closed-form elements.
+with the tangent t of the exact curve. Two Gauss points per element (reduced integration) prevent
+locking by shear and membrane strains. The closed-form elements are independent of this module.
 """
 
 from collections.abc import Sequence
@@ -53,20 +53,20 @@ def solve_curved_frame(
     bodies: Bodies | None = None,
     links: Sequence[Link] = (),
 ) -> FrameSolution:
-    """Solve a plane frame of curved members; every section needs a finite `GA`.
+    """Solve a plane frame of curved members. Every section needs a finite `GA`.
 
     Parameters
     ----------
     points, elements
-        Nodes (n, 2) and (m, 3): two ends and the middle node of each element.
+        Nodes (n, 2), and elements (m, 3): two ends and the middle node of each element.
     sections, supports, loads, bodies, links
-        As in `fem.beam.straight.solve_frame`. Middle nodes may also be supported, loaded and
-        linked, but not points between nodes.
+        See `fem.beam.straight.solve_frame`. Middle nodes can also be supported, loaded and linked,
+        but links to points between nodes are not possible.
 
     Raises
     ------
     ValueError
-        For unknown names, missing shear stiffness, folded elements, rigid motions.
+        For unknown names, missing shear stiffness, folded elements, or possible rigid motions.
     ArithmeticError
         If the linear solution leaves a residual above 1e-6.
     """
@@ -90,7 +90,7 @@ def solve_curved_frame(
     K = csc_array(csc_array(K)[order][:, order])
 
     def strains(u: Array) -> Array:
-        """Axial strain, shear and curvature (3, m, q)."""
+        """Axial strain, shear strain and curvature (3, m, q)."""
         dofs = np.empty(basis.N)
         dofs[order] = u.ravel()
         field = basis.interpolate(dofs)
@@ -118,13 +118,13 @@ def solve_curved_frame(
 
 
 def _shape(basis: Basis) -> Array:
-    """Shape functions (q, 3) of ends and middle node at the Gauss points."""
+    """Shape functions (q, 3) of the ends and the middle node at the Gauss points."""
     X = basis.X[0]
     return np.array([(1 - X) * (1 - 2 * X), X * (2 * X - 1), 4 * X * (1 - X)]).T
 
 
 def _strains(slope, phi, tangent):
-    """Axial strain, shear and curvature from d(u_x, u_y, phi)/ds and the rotation phi."""
+    """Axial strain, shear strain and curvature, from d(u_x, u_y, phi)/ds and the rotation phi."""
     t_x, t_y = tangent
     return (
         t_x * slope[0] + t_y * slope[1],
@@ -134,10 +134,10 @@ def _strains(slope, phi, tangent):
 
 
 def _basis(points: Array, elements: Array) -> tuple[Basis, Array]:
-    """P2 basis whose coordinate is the number of a vertex, and the node of each of its unknowns.
+    """P2 basis on vertex numbers as coordinate, and the node of each unknown of the basis.
 
-    The line element of scikit-fem has one dimension; the geometry enters through `_geometry` only.
-    Therefore, members may branch and close.
+    The line element of scikit-fem has one dimension; only `_geometry` contains the geometry.
+    Members may therefore branch and close.
     """
     ends = np.unique(elements[:, :2])
     number = np.full(len(points), -1)
@@ -162,7 +162,9 @@ def _geometry(points: Array, elements: Array, basis: Basis) -> tuple[Array, Arra
     corner = points[elements]
     forward = np.einsum("an,enk,ek->ae", ends, corner, corner[:, 1] - corner[:, 0])
     if length.min() <= 0 or forward.min() <= 0:
-        raise ValueError("an element is folded or has no length: put its middle node between")
+        raise ValueError(
+            "an element is folded or has no length: place its middle node between its ends"
+        )
     stretch = np.diff(basis.mesh.p[0][basis.mesh.t], axis=0).T  # coordinate per reference unit
     # negative stretch: the element runs against the vertex numbers; ds keeps its sign with it
     return jacobian / length * np.sign(stretch), length / np.abs(stretch)

@@ -40,27 +40,27 @@ from fem.beam.terms import Term
 
 
 class LargeFrame:
-    """A plane frame of geometrically exact beams; the given shape is free of stress.
+    """Plane frame of geometrically exact beams; the given shape is free of stress.
 
     Parameters
     ----------
     points, elements
-        Nodes (n, 2) [length]; elements (m, 2) straight, or (m, 3) curved: ends, middle node.
+        Nodes (n, 2) [length]; straight elements (m, 2), or curved elements (m, 3): ends, middle.
     sections
-        One section, or one for each of `bodies` (name to element numbers), with finite `GA`.
+        One section, or a section for each of `bodies` (name to element numbers), with finite `GA`.
     supports
-        Node to the components "x", "y", "r" (rotation) that are held at zero.
+        For each supported node, the components "x", "y", "r" (rotation) that are fixed at zero.
     terms
-        Additional terms such as contact, see `fem.beam.terms`.
+        Additional terms such as contact; see `fem.beam.terms`.
 
     Raises
     ------
     ValueError
-        For unknown names, missing shear stiffness, folded elements.
+        For unknown names, missing shear stiffness, or folded elements.
 
     Examples
     --------
-    A strip rolled up to a circle by an end couple, and its buckling load as a column:
+    A strip bent to a circle by an end couple, and its buckling load as a column:
 
     >>> import numpy as np
     >>> from fem.beam.section import Section
@@ -90,11 +90,11 @@ class LargeFrame:
     ) -> None:
         self.points, nodes = np.asarray(points, float), np.asarray(elements, int)
         if nodes.ndim != 2 or nodes.shape[1] not in (2, 3):
-            raise ValueError(f"elements have 2 or 3 nodes each, got an array {nodes.shape}")
+            raise ValueError(f"elements must have 2 or 3 nodes each, got an array {nodes.shape}")
         check_elements(len(self.points), nodes)
         chosen = element_sections(len(nodes), sections, bodies)
         if not np.all(np.isfinite([s.GA for s in chosen])):
-            raise ValueError("a geometrically exact beam needs a finite GA in every section")
+            raise ValueError("every section of a geometrically exact beam needs a finite GA")
         self.elements = reference(self.points, nodes, chosen)
         self.held = held_components(len(self.points), supports)
         self.terms = tuple(terms)
@@ -102,7 +102,7 @@ class LargeFrame:
         self._reached: BeamState | None = None  # last state of the terms
 
     def rest(self) -> BeamState:
-        """The reference state, without load; the history of terms is cleared."""
+        """Reference state without load; the history of terms is cleared."""
         n = len(self.points)
         u = np.zeros((n, 3), np.longdouble)
         for term in self.terms:
@@ -119,19 +119,19 @@ class LargeFrame:
         distributed: Forces | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States under the loads multiplied by each of the factors.
+        """States under the loads, multiplied by each of the `factors`.
 
-        `loads`: node to dead force (x, y) and couple. `follower`: node to a force, stated in the
-        reference state, that rotates with the node. `distributed`: element to dead force (x, y) per
-        reference length. With `since` (a state of another path), they are added to the loads of
-        that state. Terms store the last state of the last path only.
+        `loads`: for each node, a dead force (x, y) and couple. `follower`: for each node, a force
+        that rotates with the node, given in the reference state. `distributed`: for each element, a
+        dead force (x, y) per reference length. With `since` (a state of another path), these loads
+        are added to the loads of that state. Terms store only the last state of the last path.
 
         Raises
         ------
         ValueError
-            For unknown nodes and elements, rigid motions, loads that are not finite.
+            For unknown nodes and elements, possible rigid motions, or loads that are not finite.
         ArithmeticError
-            If no equilibrium is found; the message states factor and residual.
+            If no equilibrium is found; the message states the factor and the residual.
         """
         pattern = loading(self.elements, loads, follower, distributed)
         return self._reach(pattern, self.held, factors, since)
@@ -144,15 +144,15 @@ class LargeFrame:
         loads: Loads | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States for displacements of nodes ("x", "y", "r") multiplied by each of the factors.
+        """States for displacements of nodes ("x", "y", "r"), multiplied by each of the `factors`.
 
-        `reactions` contain the force that the displacement requires. `loads` act in full from the
+        `reactions` include the forces that the displacements require. `loads` act in full from the
         start. With `since`, displacements and loads are added to that state.
 
         Raises
         ------
         ValueError, ArithmeticError
-            As `under_loads`.
+            See `under_loads`.
         """
         pattern, held = movement(len(self.points), moved)
         if loads:
@@ -173,19 +173,19 @@ class LargeFrame:
         moved: Movements | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States along the path of equilibrium, with increasing or decreasing load or displacement.
+        """States along the equilibrium path, with increasing or decreasing load or displacement.
 
-        `first` is the first change of the factor; it defines size and direction. Steps adapt to the
-        number of Newton iterations, up to `largest`, the root mean square over the nodes of
-        displacement (by the diagonal of the frame) and rotation [rad]. The path ends after
-        `steps`, or with the first state that `until` accepts.
+        `first` is the first change of the factor; it defines step size and direction. Steps adapt
+        to the number of Newton iterations, up to `largest`. Their size is the root mean square over
+        the nodes of displacement (divided by the diagonal of the frame) and rotation [rad]. The
+        path ends after `steps` steps, or with the first state for which `until` returns True.
 
         Raises
         ------
         ValueError
-            As `under_loads`, and if neither load nor displacement acts.
+            See `under_loads`; also if neither a load nor a displacement acts.
         ArithmeticError
-            If a step does not converge, or no state meets `until` within `steps`.
+            If a step does not converge, or if `until` returns True for no state within `steps`.
         """
         moving, held = movement(len(self.points), moved or {})
         pattern = loading(self.elements, loads, follower, distributed).plus(1.0, moving)
@@ -196,15 +196,15 @@ class LargeFrame:
     def buckling(self, path: Path) -> tuple[CriticalPoint, ...]:
         """Limit points and bifurcations between the states of a path, with their modes.
 
-        Terms may have no history besides multipliers (no friction).
+        Terms with history (friction) are not permitted, except for multipliers.
 
         Raises
         ------
         ValueError
-            Where terms dissipated energy on the path.
+            If terms dissipated energy on the path.
         """
         if path.last.dissipated:
-            raise ValueError("critical points need a path without dissipation (friction)")
+            raise ValueError("critical points require a path without dissipation (friction)")
         balance = self._balance(path.start, path.pattern, path.start.held)
         return tuple(critical_points(balance, path))
 
@@ -213,7 +213,8 @@ class LargeFrame:
     ) -> tuple[Array, Array]:
         """Factors (count,) and modes (count, n, 3) of linearised buckling, without terms.
 
-        Small displacements up to buckling are assumed; modes have the largest displacement 1.
+        Displacements before buckling are assumed to be small. The largest displacement of a mode is
+        1.
         """
         pattern = loading(self.elements, loads, None, distributed)
         check_rigid_motions(self.points, self.elements.nodes, ~self.held)
@@ -222,7 +223,7 @@ class LargeFrame:
         return linear_buckling(balance, count)
 
     def imperfect(self, mode: Array, amplitude: float, terms: Sequence[Term] = ()) -> "LargeFrame":
-        """The frame with its stress-free shape moved by `amplitude` times a mode (n, 3).
+        """Frame with its stress-free shape displaced by `amplitude` times a mode (n, 3).
 
         `terms` belong to the new shape.
         """
@@ -234,7 +235,7 @@ class LargeFrame:
     def section_forces(self, state: BeamState) -> tuple[Array, Array]:
         """Undeformed positions of the Gauss points (m, q, 2), and N, V, M there (m, q, 3).
 
-        Signs as in `fem.beam.section.FrameSolution`: tension positive, V = -dM/ds at small load.
+        Signs: see `fem.beam.section.FrameSolution`. Tension is positive; V = -dM/ds at small load.
         """
         e = self.elements
         strain, _, _ = e.strains(state.exact)
@@ -257,7 +258,9 @@ class LargeFrame:
 
     def _march(self, pattern: Loading, held: Mask, since: BeamState | None) -> March:
         if self.terms and since is not None and since is not self._reached:
-            raise ValueError("terms remember one path: go on from its last state, or from rest")
+            raise ValueError(
+                "terms store one path only: continue from its last state, or from rest"
+            )
         start, self._reached = (since or self.rest()).at(0.0), None
         start = replace(start, held=start.held | held)
         if not self.terms:

@@ -1,9 +1,10 @@
-"""Arc length along a path of equilibrium: it passes limit points and snap-backs.
+"""Arc-length control along an equilibrium path, which passes limit points and snap-backs.
 
-The arc is the root mean square over the nodes of displacement (by the frame's size) and rotation
-(Crisfield's cylinder: the factor is not included). Its equation is linearised in each iteration
-(Ramm, Wriggers & Simo); therefore, no choice between two roots is necessary. A step whose direction
-differs by more than 60° from the tangent (90° if terms have kinks) is repeated with smaller steps.
+The arc length of a step is the root mean square over the nodes of displacement (divided by the size
+of the frame) and rotation. The load factor is not included (Crisfield's cylinder). The equation of
+the arc length is linearised in each iteration (Ramm, Wriggers & Simo); therefore, no choice between
+two roots is necessary. If the direction of a step differs by more than 60° from the tangent (90° if
+terms have kinks), the step is repeated with a smaller size.
 """
 
 import math
@@ -23,7 +24,7 @@ CROSSING = 1 / 32  # over the longest step: longer ones may jump over a turn to 
 
 @dataclass(frozen=True)
 class Arc:
-    """Control by the distance `size` from the start of the step."""
+    """Step control by the distance `size` from the start of the step."""
 
     size: float
     weights: Array
@@ -42,13 +43,16 @@ class Arc:
 def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
     """States along the arc; the `first` change of the factor sets direction and step size.
 
-    Steps grow up to `largest`, measured like the arc. ArithmeticError if a step does not converge.
+    Step sizes increase up to `largest`, an arc length. Raises ArithmeticError if a step does not
+    converge.
     """
     weights = march.balance.weights
     push = march.tangent.push
     start = size = abs(first) * math.sqrt(float(weights * push @ push))
     if not start > 0:
-        raise ValueError("along_arc needs loads or movement that move the frame, and first != 0")
+        raise ValueError(
+            "along_arc needs loads or displacements that move the frame, and first != 0"
+        )
     heading, longest = math.copysign(1.0, first) * push, start
     while True:
         before = march.state
@@ -60,8 +64,8 @@ def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
             size /= 2
             if size < start / 2**HALVINGS:
                 raise ArithmeticError(
-                    f"no equilibrium found along the arc beyond factor {before.factor:.6g}: "
-                    f"{error}, with steps down to {2 * size / start:.1e} of the first"
+                    f"no equilibrium was found along the arc beyond factor {before.factor:.6g}: "
+                    f"{error}, with steps down to {2 * size / start:.1e} of the first step"
                 ) from error
             continue
         longest = max(longest, size)
@@ -74,7 +78,7 @@ def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
 def collect(
     states: Iterator[BeamState], steps: int, until: Callable[[BeamState], bool] | None
 ) -> tuple[BeamState, ...]:
-    """The first `steps` states, or all states up to the first that meets `until`."""
+    """The first `steps` states, or all states up to the first for which `until` is True."""
     found: list[BeamState] = []
     for state in states:
         found.append(state)
@@ -84,6 +88,6 @@ def collect(
             break
     if until is not None:
         raise ArithmeticError(
-            f"the path's end was not reached in {steps} steps: factor {found[-1].factor:.6g}"
+            f"no state met the end condition in {steps} steps: last factor {found[-1].factor:.6g}"
         )
     return tuple(found)

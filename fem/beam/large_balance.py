@@ -15,12 +15,12 @@ from fem.beam.terms import Term
 
 
 class ConvergenceError(ArithmeticError):
-    """Newton's method failed; a smaller step may help."""
+    """Newton's method did not converge; a smaller step may converge."""
 
 
 @dataclass(frozen=True)
 class Tangent:
-    """Factorised stiffness: `push` (3n,) is du/dfactor, `negative` its negative pivots."""
+    """Factorised stiffness; `push` (3n,) is du/dfactor, `negative` counts negative pivots."""
 
     K: csc_array
     solve: Callable[[Array], Array]
@@ -30,7 +30,7 @@ class Tangent:
 
 @dataclass(frozen=True)
 class Response:
-    """Response of the frame at some displacements; `size` measures its nodal forces."""
+    """Response of the frame to displacements; `size` is the magnitude of its nodal forces."""
 
     strain_energy: float
     term_energy: float
@@ -43,7 +43,7 @@ class Response:
 
 @dataclass(frozen=True)
 class Balance:
-    """Equilibrium of a frame under base + factor x pattern, with prescribed components."""
+    """Equilibrium equations under the load base + factor x pattern, with prescribed components."""
 
     points: Array
     elements: Elements
@@ -54,12 +54,12 @@ class Balance:
 
     @property
     def length(self) -> float:
-        """Size of the frame, which makes couples and rotations comparable."""
+        """Diagonal of the frame, by which couples and displacements are divided for comparison."""
         return float(np.hypot(*np.ptp(self.points, axis=0)))
 
     @property
     def weights(self) -> Array:
-        """Weights (3n,) for comparing displacements: lengths relative to the frame, per node."""
+        """Weights (3n,) for comparing displacements, relative to the frame size, per node."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:
@@ -68,7 +68,7 @@ class Balance:
         return x
 
     def respond(self, u: Extended, factor: float, stress: Array | None = None) -> Response:
-        """Residual and tangent; `stress` are the section forces in the geometric stiffness."""
+        """Residual and tangent; `stress` gives the section forces in the geometric stiffness."""
         e = self.elements
         strain, _, t = e.strains(u)
         S, true = e.increments(strain, t), e.moduli * strain
@@ -95,7 +95,7 @@ class Balance:
         return Response(energy, stored, internal, residual, math.sqrt(size), K, predict)
 
     def factorise(self, u: Extended, K: csc_array) -> Tangent:
-        """Tangent with prescribed components; ConvergenceError if it is singular."""
+        """Factorised tangent with prescribed components. Raises ConvergenceError if singular."""
         free = ~self.held
         try:
             factor = splu(
@@ -117,12 +117,12 @@ class Balance:
         return Tangent(K, solve, push, int((factor.U.diagonal() < 0).sum()))
 
     def measure(self, f: Array) -> float:
-        """Norm of forces and couples (..., 3), couples divided by the frame's length."""
+        """Norm of forces and couples (..., 3); couples are divided by the length of the frame."""
         return math.sqrt(float((f[..., :2] ** 2).sum() + (f[..., 2] ** 2).sum() / self.length**2))
 
 
 def reduced(K: csc_array, free: Mask) -> csc_array:
-    """Rows and columns that are free."""
+    """Matrix K reduced to its free rows and columns."""
     column = np.repeat(np.arange(K.shape[1]), np.diff(K.indptr))
     keep = free[K.indices] & free[column]
     number = np.cumsum(free) - 1

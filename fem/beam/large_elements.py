@@ -1,13 +1,13 @@
-r"""Geometrically exact plane beam elements (Reissner 1972, Simo 1985), all at once.
+r"""Geometrically exact plane beam elements (Reissner 1972, Simo 1985), evaluated together.
 
-The section at reference length s turns by phi; t and n are the reference tangent and normal of
-the true curve turned by phi, r the current position:
+The section at the reference length s rotates by phi. t and n are the tangent and normal of the
+undeformed curve, rotated by phi; r is the current position:
 
 .. math:: \varepsilon = t\cdot r' - 1, \quad \gamma = n\cdot r', \quad \kappa = \phi', \qquad
    U = \tfrac12\int EA\,\varepsilon^2 + GA\,\gamma^2 + EI\,\kappa^2\; ds
 
-Rotations are additive in the plane: interpolated rotations represent a rigid rotation without
-strain. Reduced integration (one Gauss point for two nodes, two for three) prevents locking.
+Rotations are additive in the plane. Interpolated rotations therefore represent a rigid rotation
+without strain. Reduced integration (one Gauss point for two nodes, two for three) prevents locking.
 """
 
 from dataclasses import dataclass, field
@@ -25,7 +25,7 @@ Extended = NDArray[np.longdouble]
 
 @dataclass(frozen=True)
 class Elements:
-    """Reference state and assembly of m elements of k nodes with q Gauss points each.
+    """Reference state and assembly of m elements with k nodes and q Gauss points each.
 
     `nodes` (m, k), `shape` (q, k), `slope` (m, q, k) d shape/ds, `tangent` (m, q, 2),
     `weight` (m, q) reference length of the Gauss points, `moduli` (m, 1, 3): EA, GA, EI.
@@ -65,12 +65,12 @@ class Elements:
 
     @property
     def noise(self) -> float:
-        """Nodal force due to round-off of the strains, per size of the displacements."""
+        """Nodal force caused by round-off of the strains, per unit of the displacements."""
         steepest = self.moduli.max(axis=2) * abs(self.slope).sum(axis=2).astype(float)
         return float(np.finfo(np.longdouble).eps * np.linalg.norm(steepest))
 
     def strains(self, u: Extended) -> tuple[Array, Array, Array]:
-        """Strains (m, q, 3), r' (m, q, 2) and tangent t (m, q, 2) at displacements u (n, 3)."""
+        """Strains (m, q, 3), r' (m, q, 2) and tangent t (m, q, 2) for displacements u (n, 3)."""
         at = u[self.nodes]
         stretch = self.tangent + self.slope @ (at[:, :, :2] - at[:, :1, :2])
         phi = at[:, :, 2] @ self.shape.T
@@ -84,7 +84,7 @@ class Elements:
         return strain.astype(float), stretch.astype(float), t.astype(float)
 
     def increments(self, strain: Array, t: Array) -> Array:
-        """Change of the strains by x', y', phi, phi' at the Gauss points, (m, q, 3, 4)."""
+        """Derivatives (m, q, 3, 4) of the strains by x', y', phi, phi' at the Gauss points."""
         S = np.zeros((*strain.shape[:2], 3, 4))
         S[..., 0, :2] = t
         S[..., 0, 2] = strain[..., 1]
@@ -94,12 +94,12 @@ class Elements:
         return S
 
     def change(self, S: Array, step: Array) -> Array:
-        """Linear change of the strains (m, q, 3) by a step (n, 3)."""
+        """Linear change of the strains (m, q, 3) for a step (n, 3)."""
         local = step[self.nodes].reshape(len(self.nodes), 1, -1, 1)
         return (S @ (self._fields @ local))[..., 0]
 
     def forces(self, S: Array, stress: Array) -> tuple[Array, Array]:
-        """Internal forces (3n,) of N, V, M (m, q, 3), and each element's part (m, k, 3)."""
+        """Internal forces (3n,) of N, V, M (m, q, 3), and the share of each element (m, k, 3)."""
         local = (S * (stress * self.weight[..., None])[..., None]).sum(axis=2)
         nodal = (self._fields * local[..., None]).sum(axis=(1, 2))
         total = np.zeros(3 * self.count)
@@ -109,20 +109,20 @@ class Elements:
     def change_of_forces(
         self, S: Array, strain: Array, t: Array, stress: Array, step: Extended
     ) -> Array:
-        """Linear change of the internal forces (3n,) under the `stress` N, V, M by a step (n, 3).
+        """Linear change of the internal forces (3n,) for a step (n, 3), under the `stress` N, V, M.
 
-        What `tangent_stiffness` times the step is, without the rounding of stiff directions.
+        It equals `tangent_stiffness` times the step, without the round-off of stiff directions.
         """
         return self.change_with(S, self.geometric(strain, t, stress), step)
 
     def geometric(self, strain: Array, t: Array, stress: Array) -> Array:
-        """Densities (m, q, 4, 4) of the geometric stiffness of the `stress` N, V, M."""
+        """Densities (m, q, 4, 4) of the geometric stiffness for the `stress` N, V, M."""
         A = np.zeros((*self.weight.shape, 4, 4))
         _add_geometric(A, strain, t, stress)
         return A
 
     def change_with(self, S: Array, A: Array, step: Extended) -> Array:
-        """`change_of_forces` with the geometric stiffness A."""
+        """Result of `change_of_forces` for the geometric stiffness `A`."""
         at = step[self.nodes]
         change = (self.slope @ (at - at[:, :1]))[..., [0, 1, 2, 2]]
         change[..., 2] = at[:, :, 2] @ self.shape.T
@@ -135,28 +135,28 @@ class Elements:
         return total
 
     def tangent_stiffness(self, S: Array, strain: Array, t: Array, stress: Array) -> csc_array:
-        """Stiffness (3n, 3n): material part, and geometric part of the `stress` N, V, M."""
+        """Tangent stiffness (3n, 3n): material part, and geometric part for `stress` N, V, M."""
         A = np.swapaxes(S, 2, 3) @ (S * self.moduli[..., None])
         _add_geometric(A, strain, t, stress)
         return self._assemble(A)
 
     def linear_forces(self, u: Array) -> Array:
-        """N, V, M (m, q, 3) of small displacements `u` (n, 3)."""
+        """Section forces N, V, M (m, q, 3) for small displacements `u` (n, 3)."""
         none = np.zeros((*self.weight.shape, 3))
         return self.moduli * self.change(self.increments(none, self.tangent.astype(float)), u)
 
     def initial_stress_stiffness(self, stress: Array) -> csc_array:
-        """Geometric stiffness at rest (3n, 3n) of N, V, M (m, q, 3).
+        """Geometric stiffness (3n, 3n) of the undeformed frame for N, V, M (m, q, 3).
 
-        The rotation of the stiff axial direction is omitted: its first-order term without the
-        second would make a bent member with large EA too flexible.
+        The rotation of the stiff axial direction is omitted. Its first-order term without its
+        second-order term would make a bent member with large EA too flexible.
         """
         return self._assemble(
             self.geometric(np.zeros_like(stress), self.tangent.astype(float), stress)
         )
 
     def _assemble(self, A: Array) -> csc_array:
-        """Stiffness (3n, 3n) of densities (m, q, 4, 4)."""
+        """Stiffness (3n, 3n) from densities (m, q, 4, 4)."""
         A = A * self.weight[..., None, None]
         m, q, _, width = self._fields.shape
         P = self._fields.reshape(m, q * 4, width)
@@ -167,7 +167,7 @@ class Elements:
 
 
 def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
-    """Add the stiffness by N and V due to the rotation of the section."""
+    """Add the stiffness due to N and V and the rotation of the section to `A`."""
     N, V = stress[..., 0], stress[..., 1]
     turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
     A[..., 2, :2] += turn
@@ -176,7 +176,10 @@ def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
 
 
 def reference(points: Array, nodes: Indices, sections: list[Section]) -> Elements:
-    """Elements (m, 2) straight or (m, 3) quadratic; ValueError for folded ones."""
+    """Straight elements (m, 2) or quadratic elements (m, 3) with the given sections.
+
+    Raises ValueError for folded elements.
+    """
     rule = np.polynomial.legendre.leggauss(nodes.shape[1] - 1)
     X = (np.asarray(rule[0], np.longdouble) + 1) / 2
     if nodes.shape[1] == 2:
@@ -194,7 +197,8 @@ def reference(points: Array, nodes: Indices, sections: list[Section]) -> Element
     bad = (length.min(axis=1) <= 0) | (forward.min(axis=1) <= 0)
     if bad.any():
         raise ValueError(
-            f"element {int(bad.argmax())} is folded or has no length: put its middle node between"
+            f"element {int(bad.argmax())} is folded or has no length: place its middle node "
+            "between its ends"
         )
     moduli = np.array([[(s.EA, s.GA, s.EI)] for s in sections])
     return Elements(

@@ -1,4 +1,4 @@
-"""Loads of a geometrically exact frame: dead and follower forces, prescribed movement."""
+"""Loads of a geometrically exact frame: dead and follower forces, prescribed displacements."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,7 +17,11 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Loading:
-    """Dead forces and couples (3n,), follower forces (n, 2) at rest, and movement (3n,)."""
+    """Loads and prescribed displacements.
+
+    `dead` (3n,) are dead forces and couples, `follower` (n, 2) follower forces in the reference
+    state, `moved` (3n,) prescribed displacements.
+    """
 
     dead: Array
     follower: Array
@@ -38,7 +42,10 @@ class Loading:
         return f.ravel()
 
     def slope(self, u: Extended) -> csc_array | None:
-        """Derivative of follower forces by u (they rotate with their node); None without them."""
+        """Derivative of follower forces by u, or None without follower forces.
+
+        Follower forces rotate with their node.
+        """
         if not self.follower.any():
             return None
         x, y = self._turned(u).T
@@ -80,7 +87,7 @@ def loading(
 
 
 def movement(count: int, moved: Movements) -> tuple[Loading, Mask]:
-    """Prescribed displacements and which components (3n,) they hold."""
+    """Prescribed displacements, and a mask (3n,) of the prescribed components."""
     found, held = nothing(count), np.zeros(3 * count, bool)
     for node, items in moved.items():
         known(count, node)
@@ -93,14 +100,16 @@ def movement(count: int, moved: Movements) -> tuple[Loading, Mask]:
 
 
 def held_components(count: int, supports: Supports) -> Mask:
-    """Components (3n,) that supports hold at zero."""
+    """Mask (3n,) of the components that supports fix at zero."""
     held = np.zeros(3 * count, bool)
     for node, support in supports.items():
         known(count, node)
         for component in support:
             held[3 * node + _component(node, component)] = True
         if not isinstance(support, str) and any(support.values()):
-            raise ValueError(f"node {node}: supports are at zero; use displaced() to move it")
+            raise ValueError(
+                f"node {node}: supports must be zero; use displaced() to prescribe displacements"
+            )
     return held
 
 
@@ -111,5 +120,5 @@ def known(count: int, node: int) -> None:
 
 def _component(node: int, name: str) -> int:
     if len(name) != 1 or name not in DOFS:
-        raise ValueError(f"node {node}: components are x, y, r, got {name!r}")
+        raise ValueError(f"node {node}: components must be x, y or r, got {name!r}")
     return DOFS.index(name)

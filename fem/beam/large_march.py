@@ -1,4 +1,4 @@
-"""Steps along a path of equilibrium: predictor, Newton, halving, work."""
+"""Steps along an equilibrium path: prediction, Newton's method, step halving, work."""
 
 import math
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ GAUSS = np.polynomial.legendre.leggauss(3)
 
 @dataclass(frozen=True)
 class Given:
-    """Control by a given change of the factor."""
+    """Step control by a given change of the factor."""
 
     change: float
     kink = math.inf
@@ -30,7 +30,7 @@ class Given:
 
 
 class March:
-    """Proceeds from one state of equilibrium to the next; a failed step changes nothing."""
+    """Path from one equilibrium state to the next; a failed step leaves the state unchanged."""
 
     def __init__(self, balance: Balance, start: BeamState) -> None:
         self.balance = balance
@@ -42,16 +42,16 @@ class March:
         self.tangent: Tangent = self.balance.factorise(here.exact, self.response.K)
 
     def step(self, change: float, control: Control, *, crossing: bool = True) -> BeamState:
-        """The state after a predicted `change` of the factor.
+        """State after a step with the predicted `change` of the factor.
 
-        ConvergenceError leaves the state unchanged; it is also raised if a pivot changes its sign
-        and `crossing` is false.
+        Raises ConvergenceError, with unchanged state, if the step fails. It is also raised if a
+        pivot changes its sign and `crossing` is False.
         """
         balance, before = self.balance, self.state
         try:
             predicted = change * self.tangent.push
             if not float(abs(predicted[2::3]).max()) < 2.0:
-                raise ConvergenceError("the tangent turns a section by more than 2 rad")
+                raise ConvergenceError("the tangent rotates a section by more than 2 rad")
             stress = self.response.predict(predicted)
             u, factor, found, residuals = equilibrium(
                 balance, before, predicted, change, stress, control
@@ -60,7 +60,7 @@ class March:
             if tangent.negative != before.negative and not crossing:
                 raise ConvergenceError("the step crosses a critical point or leaves the branch")
             if self._strayed(u, predicted) > (control.kink if balance.terms else 1.0):
-                raise ConvergenceError("the step leaps to another branch")
+                raise ConvergenceError("the step ends on another branch of the equilibrium path")
         except ConvergenceError:
             for term in balance.terms:
                 term.reject()
@@ -80,7 +80,7 @@ class March:
         return self.state
 
     def reach(self, factor: float) -> BeamState:
-        """The state at a given factor, in as few steps as Newton's method allows."""
+        """State at a given factor, reached in as few steps as Newton's method permits."""
         start, steps, good = self.state.factor, 0, 1
         whole = size = factor - start
         while True:
@@ -94,9 +94,9 @@ class March:
                 size, good = size / 2, 0
                 if abs(size) < abs(whole) / 2**HALVINGS:
                     raise ArithmeticError(
-                        f"no equilibrium found beyond factor {self.state.factor:.6g} towards "
+                        f"no equilibrium was found beyond factor {self.state.factor:.6g} towards "
                         f"{factor:.6g}: {error}, with steps down to {2 * size:.1e}; "
-                        "beyond a limit point use along_arc()"
+                        "to pass a limit point, use along_arc()"
                     ) from error
                 continue
             steps, good = steps + 1, good + 1
@@ -106,14 +106,14 @@ class March:
             size *= 2 if good > 1 else 1
 
     def _strayed(self, u: Extended, predicted: Array) -> float:
-        """Squared distance of a step from its prediction, over its squared length."""
+        """Squared distance of a step from its prediction, relative to its squared length."""
         off = (u - self.state.exact).astype(float).ravel() - predicted
         weights = self.balance.weights
         size = float(weights * predicted @ predicted)
         return float(weights * off @ off) / size if size else 0.0
 
     def _work(self, moved: Array, control: Control, found: Response, tangent: Tangent) -> float:
-        """Work of all nodal forces over a step: cubics through forces and displacements."""
+        """Work of all nodal forces over a step, with forces and displacements as cubics."""
         push = self.tangent.push, tangent.push
         ahead, behind = (control.speed(p, moved) * p for p in push)
         x = (GAUSS[0] + 1) / 2

@@ -1,9 +1,9 @@
 """Newton's method for a geometrically exact frame with one load factor.
 
-The geometric stiffness uses the section forces predicted by the last step, not the forces of the
-new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017). The root is the
-same, and stiff members, whose axial force is sensitive to finite rotations, converge in large
-steps.
+The geometric stiffness uses the section forces predicted by the last iteration, not the section
+forces of the new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017). The
+solution is the same. Stiff members, whose axial force is sensitive to finite rotations, converge in
+larger steps.
 """
 
 import math
@@ -25,10 +25,10 @@ MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent is no
 
 
 class Control(Protocol):
-    """Equation in addition to equilibrium: a given factor, or a given arc length.
+    """Equation that completes the equilibrium: a given factor, or a given arc length.
 
-    `kink` is the permitted deviation of a step from its prediction if terms have kinks, relative to
-    the length of the prediction, squared.
+    `kink` is the permitted squared deviation of a step from its prediction, relative to the squared
+    length of the prediction. It applies if terms have kinks.
     """
 
     kink: float
@@ -36,13 +36,13 @@ class Control(Protocol):
     def correct(self, moved: Array, step: Array, push: Array) -> float:
         """Change of the factor; all arrays have the shape (3n,).
 
-        `moved` is the displacement since the start, `step` the next displacement at constant
-        factor, and `push` the displacement per factor.
+        `moved` is the displacement since the start of the step, `step` the next displacement at
+        constant factor, and `push` the displacement per unit factor.
         """
         ...
 
     def speed(self, push: Array, moved: Array) -> float:
-        """Change of the factor over the whole step, at the rate at the position of `push`."""
+        """Change of the factor over the whole step, at the rate given by `push`."""
         ...
 
 
@@ -51,7 +51,8 @@ def equilibrium(
 ) -> tuple[Extended, float, Response, tuple[float, ...]]:
     """Displacements, factor and response in equilibrium, and the residuals of the iterations.
 
-    Begins with the predicted `step` and `change` of the factor; ConvergenceError otherwise.
+    The iteration begins with the predicted `step` and `change` of the factor. Raises
+    ConvergenceError if it does not converge.
     """
     u, factor = start.exact + step.reshape(-1, 3), start.factor + change
     history: list[float] = []
@@ -68,7 +69,9 @@ def equilibrium(
             settlements, last = settlements + 1, len(history) + MAX_ITERATIONS
             since = len(history)
             if settlements > MAX_SETTLEMENTS:
-                raise ConvergenceError(f"the terms do not settle in {MAX_SETTLEMENTS} rounds")
+                raise ConvergenceError(
+                    f"the contact terms do not converge in {MAX_SETTLEMENTS} corrections"
+                )
             found = balance.respond(u, factor)
         if not math.isfinite(history[-1]):
             break
@@ -90,7 +93,7 @@ def _unsettled(balance: Balance, u: Extended) -> bool:
 
 
 def _stalled(history: list[float]) -> bool:
-    """Whether a small residual has stopped decreasing, as with points that touch without force."""
+    """True if a small residual has stopped decreasing, as for points that touch without force."""
     before, late = history[:-STALL], history[-STALL:]
     return bool(before) and history[-1] < FLICKER and min(late) > min(before) / 2
 

@@ -1,4 +1,4 @@
-"""Critical points of a path of equilibrium, and linearised buckling."""
+"""Critical points of an equilibrium path, and linearised buckling."""
 
 import math
 from collections.abc import Iterator
@@ -20,10 +20,10 @@ MAX_SECTIONS = 60
 
 @dataclass(frozen=True)
 class CriticalPoint:
-    """Point at which a path loses (or regains) stability.
+    """Point at which a path loses or regains stability.
 
-    `mode` (n, 3) has its largest displacement 1 [length]; `limit` separates a limit point from a
-    bifurcation; `width` is the bracket of the factor.
+    The largest displacement of `mode` (n, 3) is 1 [length]. `limit` is True for a limit point,
+    False for a bifurcation. `width` is the width of the bracket of the factor.
     """
 
     state: BeamState
@@ -38,7 +38,7 @@ class CriticalPoint:
 
 @dataclass(frozen=True)
 class _Plane:
-    """Control by the progress along a fixed direction."""
+    """Step control by the progress along a fixed direction."""
 
     normal: Array
     progress: float
@@ -61,7 +61,7 @@ class _Place:
 
 
 def critical_points(balance: Balance, path: Path) -> Iterator[CriticalPoint]:
-    """Sign changes of pivots between the states of a path, located to a part in 1e9 of a step."""
+    """Critical points at sign changes of pivots, located to 1e-9 of a step of the path."""
     states = [path.start, *path.states]
     for before, after in pairwise(states):
         low, high = _look(balance, before), _look(balance, after)
@@ -115,7 +115,7 @@ def _between(
 
 
 def _look(balance: Balance, state: BeamState) -> _Place:
-    """Tangent at a state and its eigenvalue of the smallest size, by inverse iteration."""
+    """Tangent at a state, and its eigenvalue with the smallest magnitude, by inverse iteration."""
     tangent = balance.factorise(state.exact, balance.respond(state.exact, state.factor).K)
     weights = np.where(balance.held, 0.0, balance.weights)
     mode = np.where(balance.held, 0.0, np.cos(np.arange(weights.size)))  # no symmetry
@@ -131,7 +131,7 @@ def _look(balance: Balance, state: BeamState) -> _Place:
 
 
 def _does_work(balance: Balance, place: _Place) -> bool:
-    """Whether the loads or movement do work on the mode."""
+    """True if the loads or prescribed displacements do work on the mode."""
     push = balance.pattern.forces(place.state.exact) - place.tangent.K @ balance.pattern.moved
     push = np.where(balance.held, 0.0, push)
     scale = np.sqrt(balance.weights)
@@ -140,9 +140,9 @@ def _does_work(balance: Balance, place: _Place) -> bool:
 
 
 def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
-    """Smallest positive factors (count,) and modes (count, n, 3) of K_0 + factor K_g.
+    """Smallest positive factors (count,) and modes (count, n, 3) of K_0 + factor x K_g.
 
-    K_g is the geometric stiffness of the forces of the linear solution.
+    K_g is the geometric stiffness for the section forces of the linear solution.
     """
     start = np.zeros((len(balance.points), 3), np.longdouble)
     K = balance.respond(start, 0.0).K
@@ -151,14 +151,18 @@ def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
     K_g = balance.elements.initial_stress_stiffness(stress)
     N, V, M = abs(stress.reshape(-1, 3)).max(axis=0)
     if not max(N, V) > 1e-9 * M / balance.length:
-        raise ValueError("the loads bring no axial or shear force: nothing buckles")
+        raise ValueError(
+            "the loads must cause an axial or a shear force: otherwise the frame does not buckle"
+        )
     if not count < free.sum() - 1:
-        raise ValueError(f"{count} modes of {free.sum()} unknowns: refine the mesh")
+        raise ValueError(f"{count} modes need more than {free.sum()} unknowns: refine the mesh")
     inverse, shapes = eigsh(
         -reduced(K_g, free), count, M=reduced(K, free), which="LA", v0=np.ones(int(free.sum()))
     )
     if not inverse.min() > 0:
-        raise ValueError(f"the frame has fewer than {count} buckling loads in this direction")
+        raise ValueError(
+            f"the frame has fewer than {count} positive buckling factors for these loads"
+        )
     modes = np.zeros((count, free.size))
     modes[:, free] = shapes.T[::-1]
     return 1 / inverse[::-1], np.array([_scaled(mode) for mode in modes])
@@ -169,7 +173,7 @@ def _moved(before: BeamState, after: BeamState) -> Array:
 
 
 def _scaled(mode: Array) -> Array:
-    """The mode (n, 3), scaled so that its largest displacement is +1."""
+    """Mode (n, 3), scaled to the largest displacement +1."""
     shape = mode.reshape(-1, 3)
     at = abs(shape[:, :2]).argmax()
     return shape / shape[:, :2].ravel()[at]

@@ -1,4 +1,4 @@
-"""Equilibrium states of a geometrically exact frame, and paths of them."""
+"""Equilibrium states of a geometrically exact frame, and paths of states."""
 
 from dataclasses import dataclass, replace
 
@@ -11,13 +11,14 @@ from fem.beam.section import Array
 
 @dataclass(frozen=True)
 class BeamState:
-    """One state in equilibrium.
+    """Equilibrium state of a frame.
 
-    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) are the
-    loads in balance with elements and terms. `work` is the work of loads and moved supports along
-    the path, a fourth-order integral over its steps. `residuals` are the relative residuals of the
-    Newton iterations of the last step. `negative` is the number of negative pivots of its tangent
-    with prescribed supports: 0 if the state is stable under the control of the path.
+    `exact` (n, 3) are displacements and rotations in extended precision; `internal` (3n,) are the
+    loads in balance with elements and terms. `work` is the work of loads and prescribed
+    displacements along the path, integrated with fourth order over its steps. `residuals` are the
+    relative residuals of the Newton iterations of the last step. `negative` is the number of
+    negative pivots of the tangent with prescribed supports: 0 if the state is stable under the
+    control of the path.
     """
 
     factor: float
@@ -35,22 +36,22 @@ class BeamState:
 
     @property
     def u(self) -> Array:
-        """Displacements and rotation (n, 3)."""
+        """Displacements and rotations (n, 3)."""
         return self.exact.astype(float)
 
     @property
     def reactions(self) -> Array:
-        """Force and couple that supports exert on the nodes (n, 3), zero on free nodes."""
+        """Forces and couples that supports exert on the nodes (n, 3); zero at free nodes."""
         f = np.where(self.held, self.internal - self.loading.forces(self.exact), 0.0)
         return f.reshape(-1, 3)
 
     @property
     def potential_energy(self) -> float:
-        """Stored energy less the potential of the dead loads [force x length]."""
+        """Stored energy minus the potential of the dead loads [force x length]."""
         return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
 
     def at(self, factor: float) -> "BeamState":
-        """The state as the start of a path that counts from `factor`."""
+        """State as the start of a path whose factor begins at `factor`."""
         return replace(self, factor=factor, residuals=(), steps=0)
 
 
@@ -59,9 +60,9 @@ State = BeamState  # its name in version 0.1
 
 @dataclass(frozen=True)
 class Path:
-    """States in the order in which a driver reached them from `start`.
+    """Equilibrium states in the order in which they were computed, beginning at `start`.
 
-    `held` is the number of supported and prescribed displacements.
+    `pattern` is the loading that the factor multiplies.
     """
 
     start: BeamState
@@ -74,7 +75,7 @@ class Path:
 
     @property
     def factors(self) -> Array:
-        """Factor of the pattern of loads or movement (k,)."""
+        """Factors (k,) of the loads or prescribed displacements."""
         return np.array([state.factor for state in self.states])
 
     @property
@@ -84,40 +85,40 @@ class Path:
 
     @property
     def reactions(self) -> Array:
-        """Forces and couples that the supports exert (k, n, 3)."""
+        """Forces and couples (k, n, 3) that the supports exert."""
         return np.array([state.reactions for state in self.states])
 
     @property
     def strain_energy(self) -> Array:
-        """Strain energy of the elements (k,)."""
+        """Strain energy (k,) of the elements."""
         return np.array([state.strain_energy for state in self.states])
 
     @property
     def term_energy(self) -> Array:
-        """Stored by the terms (k,)."""
+        """Energy (k,) stored by the terms."""
         return np.array([state.term_energy for state in self.states])
 
     @property
     def potential_energy(self) -> Array:
-        """Stored energy less the exact potential of the dead loads (k,)."""
+        """Stored energy minus the potential of the dead loads (k,)."""
         return np.array([state.potential_energy for state in self.states])
 
     @property
     def work(self) -> Array:
-        """Work of loads and moved supports since the reference state (k,)."""
+        """Work (k,) of loads and prescribed displacements since the reference state."""
         return np.array([state.work for state in self.states])
 
     @property
     def dissipated(self) -> Array:
-        """Energy that the terms lost (k,)."""
+        """Energy (k,) dissipated by the terms."""
         return np.array([state.dissipated for state in self.states])
 
     @property
     def residuals(self) -> tuple[tuple[float, ...], ...]:
-        """Relative residuals of the Newton iterations of each state's last step."""
+        """Relative residuals of the Newton iterations in the last step to each state."""
         return tuple(state.residuals for state in self.states)
 
     @property
     def negative(self) -> Array:
-        """Negative pivots of the tangent (k,)."""
+        """Numbers (k,) of negative pivots of the tangent."""
         return np.array([state.negative for state in self.states])

@@ -1,4 +1,4 @@
-"""Stages of a frame whose tips touch one after the other, by linear theory with rigid links."""
+"""Stages of a frame whose two tips touch one after the other, by linear theory with rigid links."""
 
 import math
 from collections.abc import Sequence
@@ -17,10 +17,10 @@ TOGETHER = 1e-6  # relative: two tips that touch at once
 
 @dataclass
 class LinkedFrame:
-    """Straight `chords` pressed along x at `head`, with two pairs of places that may touch.
+    """Frame of straight elements `chords`, loaded along x at `head`, with two possible contacts.
 
-    The pairs are `links` that may be closed, between the nodes `ends` (2, 2); `round_off` grows
-    with the residual of the solver.
+    The contacts are `links` between the nodes `ends` (2, 2). `round_off` increases with the
+    residual of the solver.
     """
 
     points: Array
@@ -33,7 +33,7 @@ class LinkedFrame:
     round_off: float = ROUND_OFF
 
     def solve(self, force: float, closed: Sequence[Link] = ()) -> FrameSolution:
-        """Under `force` at the head, with `closed` links."""
+        """Solution under `force` at the head, with the links `closed`."""
         solved = solve_frame(
             self.points, self.chords, sections=self.section, supports=self.supports,
             loads={self.head: (force, 0.0, 0.0)}, links=closed,
@@ -64,7 +64,7 @@ class LinkedFrame:
         }  # fmt: skip
 
     def respond(self, touching: tuple[int, ...]) -> tuple[float, list[float]]:
-        """Stiffness, and closing of both gaps per force, while the pairs `touching` touch."""
+        """Stiffness, and closure of both gaps per unit force, while the pairs `touching` touch."""
         solved = self.solve(1.0, [replace(self.links[i], value=0.0) for i in touching])
         closing = [
             float((solved.u[tip, :2] - solved.u[leaf, :2]) @ link.direction)
@@ -75,9 +75,10 @@ class LinkedFrame:
 
 @dataclass(frozen=True)
 class Opposite:
-    """Point of a leaf on the normal through a tip: its element, and the place on that.
+    """Point of a leaf opposite to a tip: its element and its relative position on the element.
 
-    `direction` is the normal, `gap` [m] the distance minus the thickness.
+    `direction` is the direction from the tip to the point, `gap` [m] the distance minus the
+    thickness.
     """
 
     element: int
@@ -89,9 +90,10 @@ class Opposite:
 def opposite(
     points: Array, leaf: Indices, tip: int, normal: Literal["force", "leaf"], b: float
 ) -> Opposite:
-    """The place of `leaf` (m, 2) that faces the node `tip` of a leaf along y, b thick [length].
+    """Point of `leaf` (m, 2) opposite to the node `tip` of another leaf, which is along y.
 
-    `normal` is the unloaded `leaf`'s normal, or the direction of the `force`, x.
+    `b` is the thickness [length]. `normal` is the direction to the point: the normal of the
+    unloaded "leaf", or the direction x of the "force".
     """
     starts, steps = points[leaf[:, 0]], points[leaf[:, 1]] - points[leaf[:, 0]]
     along = steps[0] / np.hypot(*steps[0])

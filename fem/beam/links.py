@@ -1,8 +1,8 @@
-"""Rigid links without friction between two points of a frame, such as parts that touch.
+"""Rigid links without friction between two points of a frame, for example for parts in contact.
 
-A link prescribes the displacement of its second point relative to its first in one direction; other
-directions are free. Its force is part of the solution and can also be a tension: if a link
-represents a contact, check the sign of its force.
+A link prescribes the displacement of its second point relative to its first point in one direction;
+displacements in other directions are free. The force of the link is part of the solution and can
+also be a tension. If a link represents a contact, check the sign of its force.
 """
 
 import itertools
@@ -24,11 +24,11 @@ DEPENDENT = 1e-9  # singular value of unit rows
 
 @dataclass(frozen=True, kw_only=True)
 class Link:
-    """(u_second - u_first) . direction = value.
+    """Link that prescribes (u_second - u_first) . direction = value.
 
-    A place is a node, or an element's number and a share of its length. `direction` (x, y) may
-    have any length but zero; a contact's points from `first` to `second`, and its value is then
-    minus the gap [length] that is closed.
+    A point is a node, or the number of an element and a fraction of its length. `direction` (x, y)
+    may have any length except zero. The direction of a contact leads from `first` to `second`; its
+    value is then minus the gap [length] that is closed.
     """
 
     first: Place
@@ -39,19 +39,24 @@ class Link:
     def __post_init__(self) -> None:
         length = math.hypot(*self.direction)
         if not (math.isfinite(length) and length > 0):
-            raise ValueError(f"a link needs a direction (x, y) with a length, got {self.direction}")
+            raise ValueError(
+                f"the direction (x, y) of a link must be finite and not zero, got {self.direction}"
+            )
         if not math.isfinite(self.value):
-            raise ValueError(f"a link's relative displacement must be finite, got {self.value} m")
+            raise ValueError(
+                f"the relative displacement of a link must be finite, got {self.value} m"
+            )
         if self.first == self.second:
-            raise ValueError(f"a link needs two different points, got {self.first} twice")
+            raise ValueError(f"a link must have two different points, got {self.first} twice")
 
 
 @dataclass(frozen=True)
 class Divided:
-    """A mesh of straight elements with a node at every linked point.
+    """Mesh of straight elements with a node at every linked point.
 
-    New nodes and elements follow the given ones; a divided element keeps its first part. `parent`
-    (m,) is the original element of each element, `ends` (k, 2) are the nodes of every link.
+    New nodes and elements follow the given ones; a divided element retains its number for its first
+    part. `parent` (m,) is the original element of each element; `ends` (k, 2) are the nodes of
+    every link.
     """
 
     points: Array
@@ -61,7 +66,7 @@ class Divided:
 
 
 def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
-    """Divide straight elements at linked points; ValueError for points outside the elements."""
+    """Divide straight elements at linked points. Raises ValueError for points outside elements."""
     cuts: dict[int, dict[float, int]] = {}
     count = len(points)
     added: list[Array] = []
@@ -92,14 +97,14 @@ def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
 
 
 def _at_end(place: Place, elements: Indices) -> Place:
-    """A point as a node, if it is a node."""
+    """Node number of a point at an end of an element; all other points are returned unchanged."""
     if not isinstance(place, tuple):
         return place
     e, share = place
     if not 0 <= e < len(elements):
         raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
     if not 0 <= share <= 1:
-        raise ValueError(f"a link's place on element {e} must lie in [0, 1], got {share:g}")
+        raise ValueError(f"the position of a link on element {e} must lie in [0, 1], got {share:g}")
     return int(elements[e, int(share)]) if share in (0, 1) else place
 
 
@@ -111,7 +116,7 @@ def _node(node: int, count: int) -> int:
 
 @dataclass(frozen=True)
 class Ties:
-    """Links between nodes as rows B u = g of a frame with three unknowns a node."""
+    """Links between nodes as equations B u = g, for a frame with three unknowns per node."""
 
     B: csc_array
     g: Array
@@ -122,14 +127,14 @@ class Ties:
 
 
 def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties:
-    """Rows of `links`; their positions are nodes, or nodes given by `ends` (k, 2)."""
+    """Equations of `links`; linked points must be nodes, or are nodes given by `ends` (k, 2)."""
     rows, columns, entries = [], [], []
     for i, link in enumerate(links):
         direction = np.array(link.direction) / math.hypot(*link.direction)
         for j, sign in ((0, -1.0), (1, 1.0)):
             place = (link.first, link.second)[j] if ends is None else int(ends[i, j])
             if isinstance(place, tuple):
-                raise ValueError(f"curved elements are linked at their nodes, got place {place}")
+                raise ValueError(f"links of curved elements must be at nodes, got {place}")
             first = 3 * _node(place, nodes)
             rows += [i, i]
             columns += [first, first + 1]
@@ -139,14 +144,16 @@ def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties
 
 
 def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]) -> bool:
-    """Whether the supports hold the frame without its links.
+    """True if the supports prevent rigid motions without the links.
 
-    `part` (n,) is the connected part that each node belongs to. ValueError for links with
-    nothing to prescribe, and for frames that move in spite of them.
+    `part` (n,) is the number of the connected part to which each node belongs. Raises ValueError
+    for redundant links, and for frames that can move rigidly in spite of the links.
     """
     own = np.linalg.svd(tied.B[:, free].toarray(), compute_uv=False)
     if free.sum() < tied.count or own[-1] < DEPENDENT:
-        raise ValueError("links are redundant or join points that supports already fix")
+        raise ValueError(
+            "links must not be redundant and must not join points that supports already fix"
+        )
     x, y = (points - points.mean(axis=0)).T / max(np.ptp(points, axis=0).max(), 1e-300)
     modes = np.zeros((len(points), 3, 3 * (int(part.max()) + 1)))
     node = np.arange(len(points))
@@ -154,12 +161,12 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
         modes[node, dof, 3 * part + mode] = entry
     motions = modes.reshape(free.size, -1)
     if not _holds(np.vstack([motions[~free], tied.B @ motions])):
-        raise ValueError("the frame can move rigidly in spite of its links: support it")
+        raise ValueError("the frame can move rigidly in spite of its links: add a support")
     return _holds(motions[~free])
 
 
 def _holds(rows: Array) -> bool:
-    """Whether the supports prevent all motions (rows, motions)."""
+    """True if the conditions prevent all motions (rows, motions)."""
     s = np.linalg.svd(rows, compute_uv=False)
     return bool(s.size == rows.shape[1] and s[-1] > DEPENDENT)
 
@@ -168,10 +175,11 @@ Solver = Callable[[Array, Array], tuple[Array, Array]]
 
 
 def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
-    """Solve K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
+    """Function that solves K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
 
-    K is positive definite if the frame is supported `alone`, without its links. Otherwise, adding s
-    B^T B makes it so without an effect, because B u is g. RuntimeError if this is also singular.
+    K is positive definite if the supports `alone` hold the frame. Otherwise, s B^T B is added to K.
+    This makes K positive definite and does not change the solution, because B u is g. Raises
+    RuntimeError if the sum is also singular.
     """
     s = 0.0 if alone else float(abs(K.diagonal()).mean())
     factor = positive_factor(csc_array(K + s * (B.T @ B)) if s else K)
@@ -187,7 +195,7 @@ def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
 
 
 def positive_factor(K: csc_array) -> SuperLU:
-    """Factors of a positive definite matrix; RuntimeError if a pivot is zero."""
+    """Factors of a positive definite matrix. Raises RuntimeError if a pivot is zero."""
     return splu(
         K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     )

@@ -1,4 +1,4 @@
-"""Stiffness of a part of a frame, clamped at one end, about a point in its middle."""
+"""Stiffness of a part of a frame, clamped at one end, for loads at its centre."""
 
 import numpy as np
 
@@ -11,11 +11,11 @@ Point = tuple[float, float]
 def part_stiffness(
     points: Array, elements: Indices, section: Section, start: Point, end: Point
 ) -> dict[str, float]:
-    """Stiffness against unit loads at the centre between `start` (clamped) and `end`, by rigid arm.
+    """Stiffness against unit loads at the centre between `start` (clamped) and `end`.
 
     The loads are a couple ("turn"), a force along x ("axial") and a force along y ("lateral"). A
-    rigid arm transmits them from the centre to the `end`. `elements` (m, 3) are those of the part
-    only.
+    rigid arm transmits them from the centre to `end`. `elements` (m, 3) are the elements of the
+    part only.
     """
     nodes, own = np.unique(elements, return_inverse=True)
     places = points[nodes]

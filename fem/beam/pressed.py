@@ -1,7 +1,7 @@
-"""A frame with its end displaced far along x: its path, and the reaction that guides the end.
+"""Frame whose end is displaced far along x: equilibrium path, and reactions at the guided end.
 
-For springs of thin strip, whose stiff and soft directions differ by many powers of ten: strains are
-differences in extended precision, and stiffnesses follow from strains.
+For springs of thin strip, whose stiff and soft directions differ by many powers of ten. Strains are
+therefore differences in extended precision, and stiffnesses are computed from strains.
 """
 
 from collections.abc import Iterable
@@ -23,7 +23,7 @@ Freedom = Literal["free", "hinged"]
 
 @dataclass(frozen=True, eq=False)
 class PressedFrame:
-    """Quadratic `elements` (m, 3) of one `section`, clamped at the node `tail`, moved at `head`."""
+    """Frame of quadratic `elements` (m, 3), clamped at the node `tail`, displaced at `head`."""
 
     points: Array
     elements: Indices
@@ -33,7 +33,7 @@ class PressedFrame:
 
     @property
     def stiffness(self) -> float:
-        """Stiffness of a free head along x, at small displacement [force/length]."""
+        """Stiffness of a free head along x for small displacements [force/length]."""
         solved = solve_curved_frame(
             self.points, self.elements, sections=self.section, supports={self.tail: "xyr"},
             loads={self.head: (1.0, 0.0, 0.0)},
@@ -41,7 +41,7 @@ class PressedFrame:
         return -1 / (2 * solved.potential_energy)
 
     def frame(self, head: str) -> LargeFrame:
-        """A frame with the components `held` of its head prescribed ("yr": guided along x)."""
+        """Frame whose head has the components `head` fixed ("yr": guided along x)."""
         supports = {self.tail: "xyr", self.head: head}
         return LargeFrame(self.points, self.elements, sections=self.section, supports=supports)
 
@@ -50,7 +50,7 @@ class PressedFrame:
         return self.frame("yr")
 
     def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
-        """States of the guided frame at the displacements `U` since rest, or since a state."""
+        """States of the guided frame at the displacements `U` from rest or from `since`."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 
@@ -59,12 +59,12 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
-        """Force and couple (3, 3) on the head per small displacement, after release in a state.
+        """Force and couple (3, 3) on the head per small displacement, after its release in a state.
 
-        Also its rounding error (3, 3), from its asymmetry and the change by the last correction.
-        Only the rest of the frame is solved, so that the system is regular at the buckling load of
-        the frame; the remainder is computed from strains in extended precision, because K u has
-        large round-off for thin strips.
+        The second result is the round-off error (3, 3), from the asymmetry and the change in the
+        last correction. Only the frame without its head is solved, so that the system is regular at
+        the buckling load of the frame. Residuals are computed from strains in extended precision,
+        because K u has large round-off for thin strips.
         """
         e = self.guided.elements
         strain, _, t = e.strains(state.exact)
@@ -93,24 +93,24 @@ class PressedFrame:
             moved[:, free] += step
 
     def _rounded(self, S: Array, before: Array) -> tuple[Array, Array]:
-        """A stiffness (3, 3) and its rounding error, for all entries that of the worst entry."""
+        """Symmetric stiffness (3, 3) and its round-off error, taken from the worst entry."""
         size = np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))
         worst = float((np.maximum(abs(S - S.T), abs(S - before)) / size).max())
         return (S + S.T) / 2, worst * size
 
     def determinant(self, state: BeamState, head: Freedom) -> float:
-        """Determinant of the stiffness of a head of this freedom under its loads."""
+        """Determinant of the stiffness of the head, "free" or "hinged", under its loads."""
         return let_go(self.head_stiffness(state)[0], head)
 
     def lateral_stiffness(self, state: BeamState) -> tuple[float, float]:
-        """Stiffness of the guided head across, along y, and its rounding error [force/length]."""
+        """Lateral stiffness of the guided head along y, and its round-off error [force/length]."""
         S, rounding = self.head_stiffness(state)
         return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
 
     def critical_displacement(self, until: float, first: float) -> float | None:
         """First critical point of the guided frame up to `until` [length]; None if there is none.
 
-        It lies between two computed states; between them, the tangent stiffness ceases to be
+        It lies between two computed states, between which the tangent stiffness ceases to be
         positive definite. Arc-length control passes limit points, at which displacement control
         fails. The path begins with the displacement `first`.
         """
@@ -123,6 +123,6 @@ class PressedFrame:
 
 
 def let_go(S: Array, head: Freedom) -> float:
-    """Determinant of the stiffness S (3, 3) of a head of this freedom."""
+    """Determinant of the stiffness S (3, 3) of a "free" or "hinged" head."""
     moving = [0, 2] if head == "hinged" else [0, 1, 2]
     return float(np.linalg.det(S[np.ix_(moving, moving)]))

@@ -1,4 +1,4 @@
-"""Paths of a compressed frame: forces of a guided head, drift of a free head, inclined path."""
+"""Paths of a compressed frame: forces of a guided head, drift of a free head, inclined paths."""
 
 from collections.abc import Sequence
 
@@ -13,13 +13,14 @@ DRIFTING, GUIDED = (0.01, 0.15, 0.18, 0.6), (0.02, 0.7)  # points of a path, rel
 
 
 class UnstableError(ArithmeticError):
-    """The path of the guided frame is proven to have a critical point before the largest share."""
+    """The guided frame has a proven critical point before the largest displacement."""
 
 
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:
-    """Forces of the guided head at ascending shares of the `length`; all equilibria are stable.
+    """Forces of the guided head at the rising displacements `shares` x `length`, if stable.
 
-    UnstableError if a critical point precedes, ArithmeticError if no equilibrium is found.
+    Raises UnstableError if a critical point occurs before, ArithmeticError if no equilibrium is
+    found.
     """
     first = np.linspace(0, shares[0], CLOSER + 1)[1:]
     U = np.unique([*first, *shares]) * length
@@ -29,14 +30,16 @@ def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> 
         until = float(U[-1])
         if (U_cr := one.critical_displacement(until, shares[0] / CLOSER * until)) is None:
             raise
-        raise UnstableError(f"critical point at {U_cr / length:.1%} of the length") from error
+        raise UnstableError(
+            f"critical point at a displacement of {U_cr / length:.1%} of the length"
+        ) from error
     if any(state.negative for state in states):
-        raise UnstableError(f"unstable before {shares[-1]:.0%} of the length")
+        raise UnstableError(f"unstable before a displacement of {shares[-1]:.0%} of the length")
     return [one.force(states[int(np.argmin(abs(U - s * length)))]) for s in shares]
 
 
 def free_force(one: PressedFrame, U: Array) -> float:
-    """Force of a free head at the last of its displacements `U` along x, drifting before."""
+    """Force of a free head at the last of its displacements `U` along x; it drifts along y."""
     path = one.frame("").displaced({one.head: {"x": 1.0}}, U)
     return float(path.reactions[-1, one.head, 0])
 
@@ -50,23 +53,24 @@ def slanted_force(one: PressedFrame, x: float, y: float) -> tuple[float, float]:
 
 
 def drifts(one: PressedFrame, P: float, shares: Sequence[float]) -> list[float]:
-    """Movement along y of a head that is free from rest on, at shares of the load `P` along x."""
+    """Displacements along y of a free head, for the fractions `shares` of the load `P` along x."""
     path = one.frame("").under_loads({one.head: (P, 0.0, 0.0)}, STEPS)
     by_share = {round(float(state.factor), 6): state for state in path.states}
     return [by_share[share].u[one.head, 1] for share in shares]
 
 
 def deflected(one: PressedFrame, u: Array) -> Array:
-    """Centre line (elements, 3, 2) of the frame with displacements (nodes, >= 2)."""
+    """Centre line (elements, 3, 2) of the frame displaced by `u` (nodes, >= 2)."""
     return np.asarray((one.points + u[:, :2])[one.elements[:, [0, 2, 1]]])
 
 
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
-    """Paths of a free head and of a guided head over the `length`: force, drift, reactions.
+    """Paths of a free head and of a guided head: force, drift, reactions.
 
-    "free" (m, 4): force, movement along x and y, determinant over that at rest; "guided" (k, 4):
-    displacement, force, lateral stiffness, determinant of a hinged head over that at rest;
-    "free_shape": the centre line of the free path at the share `drawn` of the length.
+    "free" (m, 4): force, displacements along x and y, determinant relative to the undeformed frame.
+    "guided" (k, 4): displacement, force, lateral stiffness, determinant of a hinged head relative
+    to the undeformed frame. "free_shape": centre line of the free path at the displacement `drawn`
+    x `length`.
     """
     a, b, c, d = DRIFTING
     U = np.concatenate([np.linspace(a, b, 20), np.linspace(c, d, 10)]) * length

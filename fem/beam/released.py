@@ -1,4 +1,4 @@
-"""Buckling of a pressed frame whose head is released: by loads at rest, and along its path."""
+"""Buckling of a compressed frame with a released head: linearised, and along its path."""
 
 import math
 from dataclasses import replace
@@ -19,9 +19,10 @@ NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacem
 
 
 def linear_load(one: PressedFrame) -> tuple[float, float]:
-    """Force at which a free head's frame buckles if it does not deform before [force].
+    """Linearised buckling load of the frame with a free head [force], and its round-off error.
 
-    And its rounding: the change by the last step of inverse iteration, and node coordinates.
+    The frame does not deform before buckling. The round-off error is the change in the last step of
+    inverse iteration, plus the error by rounded node coordinates.
     """
     frame = one.frame("")
     rest, e = frame.rest(), frame.elements
@@ -39,11 +40,11 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
 
 
 def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
-    """First buckling of a guided head after its release: displacement, rounding error, state.
+    """First buckling of a guided head after its release: displacement, round-off error, state.
 
-    NaN and None if it does not buckle up to `until`. The search begins at the linear buckling load.
-    A lower critical point would be found: the determinant changes its sign at the first point from
-    rest.
+    The result is NaN and None if the head does not buckle up to `until`. The search begins at the
+    linearised buckling load. A lower critical point is not missed, because the determinant changes
+    its sign at the first critical point from rest.
     """
     load, _ = linear_load(one)
     rest, at = one.guided.rest(), 0.0
@@ -58,7 +59,7 @@ def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState 
 
 
 def _held(one: PressedFrame, since: Held, step: float) -> Held:
-    """State of the guided head at a distance from another state, and stiffness of the head."""
+    """State at the displacement `step` from another state, and stiffness of the head."""
     state = one.compressed([step], since[0])[0]
     return state, one.head_stiffness(state)
 
@@ -66,9 +67,9 @@ def _held(one: PressedFrame, since: Held, step: float) -> Held:
 def _located(
     one: PressedFrame, before: Held, beyond: Held, at: float, u: float
 ) -> tuple[float, float, BeamState]:
-    """Critical point between the displacement `at` of a state and `u` of a state beyond it.
+    """Critical point between the displacement `at` of a state and `u` of a later state.
 
-    The determinant has the accuracy of round-off there; therefore, its root is one number.
+    The determinant is accurate to round-off between these states; its root is therefore unique.
     """
     found = {0.0: before, u - at: beyond}
 

@@ -1,4 +1,4 @@
-"""Cross-sections of plane beams, and the results of a solved frame."""
+"""Cross-sections of plane beams, and solutions of frames."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -23,9 +23,9 @@ RESIDUAL_LIMIT = 1e-12
 
 @dataclass(frozen=True, kw_only=True)
 class Section:
-    """Axial stiffness `EA`, bending stiffness `EI` and shear stiffness `GA` (shear area times G).
+    """Axial stiffness `EA`, bending stiffness `EI` and shear stiffness `GA` of a cross-section.
 
-    `GA` may be infinite (Euler-Bernoulli) for elements that allow it.
+    `GA` is shear area times G. It may be infinite (Euler-Bernoulli) for elements that allow it.
     """
 
     EA: float
@@ -47,17 +47,17 @@ Loads = Mapping[int, tuple[float, float, float]]
 
 @dataclass(frozen=True)
 class FrameSolution:
-    """A solved frame.
+    """Solution of a frame.
 
-    `u` (nodes, 3): displacements and rotation; `reactions` (nodes, 3): force and couple that the
-    supports exert, round-off on free nodes; `f` are the loads (3 nodes,). `residual` is the share
-    of the energy in the last correction of the solver, the square of a relative displacement.
-    `section_forces` (elements, k, 3) are axial force, shear force and bending moment at the
-    `stations` (elements, k, 2) of each element: both ends of a straight one, the Gauss points of
-    a curved one. `link_forces` (links,) are positive where they separate the points of each link
-    along its direction. Tension is positive; the moment EI d(rotation)/ds and the
-    shear force along the normal (the tangent turned by +90 deg) follow the direction of the
-    element, V = -dM/ds.
+    `u` (nodes, 3) are displacements and rotations. `reactions` (nodes, 3) are the forces and
+    couples that the supports exert; at free nodes they are round-off. `f` (3 nodes,) are the loads.
+    `residual` is the energy of the solver's last correction relative to the total energy, which is
+    the square of a relative displacement. `section_forces` (elements, k, 3) are axial force, shear
+    force and bending moment at the `stations` (elements, k, 2) of each element: both ends of a
+    straight element, the Gauss points of a curved element. `link_forces` (links,) are positive if
+    they separate the points of a link along its direction. Tension is positive. The moment EI
+    d(rotation)/ds and the shear force along the normal (the tangent rotated by +90 deg) follow the
+    direction of the element: V = -dM/ds.
     """
 
     points: Array
@@ -73,11 +73,11 @@ class FrameSolution:
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads [force x length].
+        """Strain energy minus the work of the loads [force x length].
 
-        Stationary at the solution: an error of u has a squared effect. Under loads without
-        prescribed displacements, it is minus half the work of the loads: compliance = -2 x this /
-        force^2.
+        It is stationary at the solution: an error of u has a squared effect. Under loads without
+        prescribed displacements, it is minus half the work of the loads; the compliance is then -2
+        x potential energy / force^2.
         """
         # energy of elements between fixed ends is half of the work of their loads there
         return self.strain_energy - 2 * self.between_nodes - float(self.f @ self.u.ravel())
@@ -89,16 +89,19 @@ class FrameSolution:
 
 
 def check_elements(count: int, elements: Indices) -> None:
-    """ValueError for unknown nodes and for nodes without an element."""
+    """Raise ValueError for unknown nodes and for nodes without an element."""
     named = set(elements.ravel().tolist())
     if unknown := sorted(named - set(range(count))):
         raise ValueError(f"no node {unknown[0]}: the frame has nodes 0 to {count - 1}")
     if idle := sorted(set(range(count)) - named):
-        raise ValueError(f"node {idle[0]} belongs to no element")
+        raise ValueError(f"every node must belong to an element, but node {idle[0]} does not")
 
 
 def element_sections(count: int, sections: Sections, bodies: Bodies | None) -> list[Section]:
-    """The section of every element; ValueError for unknown bodies and bare elements."""
+    """Section of every element.
+
+    Raises ValueError for unknown bodies and for elements without a section.
+    """
     if isinstance(sections, Section):
         return [sections] * count
     found: list[Section | None] = [None] * count
@@ -124,12 +127,13 @@ def solve_supported(
     forces: Callable[[Array], tuple[float, Array]],
     tied: Ties | None = None,
 ) -> tuple[FrameSolution, Array]:
-    """Add nodal `loads`, apply `supports` and links, and solve; each node has three unknowns.
+    """Solution and strains of a frame under nodal `loads`, with `supports` and links applied.
 
-    `strains` is linear in the displacements (nodes, 3); `forces` gives the strain energy and the
-    internal forces (nodes, 3) of strains. Returns the solution and its strains. The strains are
-    sums over the corrections, each with full precision: strains of the total displacement would
-    have the round-off of its large rigid motion, which gives large forces in a stiff member.
+    Each node has three unknowns. `strains` is linear in the displacements (nodes, 3). `forces`
+    returns the strain energy and the internal forces (nodes, 3) for given strains. The strains are
+    sums over the corrections, each with full precision. Strains calculated from the total
+    displacement would contain the round-off of large rigid motions, which causes large errors of
+    the forces in stiff members.
     """
     n = len(points)
     f, u = f.copy(), np.zeros(3 * n)
@@ -140,7 +144,7 @@ def solve_supported(
         items = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
         for component, value in items.items():
             if component not in DOFS:
-                raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
+                raise ValueError(f"node {node}: components must be x, y or r, got {component!r}")
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
     tied = tied or ties(n, ())
@@ -168,8 +172,8 @@ def solve_supported(
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solver did not converge: the last correction contains {change:.1e} "
-            f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
+            f"the linear solver did not converge: the energy of the last correction is "
+            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
         )
     energy, internal = forces(strained)
     reactions = internal - (f + tied.B.T @ pushing).reshape(-1, 3)
@@ -185,7 +189,9 @@ def _factorised(K: csc_array, B: csc_array, alone: bool) -> Solver:
             return tied_solver(K, B, alone)
         factor = positive_factor(K)
     except RuntimeError as error:  # SuperLU's error for a zero pivot
-        raise ValueError("the frame is a mechanism: a part of it can move freely") from error
+        raise ValueError(
+            "the frame is a mechanism: support the part that can move freely"
+        ) from error
     return lambda residual, _: (factor.solve(residual), np.zeros(0))
 
 
@@ -196,14 +202,14 @@ def _rows(n: int, node: int) -> slice:
 
 
 def _parts(count: int, elements: Indices) -> Indices:
-    """The number of the connected part that every node belongs to."""
+    """Number of the connected part of the frame to which every node belongs."""
     first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
     joined = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
     return np.asarray(connected_components(joined, directed=False)[1], dtype=np.int64)
 
 
 def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
-    """ValueError if a connected part of the frame can move rigidly."""
+    """Raise ValueError if a connected part of the frame can move rigidly."""
     part = _parts(len(points), elements)
     parts = int(part.max()) + 1
     for k in range(parts):

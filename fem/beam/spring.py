@@ -1,4 +1,4 @@
-"""A strip spring compressed until it touches itself, by finite elements, in one call."""
+"""Strip spring that is compressed until it touches itself, solved with finite elements."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,15 +15,16 @@ def compress_spring(
     line: Any, U: Sequence[float] | Array, *, b: float, h: float, E: float, nu: float,
     mu: float = 0.0, head: str = "free",
 ) -> Curve:  # fmt: skip
-    """An accordion spring with its head displaced to each of the displacements U [m] in turn.
+    """Curve of an accordion spring whose head is displaced to the displacements `U` [m] in turn.
 
-    `line` is its centre line with free tips, `meshes.spring.spring_centre_line(tips=True)`. The
-    strip has the thickness `b` and the width `h` [m], E [Pa], nu and the coefficient `mu` of
-    friction; the head is "free", "hinged" (no transverse movement) or "guided" (nor a rotation).
-    The curve has forces `F` [N] over `U` [m], `press` [N] between neighbouring units and shapes.
+    `line` is the centre line with free tips, `meshes.spring.spring_centre_line(tips=True)`. The
+    strip has the thickness `b` and the width `h` [m], E [Pa], nu and the friction coefficient `mu`.
+    The head is "free", "hinged" (no transverse displacement) or "guided" (also no rotation). The
+    curve contains forces `F` [N] for `U` [m], contact forces `press` [N] between neighbouring
+    units, and deformed shapes.
 
-    For a wide strip, E/(1 - nu^2) can be used for E. ValueError for an unknown head, a line without
-    tips, or U that does not increase; ArithmeticError if no equilibrium is found at a U.
+    For a wide strip, E/(1 - nu^2) can be used for E. Raises ValueError for an unknown head, a line
+    without tips, or `U` that does not increase; ArithmeticError if no equilibrium is found.
 
     >>> from math import radians
     >>> from meshes.spring import spring_centre_line
@@ -34,9 +35,9 @@ def compress_spring(
     True
     """
     if head not in HEADS:
-        raise ValueError(f"a head is one of {', '.join(HEADS)}, got {head!r}")
+        raise ValueError(f"head must be one of {', '.join(HEADS)}, got {head!r}")
     if "head tip" not in line.nodes:
-        raise ValueError("the centre line needs its free tips, which touch: tips=True")
+        raise ValueError("the centre line must have free tips, which touch: use tips=True")
     if not np.all(np.diff([0.0, *U]) > 0):
         raise ValueError(f"displacements U [m] must be positive and ascending, got {list(U)}")
     A, G = b * h, E / (2 * (1 + nu))

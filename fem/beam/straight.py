@@ -1,7 +1,7 @@
 """Plane frames of straight elements with closed-form stiffness (Euler-Bernoulli, Timoshenko).
 
-Exact at the nodes for straight members under nodal loads; arcs are inscribed polygons, which
-costs an error of second order in the element length.
+The solution is exact at the nodes for straight members under nodal loads. Arcs are approximated by
+inscribed polygons; the error is of second order in the element length.
 """
 
 from collections.abc import Mapping, Sequence
@@ -42,25 +42,25 @@ def solve_frame(
     Parameters
     ----------
     points, elements
-        Nodes (n, 2) and their pairs (m, 2).
+        Nodes (n, 2), and two nodes for each element (m, 2).
     sections
-        One section, or one for each of `bodies` (name to element numbers).
+        One section, or a section for each of `bodies` (name to element numbers).
     supports
-        Node to components "x", "y", "r", or a mapping to prescribed values.
+        For each node, the fixed components "x", "y", "r", or a mapping to prescribed values.
     loads
-        Node to force (x, y) and couple.
+        For each node, force (x, y) and couple.
     distributed
-        Element to force per length (x, y), uniform along it.
+        For each element, a uniform force per length (x, y).
     links
-        Rigid links between nodes or points inside elements. A linked element is divided there: new
-        nodes and elements follow the given ones in the solution.
+        Rigid links between nodes or points inside elements. A linked element is divided at the
+        linked point. In the solution, new nodes and elements follow the given ones.
 
     Raises
     ------
     ValueError
-        For unknown nodes or bodies, elements without length and frames that can move rigidly.
+        For unknown nodes or bodies, elements without length, or frames that can move rigidly.
     ArithmeticError
-        If the linear solution leaves a residual above 1e-6.
+        If the relative error of the linear solution is above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)
@@ -74,7 +74,7 @@ def solve_frame(
     d = points[elements[:, 1]] - points[elements[:, 0]]
     length = np.hypot(*d.T)
     if length.min() <= 0:
-        raise ValueError(f"element {int(length.argmin())} has no length")
+        raise ValueError(f"the length of element {int(length.argmin())} must not be zero")
     EA, EI, GA = np.array([(s.EA, s.EI, s.GA) for s in chosen]).T
     k, T = _stiffness(length, EA, EI, 12 * EI / (GA * length**2)), _rotation(d / length[:, None])
     dofs = (3 * elements[:, :, None] + np.arange(3)).reshape(-1, 6)
@@ -99,7 +99,7 @@ def solve_frame(
         return _deformation(u, elements, tangent, length)
 
     def resultants(strains: Array) -> Array:
-        """Axial forces and end couples of the nodes (3, m), the work conjugates of `strains`."""
+        """Axial forces and end couples (3, m), the work conjugates of `strains`."""
         stretch, first, second = strains
         return np.array([
             EA / length * stretch,
@@ -123,9 +123,9 @@ def solve_frame(
 
 
 def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
-    """N, V and bending moment (m, 2, 3) at both ends of elements, from N and end couples.
+    """N, V and bending moment (m, 2, 3) at both ends of each element, from N and end couples.
 
-    `fixed_end` are the loads along the element.
+    `fixed_end` (m, 6) are the fixed-end forces of the loads along the elements.
     """
     N, M = held[0], held[1:]
     V = -M.sum(axis=0) / L
@@ -134,7 +134,7 @@ def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
 
 
 def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> Array:
-    """Elongation, and rotations of both ends relative to the rotated chord, (3, m)."""
+    """Elongation, and rotations of both ends relative to the rotated chord (3, m)."""
     step = u[elements[:, 1], :2] - u[elements[:, 0], :2]
     stretch = (step * tangent).sum(axis=1)
     chord = (tangent[:, 0] * step[:, 1] - tangent[:, 1] * step[:, 0]) / L
@@ -142,7 +142,7 @@ def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> Array
 
 
 def _end_forces(held: Array, elements: Indices, tangent: Array, L: Array, nodes: int) -> Array:
-    """Forces and couples (nodes, 3) that hold axial forces and end couples: work-conjugate."""
+    """Nodal forces and couples (nodes, 3) in balance with axial forces and end couples."""
     N, M = held[0], held[1:]
     V = M.sum(axis=0) / L  # the chord's rotation does this work, with the opposite sign
     pull = N[:, None] * tangent - V[:, None] * np.column_stack([-tangent[:, 1], tangent[:, 0]])
@@ -169,7 +169,7 @@ def _stiffness(L: Array, EA: Array, EI: Array, phi: Array) -> Array:
 
 
 def _rotation(tangent: Array) -> Array:
-    """From global to local components, (m, 6, 6)."""
+    """Rotation matrices (m, 6, 6) from global to local components."""
     c, s = tangent.T
     T = np.zeros((len(tangent), 6, 6))
     for o in (0, 3):

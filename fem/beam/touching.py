@@ -1,7 +1,7 @@
-"""Contact of beams with a thickness: with each other and with rigid obstacles, with friction.
+"""Contact of beams of finite thickness with each other and with rigid obstacles, with friction.
 
-Terms of `fem.beam.large.LargeFrame`. Surfaces are half a thickness from the centre line; the free
-end of a line is a half circle around its last node.
+The classes are terms of `fem.beam.large.LargeFrame`. Surfaces are at half a thickness from the
+centre line. The free end of a line is a half circle around its last node.
 """
 
 import math
@@ -32,10 +32,10 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 
 
 class Touching(Term, ABC):
-    """Probes of lines, and the law of contact with a partner.
+    """Contact of the probes of lines with a partner.
 
-    `record` contains the contacts of the accepted state, `records` those of all states since the
-    start of the path (the reference state first).
+    `record` contains the contacts of the accepted state; `records` contains those of all states
+    since the start of the path, beginning with the reference state.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class Touching(Term, ABC):
         if self.law.settle(*self._answer(x)):
             return True
         if self._passed(x.astype(float)):
-            raise ConvergenceError("parts of the frame would pass through each other")
+            raise ConvergenceError("the step moves parts of the frame through each other")
         return False
 
     def accept(self, x: Positions) -> None:
@@ -87,23 +87,23 @@ class Touching(Term, ABC):
 
     @abstractmethod
     def _start(self, x: Array) -> None:
-        """Begin in the reference state."""
+        """Begin with the reference state `x`."""
 
     @abstractmethod
     def _keep(self, x: Array) -> None:
-        """Sides and slip are measured from the state `x`."""
+        """Measure sides and slip from the state `x`."""
 
     @abstractmethod
     def _passed(self, x: Array) -> bool:
-        """Whether something passed through something since the accepted state."""
+        """True if parts passed through each other since the accepted state."""
 
     @abstractmethod
     def _touch(self, x: Positions) -> Touch:
-        """The places that press at `x`."""
+        """Contacts with a normal force at `x`."""
 
     @abstractmethod
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
-        """The places of `found` for whoever reads them."""
+        """Record of the contacts `found` in the accepted state."""
 
 
 class SelfContact(Touching):
@@ -112,26 +112,26 @@ class SelfContact(Touching):
     Parameters
     ----------
     points, elements
-        As of the frame: nodes (n, 2) [length], elements (m, 2) or (m, 3).
+        Nodes (n, 2) [length] and elements (m, 2) or (m, 3) of the frame.
     thickness
-        b [length]: two lines touch at the distance b.
+        Thickness b [length]: two lines touch at the distance b.
     EA
         Axial stiffness [force] of the lines, which scales the contact stiffness.
     friction
         Coulomb's coefficient.
     apart : optional
-        Arc length [length] within which points of one line never touch, by default 3 b; elements
-        with a common node never touch.
+        Arc length [length] below which points of one line are not tested for contact; by default 3
+        b. Elements with a common node are never tested.
     share
-        Contact stiffness: pressure = share x EA/b^2 x overlap per length; at free ends, force =
-        share x EA/b x overlap. It has an effect on the iterations, but not on the results.
+        Contact stiffness. The pressure per length is share x EA/b^2 x overlap; the force at free
+        ends is share x EA/b x overlap. It affects the iterations, but not the results.
     per_element
-        Number of probes of an element; each searches for the least gap in its part of the element.
+        Number of probes per element. Each probe searches for the smallest gap in its part of it.
 
     Raises
     ------
     ValueError
-        For unknown nodes and numbers that aren't positive.
+        For unknown nodes, and for values that must be positive but are not.
     """
 
     def __init__(
@@ -148,7 +148,7 @@ class SelfContact(Touching):
     ) -> None:
         lines, nodes = _checked(points, elements, thickness, EA, friction, share, per_element)
         if apart is not None and not 0 <= apart < math.inf:
-            raise ValueError(f"apart must be a length of 0 or more, got {apart}")
+            raise ValueError(f"apart must be a finite length of 0 or more, got {apart}")
         own = probes(lines, nodes, thickness, per_element)
         super().__init__(lines, nodes, own, 2, thickness, EA, friction, share)
         self.thickness = thickness
@@ -192,15 +192,16 @@ class SelfContact(Touching):
 class BeamObstacle(Touching):
     """Contact of lines with a rigid `shape`, a `FlatObstacle` or `DiscObstacle`.
 
-    With a `carrier`, the shape moves and rotates with this node of the frame. The supports or
-    prescribed displacements of the node then move the shape, and its reaction is the contact force.
-    The carrier is an end of a separate stub, because every node belongs to an element. `elements`
-    may be some of the elements of the frame; for other parameters see `SelfContact`.
+    With a `carrier`, the shape moves and rotates with this node of the frame. Supports or
+    prescribed displacements of the node then move the shape, and the reaction at the node is the
+    contact force. The carrier is an end of a separate short element, because every node must belong
+    to an element. `elements` may be some of the elements of the frame. For other parameters see
+    `SelfContact`.
 
     Raises
     ------
     ValueError
-        As `SelfContact`.
+        See `SelfContact`.
     """
 
     def __init__(
@@ -260,17 +261,17 @@ def _checked(
     points: ArrayLike, elements: ArrayLike, thickness: float, EA: float, friction: float,
     share: float, per_element: int,
 ) -> tuple[Array, Indices]:  # fmt: skip
-    """Points and elements as arrays; ValueError for numbers out of range."""
+    """Points and elements as arrays. Raises ValueError for values out of range."""
     lines, nodes = np.asarray(points, float), np.asarray(elements, int)
     if nodes.ndim != 2 or nodes.shape[1] not in (2, 3):
-        raise ValueError(f"elements have 2 or 3 nodes each, got an array {nodes.shape}")
+        raise ValueError(f"elements must have 2 or 3 nodes each, got an array {nodes.shape}")
     if unknown := sorted(set(nodes.ravel().tolist()) - set(range(len(lines)))):
         raise ValueError(f"no node {unknown[0]}: the frame has nodes 0 to {len(lines) - 1}")
     for name, value in {"thickness": thickness, "EA": EA, "share": share}.items():
         if not 0 < value < math.inf:
             raise ValueError(f"{name} must be positive and finite, got {value}")
     if not 0 <= friction < math.inf:
-        raise ValueError(f"friction must be 0 or more, got {friction}")
+        raise ValueError(f"friction must be finite and 0 or more, got {friction}")
     if per_element < 1:
-        raise ValueError(f"an element needs 1 probe or more, got per_element = {per_element}")
+        raise ValueError(f"per_element, the number of probes, must be 1 or more, got {per_element}")
     return lines, nodes

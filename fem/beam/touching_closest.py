@@ -13,10 +13,11 @@ SETTLED = 1e-11  # relative to a place: the distance there is stationary
 
 
 def closest(curve: Array, at: Array) -> Array:
-    """Parameter (k,), 0 to 1, of the point nearest to `at` (k, 2) on curves (`powers`, (k, 2, 3)).
+    """Parameters (k,), 0 to 1, of the points nearest to `at` (k, 2) on curves.
 
-    Newton's method for the distance, starting at the projection on the chord. If the distance is
-    not convex (beyond the centre of curvature), the step has the length scale of the chord.
+    The curves are given by their coefficients from `powers`, (k, 2, 3). Newton's method for the
+    distance begins with the projection on the chord. If the distance is not convex (beyond the
+    centre of curvature), the step has the length scale of the chord.
     """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2
@@ -52,12 +53,12 @@ def least(
     rise: Callable[[Array, Indices], tuple[Array, Array]],
     below: float = np.inf,
 ) -> Array:
-    """Position (k,) of the minimum of a function between `lower` and `upper`.
+    """Positions (k,) of the minima of k functions between `lower` and `upper`.
 
     `rise(places, rows)` returns values and slopes of the functions `rows` at `places`. Each
-    function is assumed to have one minimum in a cell; it is at an end if the slope does not change
-    from - to +. Otherwise, the Illinois method (false position with halved weights) finds it; only
-    roughly, if the tangents at both ends show that it is above `below`.
+    function is assumed to have one minimum. It is at an end if the slope does not change from - to
+    +; otherwise, the Illinois method (false position with halved weights) finds it. If the tangents
+    at both ends show that the minimum is above `below`, the result is only approximate.
     """
     every = np.arange(len(lower))
     low, first = rise(lower, every)

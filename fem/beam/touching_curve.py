@@ -1,4 +1,4 @@
-"""Force over displacement of a compressed line of beams with self-contact, state by state."""
+"""Force-displacement curve of a compressed line of beams with self-contact."""
 
 from collections.abc import Sequence
 from contextlib import suppress
@@ -19,11 +19,12 @@ STORED = ("U", "F", "side", "press", "depth", "work", "stored", "dissipated", "n
 
 @dataclass(frozen=True)
 class TouchingLine:
-    """One line of quadratic `elements` (m, 3: ends and middle) of one `section` that may touch.
+    """Line of quadratic `elements` (m, 3: ends and middle) that may touch itself.
 
-    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts.
-    Each part may touch the next. The curve begins at the node `start`, which is clamped at `tail`
-    and displaced along x at `head`; the components `held` ("yr") of the head are fixed.
+    All elements have the same `section`. `thickness` and `friction` coefficient belong to the
+    strip. `units` are the elements of its parts; each part may touch the next. The line begins at
+    the node `start`, is clamped at `tail` and is displaced along x at `head`; the components `held`
+    ("yr") of the head are fixed.
     """
 
     points: Array
@@ -39,7 +40,7 @@ class TouchingLine:
 
     @property
     def order(self) -> Indices:
-        """Its nodes in their order along the line."""
+        """Nodes in their order along the line."""
         after = {int(first): (int(middle), int(end)) for first, end, middle in self.elements}
         order = [self.start]
         while order[-1] in after:
@@ -49,11 +50,12 @@ class TouchingLine:
 
 @dataclass(frozen=True)
 class Curve:
-    """States (k,) of a line as its head is pressed: loads of the head, places in contact [SI].
+    """States (k,) of a line while its head is displaced: forces at the head and contacts [SI].
 
-    `side` is the transverse force at the tail's clamp, `press` (k, units - 1) the normal force of
-    neighbouring units, `depth` the deepest overlap, `negative` the number of unstable directions;
-    `shapes` (k, nodes, 2) and the places that touch in each state.
+    `side` is the transverse force at the clamped tail, `press` (k, units - 1) the normal force
+    between neighbouring units, `depth` the largest overlap, `negative` the number of unstable
+    directions. `shapes` (k, nodes, 2) are deformed shapes, `touches` the contact points in each
+    state.
     """
 
     U: Array
@@ -70,7 +72,7 @@ class Curve:
     nodes: Indices  # in the order of the line
 
     def arrays(self, name: str) -> dict[str, Array]:
-        """Arrays of the curve to be stored under `name`; of its shapes only the centre lines."""
+        """Arrays of the curve, to be stored under `name`; shapes are reduced to centre lines."""
         return {
             **{f"{name} {key}": getattr(self, key) for key in STORED},
             f"{name} shapes": self.shapes[:, self.nodes],
@@ -89,13 +91,13 @@ def compress(
     line: TouchingLine, U: Sequence[float] | Array, *, times: float = 1.0,
     beyond: Sequence[float] | Array = (),
 ) -> Curve:  # fmt: skip
-    """The line with its head displaced to each of the displacements U [m] in turn.
+    """Curve of the line while its head is displaced to each of the displacements `U` [m] in turn.
 
-    `times` is the factor on the usual contact stiffness. The displacements `beyond` the last U
-    follow until the force is TWICE that at the last U. If no equilibrium is found before, the curve
-    ends early; this is not a property of the line.
+    `times` is a factor of the default contact stiffness. The displacements `beyond` the last U
+    follow until the force is TWICE the force at the last U. If no equilibrium is found on the way,
+    the curve ends early; this is not a property of the line.
 
-    Raises ArithmeticError if no state is found at one of U.
+    Raises ArithmeticError if no equilibrium is found at a displacement in `U`.
     """
     contact = SelfContact(
         line.points, line.elements, thickness=line.thickness, EA=line.section.EA,
@@ -115,7 +117,7 @@ def compress(
         try:
             states.append(frame.displaced({head: {"x": step}}, [1.0], since=since).last)
         except ArithmeticError as error:
-            raise ArithmeticError(f"pressed to {place * 1e3:.4g} mm: {error}") from error
+            raise ArithmeticError(f"at a displacement of {place * 1e3:.4g} mm: {error}") from error
         records.append(contact.record)
 
     for place in U:

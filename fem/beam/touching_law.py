@@ -1,14 +1,14 @@
 r"""Normal force and friction of points in contact: penalties with multipliers.
 
-The normal force is the positive part of z = multiplier - stiffness x gap, rounded within the onset
-e = stiffness x `rounding`; therefore, Newton's method meets no kink:
+The normal force is the positive part of z = multiplier - stiffness x gap, smoothed within the onset
+e = stiffness x `rounding`. Therefore Newton's method encounters no kink:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
 Friction sticks with a tangential penalty and slides at |T| = friction x N. During Newton's method,
-the state of each point and its direction of sliding are fixed. Between iterations, `settle`
-corrects the states, and transfers both forces to the multipliers until penetration and elastic slip
-are below `allowed`.
+the state of each point and its direction of sliding are constant. Between iterations, `settle`
+corrects the states. It also transfers both forces to the multipliers until penetration and elastic
+slip are below `allowed`.
 """
 
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ TANGENTIAL = 0.002  # share of the normal stiffness
 
 @dataclass(frozen=True)
 class Answer:
-    """Energy of the places; force (k, m) and tangent (k, m, m); N, T and which stick (k,)."""
+    """Energy of the contacts; force (k, m) and tangent (k, m, m); N, T and sticking (k,)."""
 
     energy: float
     force: Array
@@ -40,9 +40,9 @@ class Answer:
 
 
 class Law:
-    """Contact law of slots with normal `stiffness` (slots,) [force / length].
+    """Contact law of slots with the normal `stiffness` (slots,) [force / length].
 
-    They stick by a share of `firm` (slots,) [force / length].
+    The tangential stiffness in sticking is a constant share of `firm` (slots,) [force / length].
     """
 
     def __init__(self, stiffness: Array, firm: Array, friction: float, thickness: float) -> None:
@@ -57,11 +57,11 @@ class Law:
         self.kept = self.normal, self.tangential, self.way
 
     def pressing(self, slot: NDArray[np.int64], gap: Array) -> NDArray[np.bool_]:
-        """Whether a gap is small enough for a force."""
+        """True where a gap is small enough for a contact force."""
         return self.normal[slot] - self.stiffness[slot] * gap > -self.onset[slot]
 
     def answer(self, touch: Touch) -> Answer:
-        """Forces at places that press."""
+        """Energy, forces and tangents of the contacts."""
         k, e = self.stiffness[touch.slot], self.onset[touch.slot]
         z = self.normal[touch.slot] - k * touch.gap
         round_ = z < e
@@ -90,7 +90,7 @@ class Law:
         return Answer(energy, force, K, N, T, stick)
 
     def settle(self, touch: Touch, answer: Answer) -> bool:
-        """Correct friction states and multipliers; True if one of them was wrong."""
+        """Correct friction states and multipliers; True if one of them was changed."""
         off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
         crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
         mended = self.friction > 0 and self._mend(touch, answer)
@@ -101,7 +101,11 @@ class Law:
         return mended or max(off, crept) >= self.allowed
 
     def _mend(self, touch: Touch, answer: Answer) -> bool:
-        """Whether points exceed the friction limit in stick, slide backwards, or are new."""
+        """Correct the friction states; True if one of them was changed.
+
+        Corrected are points that exceed the friction limit in sticking or slide against their
+        direction, and new points.
+        """
         before = self.way[touch.slot]
         trial, limit = self._trial(touch), self.friction * answer.normal
         over = np.abs(trial) > limit * (1 + SLACK)
@@ -117,7 +121,7 @@ class Law:
         return self.tangential[touch.slot] + self.sticking[touch.slot] * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
-        """Add the friction work of the step; slip is then measured from this state."""
+        """Friction work of the step, which is accepted; slip is then measured from this state."""
         before = self.kept[1][touch.slot]
         slid = np.abs(self.kept[2][touch.slot]) == 1
         # places that begin to slide do so at the end's force: sticking was a small part of the slip
@@ -141,7 +145,7 @@ class Law:
         return N, T
 
     def _multiplied(self) -> Array:
-        """Energy of the multipliers at no gap, which is subtracted."""
+        """Energy of the multipliers at zero gap, which is subtracted."""
         held = self.normal > 0
         return _energy(self.normal[held], self.onset[held]) / self.stiffness[held]
 

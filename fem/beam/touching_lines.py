@@ -1,13 +1,13 @@
 r"""Gap and slip between a probe on one line and the nearest point of another line.
 
-With the probe x_s, the nearest point x_m(xi) and the unit vector n from x_m to x_s; both surfaces
-are half a thickness from their lines:
+x_s is the position of the probe, x_m(xi) the nearest point and n the unit vector from x_m to x_s.
+Both surfaces are at half a thickness from their lines:
 
 .. math:: g = n\cdot(x_s - x_m) - b, \qquad
    \dot s = t\cdot(\dot x_s - \dot x_m) + \tfrac{l}{2}(\dot\phi_s + \dot\phi_m), \quad l = g + b
 
-The slip of a step does not include rigid rotations: it is the arc length travelled on the other
-line, and the rotations of both sections relative to n.
+The slip of a step does not include rigid rotations. It consists of the arc length travelled on the
+other line, and the rotations of both sections relative to n.
 """
 
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ LEAST = 0.2  # relative to the thickness: lines nearer than that turn by no more
 
 @dataclass(frozen=True)
 class Past:
-    """Partner of every slot at the last accepted state: -1 without a partner."""
+    """Partner of every slot in the last accepted state; -1 without a partner."""
 
     x: Array
     member: Indices
@@ -47,7 +47,7 @@ def past(x: Array, met: Meeting, probes: Probes, arcs: Arcs) -> Past:
 
 
 def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: Past) -> Touch:
-    """Gap, slip and their derivatives at the points `met`; sections have the thickness b."""
+    """Gap, slip and their derivatives at the contacts `met`; sections have the thickness b."""
     probe = met.slot // 2
     own = places(x, probes.nodes[probe], met.eta)
     other = places(x, arcs.elements[met.element], met.xi)
@@ -98,7 +98,7 @@ def _follow(
     H: tuple[Array, Array, Array], slopes: tuple[Array, Array],
     free: tuple[NDArray[np.bool_], NDArray[np.bool_]], a: Array,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Derivatives (k, m) of eta and xi by the unknowns: 2 x 2 equations, 0 if not free."""
+    """Derivatives (k, m) of eta and xi by the unknowns, zero for fixed parameters."""
     H_11, H_12, H_22 = H
     one, two = free
     # places of parallel lines diverge: there the tangent holds the probe in its place
@@ -122,7 +122,7 @@ def _slip(
     x: Array, met: Meeting, both: tuple[Places, Places], probes: Probes, arcs: Arcs, b: float,
     before: Past,
 ) -> tuple[Array, tuple[Array, Array]]:  # fmt: skip
-    """Slip (k,) since the last accepted state and its slopes by eta and xi at fixed sections."""
+    """Slip (k,) since the last accepted state, and its derivatives by eta and xi."""
     elements = probes.element[met.slot // 2], met.element
     rotated = x[:, 2] - before.x[:, 2]
     old, slopes = before.n[met.slot], []

@@ -1,4 +1,4 @@
-"""Arc length along the lines of a frame: places too near to touch, and sliding distances."""
+"""Arc length along the lines of a frame: points too close to touch, and sliding distances."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from fem.beam.touching_points import Probes, lengths, shapes
 
 @dataclass(frozen=True)
 class Arcs:
-    """Arc length along members: `member` (m,), `start` (m,) at xi = 0, `sense` (m,) +1 or -1."""
+    """Arc length along lines: line `member` (m,), `start` (m,) at xi = 0, `sense` (m,) +1 or -1."""
 
     points: Array
     elements: Indices
@@ -23,7 +23,7 @@ class Arcs:
     sense: Array
 
     def place(self, element: Indices, xi: Array) -> tuple[Array, Array]:
-        """Arc length (k,) of places on elements, and its slope by xi."""
+        """Arc lengths (k,) of points on elements, and their derivatives by xi."""
         nodes = self.elements[element]
         _, slope, _ = shapes(xi, nodes.shape[1])
         stretch = np.hypot(*np.einsum("kp,kpd->dk", slope, self.points[nodes]))
@@ -33,7 +33,7 @@ class Arcs:
 
 
 def arcs(points: Array, elements: Indices) -> Arcs:
-    """Follows each line from element to element, up to ends, branches and closures."""
+    """Arc lengths along each line of elements, up to ends, branches and closures."""
     ends = elements[:, :2]
     at: dict[int, list[int]] = {}
     for e, pair in enumerate(ends.tolist()):
@@ -60,7 +60,7 @@ def arcs(points: Array, elements: Indices) -> Arcs:
 
 
 class Apart:
-    """Finds which elements are further from a probe's cell than `least` along the line."""
+    """Test whether elements are farther from a probe's cell than `least` along the line."""
 
     def __init__(self, points: Array, elements: Indices, probes: Probes, least: float) -> None:
         self.least = least

@@ -1,4 +1,4 @@
-"""Probes and the nearest places of other elements, on either side of a line."""
+"""Probes and the nearest points of other elements, on either side of a line."""
 
 from dataclasses import dataclass, replace
 
@@ -21,12 +21,13 @@ TINY = 1e-300
 
 @dataclass(frozen=True)
 class Meeting:
-    """The nearest point of an element for k slots (right or left of a probe: 2 probe + side).
+    """Nearest points of elements to k probes, each on the right or left side of the probe.
 
-    `xi` on `element`, `eta` on the element of the probe. `n` (k, 2) is the direction from there to
-    the probe, normal to the element except at an `end`. `distance` along n is negative if the lines
-    have crossed since the last accepted state. `held`: eta is at a bound of the cell of the probe.
-    `eased` is the addition to the gap, `easing` its derivative by eta.
+    The slot number is 2 probe + side. The nearest point is `xi` on `element`; the position of the
+    probe is `eta` on its element. `n` (k, 2) is the direction from the nearest point to the probe,
+    normal to the element except at an `end`. `distance` along n is negative if the lines have
+    crossed since the last accepted state. `held` is True if eta is at a bound of the cell of the
+    probe. `eased` is the addition to the gap, `easing` its derivative by eta.
     """
 
     slot: Indices
@@ -44,7 +45,7 @@ class Meeting:
         return Meeting(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
     def sharpened(self, x: Positions, probes: Probes, elements: Indices) -> "Meeting":
-        """Pairs with distances that use every digit of the positions `x`."""
+        """Nearest points with distances in the full precision of the positions `x`."""
         at = x[:, :2].astype(np.longdouble)
         here = positions(at, probes.nodes[self.slot // 2], self.eta)
         away = here - positions(at, elements[self.element], self.xi)
@@ -52,7 +53,7 @@ class Meeting:
 
 
 class Pairs:
-    """Candidates: pairs of a probe and an element that may touch before the next search."""
+    """Pairs of a probe and an element that may touch before the next search."""
 
     def __init__(self, elements: Indices, probes: Probes, apart: Apart, touching: float) -> None:
         self.elements, self.probes, self.apart = elements, probes, apart
@@ -60,13 +61,13 @@ class Pairs:
         self.touching, self.reach = touching, REACH * touching
 
     def accept(self, x: Array) -> None:
-        """Take the sides of the surfaces from the state `x`."""
+        """Determine the sides of the surfaces from the state `x`."""
         self.last = None
         self.accepted = x[:, :2].copy()
         self._look_round(self.accepted)
 
     def nearest(self, x: Array) -> Meeting:
-        """Every slot's nearest element within reach at `x`."""
+        """Nearest element within reach at `x`, for every slot."""
         at = x[:, :2]
         if self.last and np.array_equal(at, self.last[0]):
             return self.last[1]
@@ -90,7 +91,7 @@ class Pairs:
         return met.chosen(best[np.diff(met.slot[best], prepend=-1) > 0])
 
     def _least(self, curves: Array) -> Array:
-        """Place on the element nearest to the probe of each pair; the middle for distant pairs."""
+        """Position eta of the smallest distance of each pair; the middle of the cell if far."""
         p = self.probes
         eta = p.middle[self.probe]
         met = self._meet(curves, np.arange(self.slot.size), eta)
@@ -98,7 +99,7 @@ class Pairs:
         near = np.flatnonzero(met.distance < NEAR * self.touching + half)
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance and its slope by eta."""
+            """Distance and its derivative by eta."""
             pair = near[rows]
             probe = self.probe[pair]
             here, own = on(curves[p.element[probe]], eta)
@@ -111,7 +112,7 @@ class Pairs:
         return eta
 
     def _meet(self, curves: Array, pair: Indices, eta: Array) -> Meeting:
-        """The nearest place of each pair's element to the place eta of its probe's element."""
+        """Nearest point of the element of each pair to the position eta of the probe."""
         probe, element = self.probe[pair], self.element[pair]
         here, _ = on(curves[self.probes.element[probe]], eta)
         xi, d, tangent, across, end = _project(curves[element], here)
@@ -129,7 +130,7 @@ class Pairs:
     def _towards(
         self, pair: Indices, d: Array, tangent: Array, across: Array, end: NDArray[np.bool_]
     ) -> tuple[Array, Array]:
-        """Direction n towards each pair's probe and the distance along it."""
+        """Direction n towards the probe of each pair, and the distance along n."""
         distance = np.maximum(np.hypot(*d.T), TINY)
         left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
         clear, before = self.clear[pair], self.side[pair]
@@ -142,7 +143,7 @@ class Pairs:
         return n, signed
 
     def _look_round(self, at: Array) -> None:
-        """Lists the candidates around the positions `at`, with their sides when last accepted."""
+        """List candidate pairs near the positions `at`, with their sides in the accepted state."""
         self.seen = at.copy()
         p = self.probes
         corners = at[self.elements]
@@ -167,7 +168,7 @@ class Pairs:
 
 
 def _project(curve: Array, here: Array) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
-    """Parameter xi on curves, vector to `here`, unit tangent, offset to its left, and end marks."""
+    """Parameter xi on curves, vector to `here`, unit tangent, offset to the left, and end marks."""
     xi = closest(curve, here)
     there, slope = on(curve, xi)
     d = here - there

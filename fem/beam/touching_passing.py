@@ -1,7 +1,7 @@
-"""Whether lines cross each other on the straight path from one state to the next.
+"""Test whether lines cross each other on the straight path from one state to the next.
 
-A contact stores the side of approach only while the lines are near: a long step could move one line
-completely across another, into a state without contact.
+A contact stores the side of approach only while the lines are close to each other. A long step
+could therefore move one line completely across another, into a state without contact.
 """
 
 import numpy as np
@@ -16,10 +16,10 @@ ENDS = 1e-9  # relative to a chord: beyond its ends counts as on it
 
 
 class Passing:
-    """Movement of lines since the last accepted state, by chords of their elements.
+    """Movement of lines since the last accepted state, with elements approximated by chords.
 
-    Lines that cross in the reference state are excluded, and elements nearer along the line
-    than the contact range.
+    Excluded are lines that cross in the reference state, and pairs of elements too close to each
+    other along the line for contact.
     """
 
     def __init__(self, arcs: Arcs, apart: Apart, per_element: int, thickness: float) -> None:
@@ -40,14 +40,14 @@ class Passing:
         self.accepted = x[:, :2].copy()
 
     def passed(self, x: Array) -> bool:
-        """Whether lines passed through each other between the last accepted state and `x`."""
+        """True if lines passed through each other between the last accepted state and `x`."""
         chords = self._chords(x)
         one, other = self._near(chords)
         ways = (one, other), (other, one)
         return any(_hit(chords[:, own], chords[:, their]) for own, their in ways)
 
     def _chords(self, x: Array) -> Array:
-        """Corners (2, m, s + 1, 2) of the elements' chords when last accepted and at `x`."""
+        """Corners (2, m, s + 1, 2) of the chords of all elements: when accepted, and at `x`."""
         curves = powers(np.stack([self.accepted, x[:, :2]])[:, self.elements])
         bend = np.hypot(*np.moveaxis(curves[..., 2], -1, 0)).max()
         xi = np.linspace(0, 1, 1 + max(1, int(np.ceil(np.sqrt(bend / (4 * self.sagitta))))))
@@ -55,7 +55,7 @@ class Passing:
         return found
 
     def _near(self, chords: Array) -> tuple[Indices, Indices]:
-        """Pairs of elements whose paths are near each other."""
+        """Pairs of elements whose paths are close to each other."""
         low, high = chords.min(axis=(0, 2)), chords.max(axis=(0, 2))
         near = (low[:, None, 0] <= high[:, 0]) & (low[:, None, 1] <= high[:, 1])
         one, other = np.nonzero(np.triu(near & near.T, 1))
@@ -75,7 +75,7 @@ def _cross(own: Array, their: Array) -> Indices:
 
 
 def _hit(corners: Array, chains: Array) -> bool:
-    """Whether a corner crosses a chord of its partner; (2, k, s + 1, 2) before and after."""
+    """True if a corner crosses a chord of its partner; (2, k, s + 1, 2) before and after."""
     p = corners[:, :, :, None]
     a, b = chains[:, :, None, :-1], chains[:, :, None, 1:]
     low, high = np.minimum(a, b).min(axis=0), np.maximum(a, b).max(axis=0)
@@ -92,7 +92,7 @@ def _hit(corners: Array, chains: Array) -> bool:
 
 
 def _times(along: Array, off: Array) -> tuple[Array, Array]:
-    """Times (k,), two of them, at which places that move evenly are in line; some nan or inf."""
+    """Two times (k,) at which uniformly moving points are in line; some are nan or inf."""
     (d, e), (f, g) = (along[0], along[1] - along[0]), (off[0], off[1] - off[0])
     c_0, c_1, c_2 = _turn(d, f), _turn(d, g) + _turn(e, f), _turn(e, g)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -101,7 +101,7 @@ def _times(along: Array, off: Array) -> tuple[Array, Array]:
 
 
 def _on(along: Array, off: Array, time: Array) -> NDArray[np.bool_]:
-    """Whether a point on the line of a chord is inside the chord at a time (k, 1)."""
+    """True where a point on the line of a chord is inside the chord at a time (k, 1)."""
     way, at = ((1 - time) * v[0] + time * v[1] for v in (along, off))
     share = (way * at).sum(axis=1) / (way**2).sum(axis=1)
     found: NDArray[np.bool_] = (share >= -ENDS) & (share <= 1 + ENDS)
@@ -109,6 +109,6 @@ def _on(along: Array, off: Array, time: Array) -> NDArray[np.bool_]:
 
 
 def _turn(a: Array, b: Array) -> Array:
-    """Cross products: positive if b points to the left of a."""
+    """Cross products of a and b; positive if b points to the left of a."""
     found: Array = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
     return found

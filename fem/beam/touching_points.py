@@ -1,4 +1,4 @@
-"""Positions along line elements at which contact of their surface is tested."""
+"""Positions along line elements at which contact of the surface is tested."""
 
 from dataclasses import dataclass
 from typing import TypeVar
@@ -16,7 +16,10 @@ EASE = 1e-4  # relative to the thickness: additional gap at the end of a cell
 
 
 def shapes(xi: A, nodes: int) -> tuple[A, A, A]:
-    """Shape functions (k, nodes) at xi in 0..1 of ends (and middle), first and second slopes."""
+    """Shape functions (k, nodes) at xi in 0..1, and their first and second derivatives.
+
+    The order of nodes is: both ends, then the middle (if any).
+    """
     N, N1, N2 = np.zeros((3, *xi.shape, nodes), xi.dtype)
     if nodes == 2:
         N[..., 0], N[..., 1] = 1 - xi, xi
@@ -30,7 +33,7 @@ def shapes(xi: A, nodes: int) -> tuple[A, A, A]:
 
 
 def powers(corners: Array) -> Array:
-    """Coefficients (..., d, 3) of 1, xi and xi^2 in values (..., nodes, d) at elements' nodes."""
+    """Coefficients (..., d, 3) of 1, xi and xi^2, from nodal values (..., nodes, d) of elements."""
     first, last = corners[..., 0, :], corners[..., 1, :]
     if corners.shape[-2] == 2:
         return np.stack([first, last - first, 0 * first], axis=-1)
@@ -41,14 +44,17 @@ def powers(corners: Array) -> Array:
 
 
 def on(curve: Array, xi: Array) -> tuple[Array, Array]:
-    """Positions and slopes by xi (k, 2) of the places xi (k,) on curves (`powers`, (k, 2, 3))."""
+    """Positions and derivatives by xi (k, 2) at the parameters xi (k,) of curves.
+
+    The curves are given by their coefficients from `powers`, (k, 2, 3).
+    """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     place = xi[:, None]
     return x0 + place * (x1 + place * x2), x1 + 2 * place * x2
 
 
 def lengths(points: Array, elements: Indices, upto: Array) -> Array:
-    """Arc length (m,) of each element from its first end to the place `upto` (m,) in 0..1."""
+    """Arc length (m,) of each element from its first end to the parameter `upto` (m,) in 0..1."""
     total = np.zeros(len(elements))
     for place, share in GAUSS:
         _, slope, _ = shapes(upto * place, elements.shape[1])
@@ -58,11 +64,11 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 
 @dataclass(frozen=True)
 class Probes:
-    """A probe searches for the least gap in its cell `lower` to `upper` (k,) of `element` (k,).
+    """Probes, each of which searches for the smallest gap in its cell of an element.
 
-    `length` (k,) is the length of line for each probe; at the free end of a line, it is the
-    thickness. `ease` (eta - middle)^2/2 is added to the gap: between parallel lines, the probe then
-    remains in the middle of its cell.
+    The cell is `lower` to `upper` (k,) of `element` (k,). `length` (k,) is the length of line for
+    each probe; at the free end of a line, it is the thickness. `ease` (eta - middle)^2/2 is added
+    to the gap, so that a probe between parallel lines remains in the middle of its cell.
     """
 
     element: Indices
@@ -74,12 +80,12 @@ class Probes:
 
     @property
     def middle(self) -> Array:
-        """Middle of the cells."""
+        """Middle of the cells (k,)."""
         return (self.lower + self.upper) / 2
 
 
 def probes(points: Array, elements: Indices, thickness: float, per_element: int) -> Probes:
-    """`per_element` probes, each in a part of an element, and one at each free end of a line."""
+    """`per_element` probes, each in a part of an element, and one probe at each free end."""
     size = lengths(points, elements, np.ones(len(elements)))
     element = np.repeat(np.arange(len(elements)), per_element)
     lower = np.tile(np.arange(per_element) / per_element, len(elements))
@@ -94,9 +100,9 @@ def probes(points: Array, elements: Indices, thickness: float, per_element: int)
 
 @dataclass(frozen=True)
 class Places:
-    """Places on elements: nodes, shape functions (k, p) and their slopes by xi.
+    """Points on elements: nodes, shape functions `N` (k, p) and their derivatives `N1` by xi.
 
-    `position`, `slope` and `second` slope by xi of the places (k, 2).
+    `position`, `slope` and `second` (k, 2) are position and first and second derivative by xi.
     """
 
     nodes: Indices
@@ -108,14 +114,14 @@ class Places:
 
 
 def positions(at: Extended, nodes: Indices, xi: Array) -> Extended:
-    """Positions (k, 2) of the places xi (k,) on elements (k, p), with every digit of the nodes."""
+    """Positions (k, 2) at the parameters xi (k,) on elements (k, p), in extended precision."""
     N, _, _ = shapes(xi.astype(np.longdouble), nodes.shape[1])
     found: Extended = np.einsum("kp,kpd->kd", N, at[nodes, :2])
     return found
 
 
 def places(at: Array, nodes: Indices, xi: Array) -> Places:
-    """The places xi (k,) on elements of the given nodes (k, p)."""
+    """Points at the parameters xi (k,) on elements with the given nodes (k, p)."""
     N, N1, N2 = shapes(xi, nodes.shape[1])
     corner = at[nodes, :2]
     x, x1, x2 = (np.einsum("kp,kpd->kd", weights, corner) for weights in (N, N1, N2))

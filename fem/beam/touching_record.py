@@ -1,4 +1,4 @@
-"""Contacts of a frame with itself or an obstacle in one accepted state."""
+"""Contacts of a frame with itself or with an obstacle in one accepted state."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ OBSTACLE = -1
 
 @dataclass(frozen=True)
 class Record:
-    """The k points in contact: the `elements` of the probes and their `partners` (-1: an obstacle).
+    """The k contacts: `elements` of the probes and their `partners` (-1: an obstacle).
 
     `at` (k, 2) is the point on the surface; `n` (k, 2) points from the partner to the element of
-    the probe. The force on this element is `normal` (k,) along n, and `tangential` (k,) friction
-    against its slip along t (n rotated by -90°). `gap` (k,) is negative for overlapping surfaces.
+    the probe. The force on this element is `normal` (k,) along n, and the friction `tangential`
+    (k,) against its slip along t (n rotated by -90°). `gap` (k,) is negative for overlap.
     """
 
     elements: Indices
@@ -32,17 +32,17 @@ class Record:
 
     @property
     def penetration(self) -> float:
-        """Deepest overlap, 0 without any."""
+        """Largest overlap; 0 without overlap."""
         return max(0.0, -float(self.gap.min(initial=0.0)))
 
     @property
     def force(self) -> Array:
-        """Force (k, 2) on the probes' elements."""
+        """Forces (k, 2) on the elements of the probes."""
         t = np.column_stack([self.n[:, 1], -self.n[:, 0]])
         return self.normal[:, None] * self.n - self.tangential[:, None] * t
 
     def between(self, bodies: Bodies) -> dict[tuple[str, str], tuple[float, float]]:
-        """Force (x, y) on the first of two bodies by the second, for pairs in the bodies' order."""
+        """Forces (x, y) of the second body on the first, for pairs in the order of `bodies`."""
         force, found = self.force, {}
         for pair, there, back in self._pairs(bodies):
             if pair[0] == pair[1]:
@@ -52,7 +52,7 @@ class Record:
         return found
 
     def pressing(self, bodies: Bodies) -> dict[tuple[str, str], float]:
-        """Sum of normal forces between two bodies, for pairs in the bodies' order."""
+        """Sums of normal forces between two bodies, for pairs in the order of `bodies`."""
         return {
             pair: float(self.normal[there | back].sum())
             for pair, there, back in self._pairs(bodies)
@@ -61,7 +61,7 @@ class Record:
     def _pairs(
         self, bodies: Bodies
     ) -> Iterator[tuple[tuple[str, str], NDArray[np.bool_], NDArray[np.bool_]]]:
-        """Pairs of bodies in contact, with the contacts probed from the first and the second."""
+        """Pairs of bodies in contact, with contacts probed from the first and the second."""
         own = {name: np.isin(self.elements, body) for name, body in bodies.items()}
         their = {name: np.isin(self.partners, body) for name, body in bodies.items()}
         for one, other in combinations_with_replacement(bodies, 2):

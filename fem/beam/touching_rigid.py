@@ -1,12 +1,12 @@
 r"""Gap and slip between a probe and a rigid flat or disc that moves with a carrier node.
 
-In the frame of reference of the obstacle, with the probe x_s, the surface normal n at the nearest
-point, and the distance b/2 between the line and its surface:
+In the frame of reference of the obstacle, x_s is the position of the probe and n the surface normal
+at the nearest point P. The distance between the line and its surface is b/2:
 
 .. math:: g = n\cdot(x_s - P) - b/2, \qquad
    \dot s = t\cdot v + \tfrac{b}{2}(\dot\phi_s - \dot\phi_c)
 
-with v the velocity of x_s relative to the obstacle, and phi_c the rotation of the obstacle.
+where v is the velocity of x_s relative to the obstacle, and phi_c the rotation of the obstacle.
 """
 
 import math
@@ -28,10 +28,10 @@ PIECES = 1000  # of a step's path at most, each no longer than the thickness
 
 @dataclass(frozen=True)
 class Surface:
-    """Nearest points to points (k, 2): `distance`, `n` (k, 2) and the arc length `arc`.
+    """Nearest points of a shape to points (k, 2): `distance`, normal `n` (k, 2), arc length `arc`.
 
-    Derivatives by a displacement of the point along t (n rotated by -90°): `turn` of n, `stretch`
-    of arc. `period` is the arc length of the circumference.
+    `turn` and `stretch` are the derivatives of the angle of n and of arc by a displacement of the
+    point along t (n rotated by -90°). `period` is the arc length of the circumference.
     """
 
     distance: Array
@@ -43,16 +43,16 @@ class Surface:
 
 
 class Shape(Protocol):
-    """An obstacle in its local frame, in the reference state."""
+    """Obstacle in its local frame of reference, in the reference state."""
 
     def surface(self, at: Array) -> Surface:
-        """The nearest places to points (k, 2)."""
+        """Nearest points of the surface to the points `at` (k, 2)."""
         ...
 
 
 @dataclass(frozen=True)
 class FlatObstacle:
-    """The half plane behind `at`; `normal` points out of it, at the beam."""
+    """Half plane behind the point `at`; `normal` points out of it, towards the beam."""
 
     at: tuple[float, float]
     normal: tuple[float, float]
@@ -74,7 +74,7 @@ Flat = FlatObstacle  # its name in version 0.1
 
 @dataclass(frozen=True)
 class DiscObstacle:
-    """A disc of `radius` [length] about `centre`; with `inside`, the beam is in the bore."""
+    """Disc of `radius` [length] about `centre`; with `inside`, the beam is in a bore."""
 
     centre: tuple[float, float]
     radius: float
@@ -82,7 +82,7 @@ class DiscObstacle:
 
     def __post_init__(self) -> None:
         if not self.radius > 0:
-            raise ValueError(f"a disc's radius must be positive, got {self.radius:g}")
+            raise ValueError(f"the radius of a disc must be positive, got {self.radius:g}")
 
     def surface(self, at: Array) -> Surface:
         d = at - np.asarray(self.centre, float)
@@ -99,7 +99,7 @@ Disc = DiscObstacle  # its name in version 0.1
 
 
 class Body:
-    """A shape on a carrier node (None: it does not move), and the probes of a line."""
+    """Shape on a carrier node (None: it does not move), and the probes of a line."""
 
     def __init__(
         self, shape: Shape, carrier: int | None, points: Array, probes: Probes, thickness: float
@@ -116,12 +116,12 @@ class Body:
         self.eta, self.past = self.nearest(x)
 
     def nearest(self, x: Array) -> tuple[Array, Surface]:
-        """Nearest point of the shape to each probe, and its parameter."""
+        """Parameter of the point of each cell nearest to the shape, and the surface there."""
         p = self.probes
         curves = powers(x[p.nodes, :2])
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance and its slope by eta."""
+            """Distance and its derivative by eta."""
             own, slope = on(curves[rows], eta)
             surface = self._surface(x, own)
             n = self.normals(x, surface)
@@ -133,7 +133,7 @@ class Body:
         return eta, self._surface(x, on(curves, eta)[0])
 
     def passed(self, x: Array) -> bool:
-        """Whether a node went straight through the shape since the accepted state."""
+        """True if a node passed straight through the shape since the accepted state."""
         nodes = np.unique(self.probes.nodes)
         then = self._seen(self.before, self.before[nodes, :2])
         way = self._seen(x, x[nodes, :2]) - then
@@ -143,7 +143,7 @@ class Body:
         return bool(((distance[0] > 0) & (distance.min(axis=0) < 0)).any())
 
     def gap(self, x: Positions, probe: Indices, eta: Array) -> Array:
-        """Gaps of some probes at the places eta, which count every digit of the positions `x`."""
+        """Gaps of some probes at the parameters eta, in the full precision of the positions `x`."""
         at = x.astype(np.longdouble)
         own = positions(at, self.probes.nodes[probe], eta)
         easing = self.probes.ease[probe] * (eta - self.probes.middle[probe]) ** 2 / 2
@@ -151,16 +151,16 @@ class Body:
         return gap
 
     def eased(self, eta: Array) -> Array:
-        """What the gaps of all probes count more."""
+        """Additional gaps of all probes."""
         eased: Array = self.probes.ease * (eta - self.probes.middle) ** 2 / 2
         return eased
 
     def _surface(self, x: Positions, at: Positions) -> Surface:
-        """Nearest places, in the frame of the shape, to points (k, 2) in space."""
+        """Nearest points of the shape to points (k, 2) in space, in the frame of the shape."""
         return self.shape.surface(self._seen(x, at))
 
     def _seen(self, x: Positions, at: Positions) -> Array:
-        """Points (k, 2) in space in the frame of the shape."""
+        """Points (k, 2), given in space, in the frame of the shape."""
         pose = self._pose(x)
         d = at - pose[:2]
         c, s = np.cos(pose[2]), np.sin(pose[2])
@@ -169,7 +169,10 @@ class Body:
         return seen
 
     def touch(self, x: Array, probe: Indices, eta: Array, surface: Surface) -> Touch:
-        """Gap, slip and their slopes at the probes `probe`; eta and surface are of all."""
+        """Gap, slip and their derivatives at the probes `probe`.
+
+        `eta` and `surface` belong to all probes.
+        """
         x_c, y_c, _ = self._pose(x)
         n = self.normals(x, surface)[probe]
         t = np.column_stack([n[:, 1], -n[:, 0]])
@@ -231,11 +234,11 @@ class Body:
         return slip, (own.N1 * rotated).sum(axis=1)
 
     def _stretch(self, probe: Indices, eta: Array) -> Array:
-        """Reference length by eta."""
+        """Derivative of the reference length by eta."""
         return np.hypot(*places(self.points, self.probes.nodes[probe], eta).slope.T)
 
     def normals(self, x: Array, surface: Surface) -> Array:
-        """Normals (k, 2) of the nearest places in space."""
+        """Normals (k, 2) of the nearest points, in space."""
         phi = self._pose(x)[2]
         c, s = math.cos(phi), math.sin(phi)
         return surface.n @ np.array([[c, s], [-s, c]])

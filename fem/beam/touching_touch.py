@@ -1,4 +1,4 @@
-"""Input of the law of contact for every touching place, and its result."""
+"""Geometry of contacts, the input of the contact law, and assembly of its results."""
 
 from dataclasses import dataclass, replace
 
@@ -10,11 +10,11 @@ from fem.beam.section import Array, Indices
 
 @dataclass(frozen=True)
 class Touch:
-    """k contacts with m unknowns each: rows `dofs` (k, m) of the frame.
+    """Geometry of k contacts with m unknowns each: rows `dofs` (k, m) of the frame.
 
-    `gap`, with derivatives `opening` (k, m) and `turning` (k, m, m); virtual slip `sliding` (k, m),
-    with derivatives `swerving` (k, m, m); `slip` since the last accepted state, with derivatives
-    `slipping` (k, m).
+    `gap` has the derivatives `opening` (k, m) and `turning` (k, m, m). The virtual slip `sliding`
+    (k, m) has the derivatives `swerving` (k, m, m). `slip` since the last accepted state has the
+    derivatives `slipping` (k, m).
     """
 
     slot: Indices
@@ -28,7 +28,7 @@ class Touch:
     slipping: Array
 
     def without(self, last: int) -> "Touch":
-        """The same without the last unknowns, whose bodies do not move."""
+        """Contacts without the `last` unknowns, which belong to bodies that do not move."""
         keep = slice(None, -last)
         return replace(
             self,
@@ -42,26 +42,26 @@ class Touch:
 
 
 def along(weights: Array, direction: Array) -> Array:
-    """(k, 3 nodes): how weighted displacements of the nodes (k, nodes) count along a direction."""
+    """Rows (k, 3 nodes) that give the weighted displacement of the nodes along a direction."""
     parts = np.zeros((*weights.shape, 3))
     parts[:, :, :2] = weights[:, :, None] * direction[:, None, :]
     return parts.reshape(len(weights), 3 * weights.shape[1])
 
 
 def turned(weights: Array) -> Array:
-    """(k, 3 nodes): weighted rotations of the nodes."""
+    """Rows (k, 3 nodes) that give the weighted rotation of the nodes."""
     parts = np.zeros((*weights.shape, 3))
     parts[:, :, 2] = weights
     return parts.reshape(len(weights), 3 * weights.shape[1])
 
 
 def outer(a: Array, b: Array) -> Array:
-    """A b^T of each place."""
+    """Outer products a b^T (k, m, m) of the rows of `a` and `b`."""
     return a[:, :, None] * b[:, None, :]
 
 
 def scatter(size: int, dofs: Indices, force: Array, slope: Array) -> tuple[Array, csc_array]:
-    """Force (size,) and tangent (size, size) of the places' parts."""
+    """Force (size,) and tangent (size, size), assembled from the contacts."""
     rows = np.broadcast_to(dofs[:, :, None], slope.shape)
     columns = np.broadcast_to(dofs[:, None, :], slope.shape)
     K = csc_array((slope.ravel(), (rows.ravel(), columns.ravel())), shape=(size, size))

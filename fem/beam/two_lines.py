@@ -1,6 +1,6 @@
 """Evaluation of a force-displacement curve with a kink at the first contact of its parts.
 
-Curves contain displacements U, forces F and sums of normal forces N (3, k), with increasing U.
+Curves contain displacements U, forces F and sums of normal forces N, (3, k), with increasing U.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ ROUNDING = 1e-9  # relative to a displacement
 class FittedLines:
     """Two straight lines fitted to a curve before and after its parts touch.
 
-    `k1`, `k2` [force/length] and constants `c1`, `c2` [force]; `U_A`, `F_A` at the first contact.
-    NaN if the curve does not reach a value.
+    `k1`, `k2` [force/length] are the slopes, `c1`, `c2` [force] the constants. `U_A`, `F_A` belong
+    to the first contact. Values that the curve does not reach are NaN.
     """
 
     k1: float
@@ -36,13 +36,13 @@ class FittedLines:
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     def apart(self, other: "FittedLines") -> float:
-        """Largest relative difference of the slopes of both results."""
+        """Largest relative difference of the slopes of this result and of `other`."""
         off = [abs(other.k1 / self.k1 - 1), abs(other.k2 / self.k2 - 1)]
         return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
 
 
 def fitted(curve: Array, stroke: float) -> FittedLines:
-    """Least squares up to the stroke; NaN without contact.
+    """Least-squares lines up to the displacement `stroke`; NaN without contact.
 
     >>> U = np.arange(1.0, 9.0)
     >>> pressing = np.maximum(U - 4.0, 0.0)
@@ -63,7 +63,7 @@ def fitted(curve: Array, stroke: float) -> FittedLines:
 def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
     """U_A, F_A and the slope beyond, from the first two states that certainly have contact.
 
-    N begins at zero in A and increases linearly. NaN without contact.
+    The contact force N is zero at U_A and increases linearly. The result is NaN without contact.
     """
     i = int(np.argmax(N > TOUCH * F))
     if i == 0 or i + 1 == len(U):
@@ -72,7 +72,7 @@ def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """Onset of N, from two states: place, force and slope.
+    """Onset of N from two states: displacement, force and slope.
 
     >>> onset(np.array([5.0, 6.0]), np.array([11.0, 14.0]), np.array([1.0, 2.0]))
     (4.0, 8.0, 3.0)

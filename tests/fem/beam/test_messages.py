@@ -54,11 +54,11 @@ RIGID = r"frame can move rigidly \(.*"
         ({"supports": {0: "xy"}}, RIGID + "rotation"),
         (APART | {"supports": {0: "xyr", 2: "xy"}}, "rigidly|support|mechanism"),
         ({"points": ((0, 0), (1, 0), (5, 5)), "elements": ((0, 1),)},
-         "node 2 belongs to no element"),
+         "every node must belong to an element, but node 2 does not"),
         ({"supports": {0: "xyr", 9: "x"}}, r"no node 9: the frame has nodes 0 to [24]"),
         ({"loads": {9: (1.0, 0.0, 0.0)}}, r"no node 9: the frame has nodes 0 to [24]"),
         ({"loads": {-1: (0.0, 1.0, 0.0)}}, "no node -1"),
-        ({"supports": {0: "z"}}, "node 0: components are x, y, r, got 'z'"),
+        ({"supports": {0: "z"}}, "node 0: components must be x, y or r, got 'z'"),
         ({"sections": {"leaf": SECTION}, "bodies": {"arm": [0], "stem": [1]}},
          "no body 'leaf'; bodies: arm, stem"),
         ({"sections": {"leaf": SECTION}}, "no body 'leaf'; bodies: none"),
@@ -82,7 +82,7 @@ def test_a_frame_that_makes_no_sense_is_named(solve, changed, message):
         (lambda: one_curved((1.4, 0)), "folded or has no length"),
         (lambda: one_curved((1, 0)), "folded or has no length"),
         (lambda: straight(elements=((0, 1), (1, 2), (2, 3))), "no node 3: the frame has nodes 0"),
-        (lambda: straight(points=((0, 0), (1, 0), (1, 0))), "element 1 has no length"),
+        (lambda: straight(points=((0, 0), (1, 0), (1, 0))), "length of element 1 must not be zero"),
         (lambda: straight(distributed={7: (0.0, 1.0)}),
          "no element 7: the frame has elements 0 to 1"),
     ],
@@ -108,17 +108,17 @@ def path(factors=(1.0,), loads=None, supports=None, **given):
 
 
 WRONG = {
-    "a geometrically exact beam needs a finite GA in every section":
+    "every section of a geometrically exact beam needs a finite GA":
         lambda: frame(sections=Section(EA=1, EI=1)),
-    "elements have 2 or 3 nodes each, got an array (1, 4)": lambda: frame(elements=[(0, 1, 2, 3)]),
+    "elements must have 2 or 3 nodes each": lambda: frame(elements=[(0, 1, 2, 3)]),
     "no node 7: the frame has nodes 0 to 2": lambda: path(loads={7: (0, 1, 0)}),
-    "node 2 belongs to no element": lambda: frame(elements=[(0, 1)]),
+    "every node must belong to an element, but node 2 does not": lambda: frame(elements=[(0, 1)]),
     "element 1 is folded or has no length": lambda: frame([(0, 0), (1, 0), (1, 0)]),
     "no body 'arc'; bodies: none": lambda: frame(sections={"arc": SOFT}),
-    "node 0: components are x, y, r, got 'z'": lambda: frame(supports={0: "xyz"}),
-    "node 0: supports are at zero; use displaced() to move it":
+    "node 0: components must be x, y or r, got 'z'": lambda: frame(supports={0: "xyz"}),
+    "node 0: supports must be zero; use displaced() to prescribe":
         lambda: frame(supports={0: {"x": 0.1, "y": 0, "r": 0}}),
-    "node 2: components are x, y, r, got 'phi'":
+    "node 2: components must be x, y or r, got 'phi'":
         lambda: frame().displaced({2: {"phi": 1.0}}, [1.0]),
     "prescribed displacements must be finite numbers":
         lambda: frame().displaced({2: {"x": np.nan}}, [1.0]),
@@ -127,11 +127,11 @@ WRONG = {
     "no element 5: the frame has 2 elements": lambda: path(distributed={5: (0, 1)}),
     "the frame can move rigidly (":
         lambda: path(supports={0: "xr"}),
-    "along_arc needs loads or movement that move the frame, and first != 0":
+    "along_arc needs loads or displacements that move the frame":
         lambda: frame().along_arc({2: (0, 0, 0)}, first=1.0),
-    "the loads bring no axial or shear force: nothing buckles":
+    "the loads must cause an axial or a shear force: otherwise the":
         lambda: frame().linear_buckling({2: (0, 0, 1)}),
-    "9 modes of 6 unknowns: refine the mesh":
+    "9 modes need more than 6 unknowns: refine the mesh":
         lambda: frame().linear_buckling({2: (-1, 0, 0)}, count=9),
 }  # fmt: skip
 
@@ -157,12 +157,14 @@ def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
         toggle().under_loads({1: (0, -1, 0)}, [10.0, 1.01 * limit])
     found = str(caught.value)
     assert "\n" not in found
-    number = re.search(r"no equilibrium found beyond factor ([\d.]+) towards", found)
+    number = re.search(r"no equilibrium was found beyond factor ([\d.]+) towards", found)
     assert float(number[1]) == pytest.approx(limit, rel=1e-3)
     assert "with steps down to" in found
     assert "along_arc()" in found
 
 
 def test_a_path_whose_end_is_not_reached_states_where_it_stopped():
-    with pytest.raises(ArithmeticError, match="not reached in 3 steps: factor"):
+    with pytest.raises(
+        ArithmeticError, match="no state met the end condition in 3 steps: last factor"
+    ):
         frame().along_arc({2: (0, 1, 0)}, first=0.1, steps=3, until=lambda s: False)
