@@ -94,7 +94,7 @@ def compress(
     """Curve of the line while its head is displaced to each of the displacements `U` [m] in turn.
 
     `times` is a factor of the default contact stiffness. The displacements `beyond` the last U
-    follow until the force is TWICE the force at the last U. If no equilibrium is found on the way,
+    follow until the force is TWICE the force at the last U. If no equilibrium is found before that,
     the curve ends early; this is not a property of the line.
 
     Raises ArithmeticError if no equilibrium is found at a displacement in `U`.

@@ -1,6 +1,6 @@
 """Plane elasticity: one or several bodies on a mesh of triangles or quadrilaterals.
 
-Any consistent units.
+All units must be consistent.
 """
 
 from fem.public import lazily

@@ -1,4 +1,4 @@
-"""Bodies of revolution: x is the radius r >= 0, y runs along the axis, cells are rings."""
+"""Bodies of revolution: x is the radius r >= 0, y is the axial coordinate, cells are rings."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,22 +12,25 @@ AT_AXIS = 1e-8  # relative to a cell's radius: u_r/r loses as many digits there 
 
 
 def depth(x: Array, turn: bool) -> Array:
-    """Weight of a length or area at `x` (2, ...): unit thickness, or 2 pi r with `turn`."""
+    """Weight of a length or area at `x` (2, ...): 1 (unit thickness), or 2 pi r with `turn`."""
     return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
 
 
 def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
-    """True for points of `x` (2, ...) on the axis."""
+    """True for points of `x` (2, ...) on the axis of revolution."""
     return np.asarray(abs(x[0]) <= ON_AXIS * abs(mesh.p[0]).max())
 
 
 def has_area(mesh: Mesh2D, facets: NDArray[np.int64]) -> bool:
-    """Whether `facets` generate an area by rotation: not all of them are on the axis."""
+    """True if rotating the `facets` about the axis generates an area: not all are on the axis."""
     return not np.all(on_axis(mesh, mesh.p[:, mesh.facets[:, facets]]))
 
 
 def check_radii(mesh: Mesh2D) -> None:
-    """ValueError with the number of a cell whose edges, curved or straight, cross the axis."""
+    """Raise ValueError if an edge of a cell crosses the axis of revolution.
+
+    Curved and straight edges are tested; the message states the number of the cell.
+    """
     r = np.asarray(mesh.mapping().G(np.linspace(0, 1, STATIONS)[None]))[0]
     lowest = r.min(axis=1)
     beyond = np.flatnonzero(lowest < -ON_AXIS * abs(mesh.p[0]).max())
@@ -36,11 +39,11 @@ def check_radii(mesh: Mesh2D) -> None:
         x, y = mesh.p[:, mesh.t[:, k]].mean(axis=1)
         raise ValueError(
             f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}), reaches "
-            f"r = {lowest[beyond[0]]:.3g}: in a body of revolution x is the radius, r >= 0"
+            f"r = {lowest[beyond[0]]:.3g}: in a body of revolution, x is the radius, r >= 0"
         )
 
 
 def hoop_strain(u: Array, slope: Array, r: Array, reach: Array) -> Array:
-    """u_r / r, and on the axis its limit du_r/dr, the `slope`; `reach` is the cells' radius."""
+    """Hoop strain u_r/r, or its limit du_r/dr (`slope`) on the axis; `reach` is the cell radius."""
     near = r < AT_AXIS * reach
     return np.where(near, slope, u / np.where(near, 1.0, r))

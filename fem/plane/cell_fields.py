@@ -1,4 +1,4 @@
-"""Means of the cells of a solved body, as `PlaneSolution.cells` gives them: parts, nodes, shear."""
+"""Evaluation of the cell values of `PlaneSolution.cells`: parts, nodal values, shear stress."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -9,7 +9,7 @@ from fem.plane.geometry import Array, Indices
 
 
 def cut_out(cells: Mapping[str, Array], inside: Callable[[Array], Array]) -> dict[str, Any]:
-    """Points, cells and data of the cells whose centres (m, 2) are `inside`."""
+    """Points, cells and data of the cells for whose centres (m, 2) `inside` is True."""
     corners = cells["cells"].astype(np.int64)
     kept = np.flatnonzero(inside(cells["points"][corners].mean(axis=1)))
     used, corners = np.unique(corners[kept], return_inverse=True)
@@ -19,7 +19,7 @@ def cut_out(cells: Mapping[str, Array], inside: Callable[[Array], Array]) -> dic
 
 
 def largest_shear(stress: Array) -> Array:
-    """Largest shear stress in the plane (m,) of stresses (m, 4): xx, yy, xy, zz.
+    """Largest shear stress in the plane (m,) from stresses (m, 4): xx, yy, xy, zz.
 
     >>> largest_shear(np.array([[3.0, -3.0, 4.0, 0.0], [2.0, 2.0, 0.0, 0.0]])).tolist()
     [5.0, 0.0]
@@ -29,7 +29,7 @@ def largest_shear(stress: Array) -> Array:
 
 
 def at_nodes(points: Array, cells: Indices, values: Array) -> Array:
-    """Values (n, k) at nodes: means of the cells' values (m, k) about each, weighed by area."""
+    """Nodal values (n, k): area-weighted means of the values (m, k) of adjacent cells."""
     x, y = points[cells].transpose(2, 0, 1)
     after = np.roll(np.arange(cells.shape[1]), -1)
     area = np.abs((x * y[:, after] - y * x[:, after]).sum(axis=1)) / 2

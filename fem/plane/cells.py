@@ -1,13 +1,14 @@
-"""Stiffness and internal forces of all cells at once, equal to the weak forms, but faster.
+"""Stiffness and internal forces of all cells together: equal to the weak forms, but faster.
 
-The forms are a(u, v) = int sigma(u) : eps(v), and the same with u known, for
-sigma(u) = lambda tr(eps(u)) I + 2 mu eps(u). Lamé's constants are uniform in a cell, so that
+The forms are a(u, v) = int sigma(u) : eps(v), and the same form with given u, for sigma(u) = lambda
+tr(eps(u)) I + 2 mu eps(u). Lamé's constants are uniform in a cell. Therefore
 
     K[a i, b j] = lambda M[a i, b j] + mu M[a j, b i] + mu delta_ij sum_k M[a k, b k],
     M[a i, b j] = int d_i N_a d_j N_b,
 
-with shape functions N_a, N_b and components i, j. In a body of revolution (`turn`) areas count for
-their turn, 2 pi r dA, and the hoop strain u_r/r joins eps and its trace: with N_a/r in both,
+with shape functions N_a, N_b and components i, j. In a body of revolution (`turn`), areas are
+multiplied by the circumference, 2 pi r dA. The hoop strain u_r/r is an additional strain and
+contributes to the trace; N_a/r appears in both:
 
     K[a i, b j] += lambda (delta_i0 G[a, b j] + delta_j0 G[b, a i] + delta_i0 delta_j0 H[a, b])
                    + 2 mu delta_i0 delta_j0 H[a, b],
@@ -29,11 +30,11 @@ BLOCK = 512  # cells whose matrices fit the processor's cache together
 
 @dataclass(frozen=True, kw_only=True)
 class Cells:
-    """Isotropic cells in the plane; quantities refer to unit thickness, or to the full turn.
+    """Isotropic cells in the plane, per unit thickness, or for the full circumference.
 
-    `slope` (m, 2 points, n) contains d_i N at the quadrature points, point by point i = x, y; `dx`
-    (m, points) the weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants;
-    `around` (m, points, n) N/r for a body of revolution, otherwise nothing.
+    `slope` (m, 2 points, n) contains d_i N at the quadrature points: point by point, i = x, y. `dx`
+    (m, points) are the integration weights, `dofs` (m, n, 2) the unknowns, `lam` and `mu` (m,)
+    Lamé's constants. `around` (m, points, n) is N/r for a body of revolution, otherwise None.
     """
 
     slope: Array
@@ -46,7 +47,7 @@ class Cells:
 
     @classmethod
     def of(cls, basis: Basis, lam: Array, mu: Array, *, turn: bool = False) -> "Cells":
-        """The cells of `basis`, at its quadrature points."""
+        """Cells of `basis`, at its quadrature points."""
         J, det = jacobians(basis.mesh, basis.X)
         J = np.array([[J[..., 1, 1], -J[..., 0, 1]], [-J[..., 1, 0], J[..., 0, 0]]]) / det
         N, slope = shapes(basis.elem.elem, basis.X)
@@ -60,7 +61,7 @@ class Cells:
         return cls(slope=slope, dx=dx, dofs=dofs, lam=lam, mu=mu, count=basis.N, around=around)
 
     def reduced(self, T: csr_array) -> csc_array:
-        """T' K T (n, n) for displacements u = T q, T (unknowns, n)."""
+        """Reduced stiffness T' K T (n, n) for displacements u = T q with T (unknowns, n)."""
         held = np.diff(T.indptr)
         if not T.shape[1] or np.any(held > 1):
             return (T.T @ self.stiffness() @ T).tocsc()
@@ -69,11 +70,10 @@ class Cells:
         return self.stiffness(place, weight).T
 
     def stiffness(self, place: Indices | None = None, weight: Array | None = None) -> csr_array:
-        """K (unknowns, unknowns) of a(u, v) = v . K u.
+        """Stiffness K (unknowns, unknowns) of a(u, v) = v . K u.
 
-        With `place` (unknowns,), the number of each unknown that remains and -1 for the others, K
-        has only the rows and columns of the remaining ones. Unknowns with the same number are
-        combined, each with its `weight` (unknowns,).
+        `place` (unknowns,) is the new number of each unknown, or -1 for unknowns that are omitted
+        from K. Unknowns with the same number are combined, each with its `weight` (unknowns,).
         """
         m, _, n = self.slope.shape
         K = np.empty((m, 2 * n, 2 * n))
@@ -98,7 +98,7 @@ class Cells:
         return coo_array((K.ravel(), at), (count, count)).tocsr()
 
     def _stiffness(self, block: slice) -> Array:
-        """K[a i, b j] of the cells in `block`."""
+        """Stiffness K[a i, b j] of the cells in `block`."""
         slope, dx = self.slope[block], self.dx[block]
         m, rows, n = slope.shape
         g = slope.reshape(m, rows // 2, 2, n).swapaxes(2, 3).reshape(m, rows // 2, 2 * n)
@@ -120,7 +120,7 @@ class Cells:
         return K
 
     def diagonal(self) -> Array:
-        """K[a i, a i] (m, n, 2) of every cell."""
+        """Diagonal entries K[a i, a i] (m, n, 2) of the stiffness of every cell."""
         m, rows, n = self.slope.shape
         dx = self.dx[..., None, None]
         square = (self.slope.reshape(m, rows // 2, 2, n) ** 2 * dx).sum(axis=1).swapaxes(1, 2)
@@ -133,14 +133,14 @@ class Cells:
         return np.asarray(found)
 
     def gradient(self, u: Array) -> Array:
-        """d_i u_j (m, points, 2, 2) at the quadrature points, component j last."""
+        """Gradients d_i u_j (m, points, 2, 2) at the quadrature points; j is the last index."""
         local = u[self.dofs]
         local -= local[:, :1]  # a translation causes no strain, only round-off
         m, rows, _ = self.slope.shape
         return (self.slope @ local).reshape(m, rows // 2, 2, 2)
 
     def hoop_strain(self, u: Array) -> Array | float:
-        """u_r / r (m, points) at the quadrature points of a body of revolution, 0 in the plane."""
+        """Hoop strain u_r/r (m, points) at the quadrature points of a body of revolution, or 0."""
         if self.around is None:
             return 0.0
         return np.asarray((self.around @ u[self.dofs[..., 0], None])[..., 0])
@@ -150,7 +150,7 @@ class Cells:
         return np.asarray(grad[..., 0, 0] + grad[..., 1, 1] + hoop)
 
     def strain_energy(self, u: Array) -> float:
-        """Half of a(u, u), from the strains of each cell."""
+        """Strain energy a(u, u)/2, from the strains of each cell."""
         grad = self.gradient(u)
         strain = (grad + grad.swapaxes(2, 3)) / 2
         hoop = self.hoop_strain(u)
@@ -159,10 +159,10 @@ class Cells:
         return float(np.sum(density * self.dx)) / 2
 
     def internal_forces(self, u: Array) -> Array:
-        """Forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
+        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
 
-        From the strains of each cell, so that the rounding of K times a large rigid motion does
-        not enter.
+        They are computed from the strains of each cell. The round-off of K times a large rigid
+        motion is thereby avoided.
         """
         m, rows, _ = self.slope.shape
         grad = self.gradient(u)

@@ -1,4 +1,4 @@
-"""Bases on the cells and boundaries of a plane mesh, with quadrature that costs no order."""
+"""Bases on cells and boundaries of a plane mesh, with quadrature that preserves the order."""
 
 from functools import cached_property
 
@@ -39,7 +39,7 @@ ELEMENTS: dict[tuple[type, int], type[Element]] = {
 
 
 def is_curved(mesh: Mesh2D) -> bool:
-    """Whether the cells of `mesh` have quadratic edges."""
+    """True if the cells of `mesh` have quadratic edges."""
     return mesh.doflocs.shape[1] > mesh.nvertices
 
 
@@ -47,7 +47,7 @@ NUMBERS: Recent[Dofs] = Recent(most=96, room=4e6)  # by cells; entries of the ta
 
 
 class LateBasis(Basis):
-    """scikit-fem's basis, whose shape functions are evaluated on demand."""
+    """Basis of scikit-fem whose shape functions are evaluated on demand."""
 
     def __init__(self, mesh: Mesh2D, elem: ElementVector, quadrature: tuple[Array, Array]) -> None:
         key = (type(mesh), type(elem.elem), mesh.t)
@@ -57,7 +57,7 @@ class LateBasis(Basis):
 
     @cached_property
     def basis(self) -> list[tuple[DiscreteField]]:
-        """The shape functions and their slopes at the quadrature points."""
+        """Shape functions and their derivatives at the quadrature points."""
         return [self.elem.gbasis(self.mapping, self.X, k) for k in range(self.Nbfun)]
 
     @cached_property
@@ -67,7 +67,7 @@ class LateBasis(Basis):
 
 
 def degree_on(mesh: Mesh2D, degree: int | None) -> int:
-    """`degree`, or by default the degree of the mesh."""
+    """Given `degree`; by default the degree of the mesh."""
     return degree if degree is not None else 2 if is_curved(mesh) else 1
 
 
@@ -76,13 +76,13 @@ def vector_basis(
 ) -> Basis:
     """Basis of displacements of the given degree; by default the degree of the mesh.
 
-    With `turn`, x is a radius. `mixed` is for cells with a projected dilatation. ValueError for
-    other degrees, and if a cell of the mesh is folded or, with `turn`, beyond the axis.
+    With `turn`, x is a radius. `mixed` is for cells with a projected dilatation. Raises ValueError
+    for other degrees, and if a cell of the mesh is folded or, with `turn`, crosses the axis.
     """
     degree = degree_on(mesh, degree)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
     if (shape, degree) not in ELEMENTS:
-        raise ValueError(f"displacements have degree 1 or 2, got degree={degree}")
+        raise ValueError(f"displacements must have degree 1 or 2, got degree={degree}")
     # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
     # Quadrilaterals: 2 or 3 Gauss points per direction, the full rule of Q1 and Q2.
     order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
@@ -101,7 +101,7 @@ def vector_basis(
 def facet_basis(
     basis: Basis, facets: Indices, *, side: int = 0, points: Array | None = None
 ) -> Trace:
-    """`basis` restricted to `facets`, at Gauss points or at given facet parameters in [0, 1]."""
+    """Basis restricted to `facets`, at Gauss points or at facet `points` in [0, 1]."""
     if points is None:
         t, w = np.polynomial.legendre.leggauss(4)
         X, W = (t[None] + 1) / 2, w / 2
@@ -111,7 +111,7 @@ def facet_basis(
 
 
 def named_facets(mesh: Mesh2D, name: str) -> Indices:
-    """Facets of the boundary `name`; the error for an unknown name lists the known names."""
+    """Facets of the boundary `name`. Raises ValueError for an unknown name."""
     if name not in (mesh.boundaries or {}):
         known = ", ".join(sorted(mesh.boundaries or {})) or "none"
         raise ValueError(f"the mesh has no boundary {name!r}; its boundaries: {known}")
@@ -119,18 +119,18 @@ def named_facets(mesh: Mesh2D, name: str) -> Indices:
 
 
 def outer_facets(mesh: Mesh2D, name: str) -> Indices:
-    """Facets of the boundary `name`; ValueError if they have no outward normal."""
+    """Facets of the boundary `name`. Raises ValueError if they have no outward normal."""
     facets = named_facets(mesh, name)
     if np.any(mesh.f2t[1, facets] >= 0):
         raise ValueError(
-            f"boundary {name!r} lies inside the mesh, where a normal has no side: "
+            f"boundary {name!r} lies inside the mesh and has no outward normal: "
             "use components x and y, or tractions"
         )
     return facets
 
 
 def named_cells(mesh: Mesh2D, name: str) -> Indices:
-    """Cells of the body `name`; the error for an unknown name lists the known names."""
+    """Cells of the body `name`. Raises ValueError for an unknown name."""
     if name not in (mesh.subdomains or {}):
         known = ", ".join(sorted(mesh.subdomains or {})) or "none"
         raise ValueError(f"the mesh has no body {name!r}; its bodies: {known}")

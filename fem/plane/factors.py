@@ -1,4 +1,4 @@
-"""Factors of symmetric, positive definite matrices, the last few stored by the matrix's content."""
+"""Factors of symmetric, positive definite matrices; the last few are stored for further use."""
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -14,12 +14,12 @@ FACTORS: Recent[Cholesky] = Recent(most=8, room=8e6)  # entries of the factors, 
 
 
 def factorised(A: csc_array) -> Cholesky:
-    """Factors of `A`, stored for further use if they are small."""
+    """Factors of `A`, stored for further use if they need little memory."""
     key = (A.shape[0], A.data, A.indices, A.indptr)
     return FACTORS.get(key, lambda: Cholesky(A, ordered=False), lambda factors: factors.entries)
 
 
 def short(x: Array) -> Array:
-    """`x` rounded to `BITS` bits."""
+    """Numbers `x`, rounded to `BITS` bits."""
     digits, power = np.frexp(x)
     return np.ldexp(np.round(np.ldexp(digits, BITS)), power - BITS)

@@ -1,4 +1,4 @@
-"""The maps of cells into the plane: shape functions, Jacobians, and whether a cell is folded."""
+"""Maps from reference cells to the plane: shape functions, Jacobians, test for folded cells."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ FLAT = 1e-9  # relative to a cell's largest determinant: below, it vanishes to r
 
 
 def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
-    """Values (n, ...) and slopes (2, n, ...) of the shape functions of `elem` at `X` (2, ...)."""
+    """Shape functions (n, ...) of `elem` and their derivatives (2, n, ...) at `X` (2, ...)."""
     if degree := TENSOR.get(type(elem), 0):
         i, j = np.rint(degree * elem.doflocs.T).astype(int)
         (x, y), (dx, dy) = (np.moveaxis(a, 1, 0) for a in _on_line(X, degree))
@@ -25,7 +25,7 @@ def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
 
 
 def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
-    """Lagrange's polynomials (degree + 1, ...) of equal steps on [0, 1], and their slopes."""
+    """Lagrange polynomials (degree + 1, ...) with equal steps on [0, 1], and their derivatives."""
     if degree == 1:
         return np.array([1 - x, x]), np.array([np.full(x.shape, -1.0), np.ones(x.shape)])
     values = np.array([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)])
@@ -33,11 +33,11 @@ def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
 
 
 def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
-    """dx_i / dX_j (m, q, 2, 2) at reference points `X` (2, q), and determinants (m, q).
+    """Jacobian matrices dx_i / dX_j (m, q, 2, 2) at reference points `X`, and determinants (m, q).
 
-    For all cells or for `cells` (m,), each possibly with separate points, `X` (2, m, q).
-    Coordinates are relative to a node of the cell: round-off is then small relative to the cell at
-    any distance from the origin.
+    For all cells, `X` is (2, q). For `cells` (m,), it may also be (2, m, q), with separate points
+    in each cell. Coordinates are relative to a node of the cell. The round-off is therefore small
+    relative to the cell at any distance from the origin.
     """
     t = np.asarray(mesh.dofs.element_dofs)
     nodes = mesh.doflocs[:, t if cells is None else t[:, cells]]
@@ -51,7 +51,10 @@ def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Arr
 
 
 def shapes_in(mesh: Mesh2D, cells: Indices, elem: Element, X: Array) -> tuple[Array, Array]:
-    """Values (n, m, q) and d/dx_i (2, n, m, q) of `elem` in `cells` (m,) at their `X` (2, m, q)."""
+    """Shape functions (n, m, q) of `elem` and their derivatives d/dx_i (2, n, m, q).
+
+    They are evaluated in `cells` (m,) at reference points `X` (2, m, q) of each cell.
+    """
     J, det = jacobians(mesh, X, cells)
     N, (along, across) = shapes(elem, X)
     (a, b), (c, d) = J.transpose(2, 3, 0, 1)
@@ -59,10 +62,11 @@ def shapes_in(mesh: Mesh2D, cells: Indices, elem: Element, X: Array) -> tuple[Ar
 
 
 def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
-    """ValueError with the number of the first cell that is folded, flat, or overlaps its neighbour.
+    """Raise ValueError if a cell is folded or flat, or overlaps its neighbour.
 
-    The determinant must have one sign at the `quadrature` points (2, q) and the nodes of the mesh;
-    two cells must lie on different sides of their common edge.
+    The message states the number of the first such cell. The determinant must have one sign at the
+    `quadrature` points (2, q) and at the nodes of the mesh. Two cells must lie on different sides
+    of their common edge.
     """
     _, det = jacobians(mesh, np.hstack([quadrature, mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)
@@ -73,7 +77,7 @@ def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
         x, y = mesh.p[:, mesh.t[:, k]].mean(axis=1)
         raise ValueError(
             f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}), is folded or flat: the "
-            f"determinant of its map runs from {low[k]:.3g} to {high[k]:.3g} and must keep its sign"
+            f"determinant of its map must keep its sign, but is {low[k]:.3g} to {high[k]:.3g}"
         )
     inner = mesh.f2t[1] >= 0
     start, end = (mesh.p[:, ends] for ends in mesh.facets[:, inner])

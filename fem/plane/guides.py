@@ -1,4 +1,4 @@
-"""Outward normals at the nodes of named boundaries, along which guides hold a body."""
+"""Outward normals at the nodes of named boundaries, the directions that guides fix."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -20,9 +20,9 @@ def wall_normals(
 ) -> dict[int, tuple[Indices, Array]]:
     """Nodes (2, m) and outward normals (2, m) of each named boundary.
 
-    A vertex between facets has their mean normal if they form one smooth wall, for all names
-    together; a vertex at a corner has the normals of both sides. With `turn`, a wall continues
-    beyond the axis as its mirror image; at a `tied` node, it continues at the leader.
+    A vertex between facets of a smooth wall has their mean normal, also if the facets have
+    different names. A vertex at a corner has the normals of both sides. With `turn`, a wall
+    continues beyond the axis as its mirror image; at a `tied` node, it continues at the leader.
     """
     nodes, normals, owner = [], [], []
     for i, name in names.items():
@@ -57,14 +57,14 @@ def wall_normals(
 
 
 def turned(vectors: Array, angle: Array) -> Array:
-    """`vectors` (2, m), each rotated by its element of `angle` (m,) [rad]."""
+    """Vectors `vectors` (2, m), each rotated by its element of `angle` (m,) [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors
     return np.array([c * x - s * y, s * x + c * y])
 
 
 def _smoothed(node: Indices, normal: Array) -> Array:
-    """Each normal replaced by the mean of those at its node that differ by less than 30 deg."""
+    """Normals (2, m), replaced by the mean of all normals at the node within 30 deg."""
     smooth = normal.copy()
     order = np.argsort(node, kind="stable")
     for group in np.split(order, np.flatnonzero(np.diff(node[order])) + 1):

@@ -1,7 +1,8 @@
-"""Nearly incompressible materials: limit of plain elements, and the triangle for mixed ones.
+"""Nearly incompressible materials: limit of standard elements, and the triangle for mixed elements.
 
-Above this limit, plain elements of degree 2 still give displacements, but their volumetric stress
-lambda div u oscillates about the exact one; the amplitude grows with lambda/mu.
+Above this limit, standard elements of degree 2 still give correct displacements. However, their
+volumetric stress lambda div u oscillates about the exact stress; the amplitude increases with
+lambda/mu.
 """
 
 import numpy as np
@@ -16,17 +17,17 @@ ROUND_OFF = 1e-9  # nu comes back from lambda and mu
 
 
 def plane_ratio(lam: Array, mu: Array) -> Array:
-    """lambda/(2 (lambda + mu)) (m,): nu, in plane stress nu/(1 + nu), and 0 in rigid cells."""
+    """Ratio lambda/(2 (lambda + mu)) (m,): nu, or nu/(1 + nu) in plane stress; 0 in rigid cells."""
     return np.asarray(lam / (2 * np.where(mu > 0, lam + mu, 1.0)))
 
 
 def nearly_incompressible(lam: Array, mu: Array) -> bool:
-    """Whether a cell is above the limit; never in plane stress."""
+    """True if Poisson's ratio of a cell is above the limit; never in plane stress."""
     return bool(np.any(plane_ratio(lam, mu) > LIMIT * (1 + ROUND_OFF)))
 
 
 def refuse(mesh: Mesh2D, lam: Array, mu: Array, reason: str) -> None:
-    """ValueError with `reason` and the number of a nearly incompressible cell, if there is one."""
+    """Raise ValueError with `reason` and the cell number if a cell is nearly incompressible."""
     if not nearly_incompressible(lam, mu):
         return
     nu = plane_ratio(lam, mu)
@@ -41,8 +42,8 @@ def refuse(mesh: Mesh2D, lam: Array, mu: Array, reason: str) -> None:
 class ElementTriP2Plus(ElementTriP2):
     """Quadratic triangle with a seventh node at its centre, for Crouzeix and Raviart's pair.
 
-    Together with discontinuous linear pressures it satisfies the inf-sup condition; the six-node
-    triangle does not.
+    Together with discontinuous linear pressures, it satisfies the inf-sup condition. The six-node
+    triangle does not satisfy it.
     """
 
     interior_dofs = 1
@@ -51,7 +52,7 @@ class ElementTriP2Plus(ElementTriP2):
     doflocs = np.vstack([ElementTriP2.doflocs, [[1 / 3, 1 / 3]]])
 
     def lbasis(self, X: Array, i: int) -> tuple[Array, Array]:
-        """Shape function `i` and its slopes at `X` (2, ...)."""
+        """Shape function `i` and its derivatives at `X` (2, ...)."""
         x, y = X
         z = 1 - x - y
         bubble, slope = 27 * x * y * z, 27 * np.array([y * (z - x), x * (z - y)])

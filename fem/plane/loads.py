@@ -1,6 +1,6 @@
-"""Materials of the bodies of a plane mesh, loads on its cells and boundaries, by name.
+"""Materials of the bodies of a plane mesh, and loads on cells and boundaries, by name.
 
-Loads are forces (unknowns,) for unit thickness or, with `turn`, for the full circumference about
+Loads are forces (unknowns,) per unit thickness or, with `turn`, for the full circumference about
 the y axis; x is then the radius.
 """
 
@@ -34,14 +34,17 @@ def pull(v, w):
 
 
 def push(side: Trace, p: Array) -> Array:
-    """Forces (unknowns,) of the pressure `p` (m, q) on facets, per length of them."""
+    """Forces (unknowns,) of the pressure `p` (m, q) on facets, per unit length of the facets."""
     return -side.load(p * np.asarray(side.normals))
 
 
 def moduli(
     mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic], assumption: Assumption
 ) -> tuple[Array, Array, Array]:
-    """lambda, mu and sigma_zz/(sigma_xx + sigma_yy) of every cell; ValueError for bare cells."""
+    """Moduli lambda, mu and the ratio sigma_zz/(sigma_xx + sigma_yy) of every cell.
+
+    Raises ValueError for cells without a material.
+    """
     table = np.full((3, mesh.nelements), np.nan)
     named = {None: materials} if isinstance(materials, Elastic) else materials
     for body, material in named.items():
@@ -49,7 +52,10 @@ def moduli(
         constants = *material.lame_constants(assumption), material.normal_stress_ratio(assumption)
         table[:, cells] = np.reshape(constants, (3, 1))
     if bare := int(np.isnan(table[0]).sum()):
-        raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")
+        raise ValueError(
+            f"every cell needs a material, but {bare} of {mesh.nelements} cells have no material: "
+            "name every body"
+        )
     return table[0], table[1], table[2]
 
 
@@ -67,7 +73,7 @@ def surface_load(
         x = np.asarray(side.global_coordinates())
         p = pressure(x) if callable(pressure) else pressure
         if not np.all(np.isfinite(p)):
-            raise ValueError(f"the pressure on {name!r} is not finite")
+            raise ValueError(f"the pressure on {name!r} must be finite")
         f += push(side, p * depth(x, turn))
     for name, traction in tractions.items():
         side = _wall(basis, name, named_facets(basis.mesh, name), turn)
@@ -79,17 +85,17 @@ def surface_load(
 def force_load(
     basis: Basis, forces: Mapping[str, tuple[float, float]], *, turn: bool = False
 ) -> Array:
-    """Totals `forces` [force] on named boundaries, each uniformly distributed over its boundary.
+    """Forces of the total `forces` [force] on named boundaries, each uniformly distributed.
 
-    A total acts on the whole thickness or circumference. ValueError for a radial total on a body of
-    revolution, which has no resultant.
+    A total force acts on the whole thickness or circumference. Raises ValueError for a radial total
+    force on a body of revolution, because it has no resultant.
     """
     f = np.zeros(basis.N)
     for name, force in forces.items():
         if turn and force[0] != 0:
             raise ValueError(
-                f"the force on {name!r} has the radial part {force[0]:g}, but a radial force has "
-                "no resultant on a body of revolution: use tractions or pressures"
+                f"the force on {name!r} has the radial component {force[0]:g}, but a radial force "
+                "has no resultant on a body of revolution: use tractions or pressures"
             )
         side = _wall(basis, name, named_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())
@@ -102,7 +108,7 @@ def force_load(
 def body_load(
     basis: Basis, forces: Vector | Mapping[str, Vector] | None, *, turn: bool = False
 ) -> Array:
-    """Forces of `forces` per volume [force / length^3], on all cells or by body."""
+    """Forces (unknowns,) of `forces` per volume [force / length^3], on all cells or by body."""
     f = np.zeros(basis.N)
     if forces is None:
         return f
@@ -125,30 +131,35 @@ def point_load(
     *,
     turn: bool = False,
 ) -> Array:
-    """Forces at nodes, by coordinates; with `turn`, totals on rings.
+    """Forces (unknowns,) of `forces` at nodes, by coordinates; with `turn`, totals on rings.
 
-    ValueError if there is no node at the point, and for a radial force on the axis.
+    Raises ValueError if there is no node at the point, and for a radial force on the axis.
     """
     f = np.zeros(basis.N)
     for point, force in forces.items():
         if turn and force[0] != 0 and on_axis(basis.mesh, np.array(point)):
             raise ValueError(
-                f"the point force at {tuple(point)} has the radial part {force[0]:g}: on the axis "
-                "a force can only be axial"
+                f"the point force at {tuple(point)} must be axial, because the point is on the "
+                f"axis, but it has the radial component {force[0]:g}"
             )
         f[nearest_node(basis, point)] += force
     return f
 
 
 def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> Trace:
-    """`basis` on the `facets` of boundary `name`; ValueError if they have no area by rotation."""
+    """Basis on the `facets` of boundary `name`.
+
+    Raises ValueError if all facets are on the axis of revolution, where they have no area.
+    """
     if turn and not has_area(basis.mesh, facets):
-        raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")
+        raise ValueError(
+            f"boundary {name!r} has no area for a load, because it lies on the axis, r = 0"
+        )
     return facet_basis(basis, facets)
 
 
 def _vector(value: Vector, x: Array) -> Array:
     given = value(x) if callable(value) else np.reshape(value, (2, 1, 1))
     if not np.all(np.isfinite(given)):
-        raise ValueError(f"a load vector is not finite: {value}")
+        raise ValueError(f"a load vector must be finite, got {value}")
     return np.broadcast_to(np.asarray(given, float), x.shape).copy()

@@ -1,7 +1,7 @@
-"""The cell of a plane mesh that contains a point, and the coordinates of the point in the cell.
+"""Cell of a plane mesh that contains a point, and coordinates of the point in the cell.
 
-Cells may have curved edges. Coordinates are relative to a corner of the cell: round-off is then
-small relative to the cell at any distance from the origin.
+Cells may have curved edges. Coordinates are relative to a corner of the cell. The round-off is
+therefore small relative to the cell at any distance from the origin.
 """
 
 import numpy as np
@@ -23,12 +23,12 @@ PAIRS = 4_000_000  # points times cells compared at once: some ten megabytes
 
 
 def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
-    """Cell (m,) and reference coordinates (2, m) of each of `points` (2, m).
+    """Cell (m,) and reference coordinates (2, m) of each of the `points` (2, m).
 
-    A point on an edge is always assigned to the same cell, and so is a point in overlapping bodies.
-    A point outside by less than `INSIDE` of a cell is accepted: this covers the gap between a
-    circle and parabolas, but not between parabolas and any other curve. ValueError for the first
-    point in no cell, with its distance.
+    A point on an edge, or in overlapping bodies, is always assigned to the same cell. A point
+    outside by less than `INSIDE` x cell size is accepted; this covers the gap between a circle and
+    parabolas, but not the gap between parabolas and other curves. Raises ValueError for the first
+    point that is in no cell, with its distance from the boundary.
     """
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
     low, high = nodes.min(axis=1), nodes.max(axis=1)
@@ -40,7 +40,7 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     cell, X = np.full(points.shape[1], -1), np.zeros(points.shape)
 
     def settle(point: Indices, tried: Indices, gap: float, starts: Array) -> None:
-        """Assign each `point` the deepest of its cells `tried`, to within `gap` outside."""
+        """Assign each `point` to the deepest of its cells `tried`, at most `gap` outside."""
         found, depth = _invert(mesh, nodes[:, :, tried], points[:, point], starts)
         order = np.lexsort((tried, -np.round(depth, ROUND_OFF_DIGITS), point))
         first = order[np.unique(point[order], return_index=True)[1]]
@@ -73,7 +73,7 @@ def _within(x: Array, low: Array, high: Array) -> Array:
 
 
 def _distance(mesh: Mesh2D, x: Array) -> float:
-    """Distance of `x` (2,) to the boundary, as chords of an eighth of a facet."""
+    """Distance of `x` (2,) from the boundary; each facet is approximated by eight chords."""
     ends = mesh.mapping().G(np.linspace(0, 1, 9)[None], find=mesh.boundary_facets())
     ends = ends - x[:, None, None]
     start, along = ends[..., :-1], np.diff(ends)
@@ -84,9 +84,10 @@ def _distance(mesh: Mesh2D, x: Array) -> float:
 def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array, Array]:
     """Reference coordinates (2, m) of `x` (2, m) in cells with `nodes` (2, n, m), and depth (m,).
 
-    From each of `starts` (k, 2) in turn, until one leads into the cell: near a distorted cell, a
-    second point may also map to x. The depth is the distance to the nearest edge over the size of
-    the cell, and minus infinity if no point near the cell maps to x.
+    Newton's method begins at each of `starts` (k, 2) in turn, until the result is inside the cell:
+    near a distorted cell, a second point may also map to x. The depth is the distance to the
+    nearest edge divided by the size of the cell. It is minus infinity if no point near the cell
+    maps to x.
     """
     corner = nodes[:, 0]
     nodes, x = nodes - corner[:, None], x - corner
@@ -103,7 +104,7 @@ def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array,
 
 
 def _newton(elem: Element, nodes: Array, x: Array, start: Array) -> tuple[Array, Array]:
-    """Reference coordinates (2, m) from `start` towards `x`, and remaining distances from `x`."""
+    """Reference coordinates (2, m) of `x` by iteration from `start`, and remaining distances."""
     X, at = np.repeat(start[:, None], x.shape[1], axis=1), np.arange(x.shape[1])
     for _ in range(NEWTON_STEPS):
         phi, slope = shapes(elem, X[:, at])

@@ -11,7 +11,7 @@ Assumption = Literal["plane strain", "plane stress", "axisymmetric"]
 class Elastic:
     """Young's modulus `E` [stress] and Poisson's ratio `nu` [1] of one body.
 
-    Plane strain and bodies of revolution above nu = 0.45: see `fem.plane.mixed`.
+    For plane strain and bodies of revolution with nu > 0.45, see `fem.plane.mixed`. Raises
     ValueError unless E > 0 is finite and -1 < nu < 0.5.
     """
 
@@ -32,8 +32,8 @@ class Elastic:
         return self.E * self.nu / ((1 + self.nu) * (1 - 2 * self.nu)), mu
 
     def normal_stress_ratio(self, assumption: Assumption) -> float:
-        """sigma_zz / (sigma_xx + sigma_yy): nu if the strain along z is prevented, otherwise 0.
+        """Ratio sigma_zz / (sigma_xx + sigma_yy): nu in plane strain, 0 in plane stress.
 
-        NaN for a body of revolution, whose hoop stress follows from a separate strain.
+        It is NaN for a body of revolution, whose hoop stress follows from the hoop strain.
         """
         return {"plane strain": self.nu, "plane stress": 0.0, "axisymmetric": math.nan}[assumption]

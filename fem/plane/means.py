@@ -1,10 +1,10 @@
 """Mean motions of boundaries that deform freely: distributing couplings.
 
-    Mean({"r": 1e-3})        # turned by a milliradian about the origin, on the average
+    Mean({"r": 1e-3})        # mean rotation of 1 mrad about the origin
     Mean({"x": 0.0, "y": 0.0})
 
-The mean shift is int u dA / A, the mean rotation int (arm x u) dA / int arm^2 dA. The reactions are
-uniform tractions, or tractions proportional to the arm.
+The mean displacement is int u dA / A; the mean rotation is int (arm x u) dA / int arm^2 dA. The
+reactions are uniform tractions, or tractions proportional to the arm.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,8 @@ INDEPENDENT = 1e-9  # relative to the largest singular value
 class Mean:
     """Prescribed mean motions of a boundary.
 
-    `held` states the values of x, y [length] and r [rad, about a point], or of some of these.
+    `held` gives prescribed values of x, y [length] and r [rad, about the point `about`], or of some
+    of these.
     """
 
     held: Mapping[str, float]
@@ -36,18 +37,18 @@ class Mean:
     def __post_init__(self) -> None:
         if not self.held or set(self.held) - set(COMPONENTS):
             raise ValueError(
-                f"mean motions are of x, y and r, got {', '.join(self.held) or 'none'}"
+                f"mean motions must be named x, y or r, got {', '.join(self.held) or 'none'}"
             )
         if not np.all(np.isfinite([*self.held.values(), *self.about])):
             raise ValueError(f"mean motions must be finite, got {self}")
 
 
 def mean_rows(basis: Basis, means: Mapping[str, Mean], *, turn: bool = False) -> csr_array:
-    """Rows (k, unknowns) that read the mean motions, component after component."""
+    """Rows (k, unknowns) that give the mean motions from displacements, in order of components."""
     rows = [np.zeros((0, basis.N))]
     for name, mean in means.items():
         if turn and set(mean.held) != {"y"}:
-            raise ValueError(f"mean motion of {name!r}: around a turn only y is a motion")
+            raise ValueError(f"mean motion of {name!r}: if axisymmetric, it can only be y")
         side = facet_basis(basis, named_facets(basis.mesh, name))
         x = np.asarray(side.global_coordinates())
         dA = np.asarray(side.dx) * depth(x, turn)
@@ -60,14 +61,16 @@ def mean_rows(basis: Basis, means: Mapping[str, Mean], *, turn: bool = False) ->
 
 
 class _Motion:
-    """The traction whose work with u is the mean motion."""
+    """Traction whose work with the displacements u is the mean motion."""
 
     def __init__(self, component: str, about: tuple[float, float], x: Array, dA: Array) -> None:
         self.component, self.about = component, np.reshape(about, (2, 1, 1))
         own = self._field(x)
         self.size = float(((own**2).sum(axis=0) * dA).sum())
         if not self.size > 0:
-            raise ValueError(f"a boundary without extent has no mean motion {component!r}")
+            raise ValueError(
+                f"the mean motion {component!r} requires a boundary with a length, but it has none"
+            )
 
     def __call__(self, x: Array) -> Array:
         return self._field(x) / self.size
@@ -84,21 +87,23 @@ class _Motion:
 def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
     """Columns of `T` (unknowns, n) for which the means `C` (k, unknowns) vanish, and a lift.
 
-    The lift (unknowns, k) changes each mean by one. The last `surface` columns remain the last and
-    must not be part of a mean.
+    The lift (unknowns, k) changes each mean by one. The last `surface` columns remain the last
+    columns and must not contribute to a mean.
     """
     rows = (C @ T).tocsc()
     touched = np.flatnonzero(np.diff(rows.indptr))
     inner = T.shape[1] - surface
     if np.any(touched >= inner):
-        raise ValueError("a boundary whose mean motion is held cannot be in contact as well")
+        raise ValueError("a boundary with a prescribed mean motion must not be in contact")
     own = rows[:, touched].toarray()
     Q, R, order = qr(own.T, pivoting=True)
     size = np.abs(np.diag(R))
     # relative to the rows without supports
     whole = np.sqrt(np.asarray((C * C).sum(axis=1)).ravel())[order]
     if size.size < len(own) or np.any(size <= INDEPENDENT * whole):
-        raise ValueError("a mean motion is prescribed that supports or another mean hold already")
+        raise ValueError(
+            "a prescribed mean motion must not be fixed by supports or another mean motion as well"
+        )
     others = np.setdiff1d(np.arange(inner), touched)
     kept = T[:, touched]
     columns = [T[:, others], csr_array(kept @ Q[:, len(own) :]), T[:, inner:]]

@@ -12,22 +12,22 @@ Place = TypeVar("Place", complex, NDArray[np.complex128])
 
 @dataclass(frozen=True)
 class Move:
-    """A rotation by `angle` [rad], then a `shift` [length]; positions and shifts are x + iy."""
+    """Rotation by `angle` [rad], then a `shift` [length]; positions and shifts are x + iy."""
 
     angle: float = 0.0
     shift: complex = 0.0
 
     @classmethod
     def about(cls, centre: complex, angle: float, shift: complex = 0.0) -> "Move":
-        """A rotation about `centre`, then a `shift`."""
+        """Rotation about `centre`, then a `shift`."""
         return cls(angle, centre + shift - cmath.rect(1, angle) * centre)
 
     def of(self, place: Place) -> Place:
-        """New place of a point at `place`."""
+        """Position of a point at `place` after the motion."""
         return cmath.rect(1, self.angle) * place + self.shift
 
     def after(self, first: "Move") -> "Move":
-        """The `first` motion, followed by this one."""
+        """Combined motion: the `first` motion, then this motion."""
         return Move(self.angle + first.angle, self.of(first.shift))
 
     @property

@@ -1,4 +1,4 @@
-"""Nested dissection: the order of elimination that keeps a plane problem's factors small."""
+"""Nested dissection: order of elimination for small factors of a plane problem."""
 
 import numpy as np
 from skfem import Basis
@@ -12,9 +12,9 @@ LARGE = 256
 def nested_dissection(basis: Basis) -> Indices:
     """Position (unknowns,) of every unknown in the order of elimination.
 
-    Cells are divided into halves by a straight line, in that of several directions which cuts the
-    fewest edges. The halves are divided again, down to single cells. Unknowns common to both halves
-    follow all unknowns of one half only.
+    Cells are divided into halves by a straight line. Of several directions, the direction that cuts
+    the fewest edges is chosen. The halves are divided again, down to single cells. Unknowns common
+    to both halves follow all unknowns that belong to one half only.
     """
     path, levels = _halves(basis)
     dofs = np.asarray(basis.element_dofs)
@@ -31,7 +31,7 @@ def nested_dissection(basis: Basis) -> Indices:
 
 
 def _halves(basis: Basis) -> tuple[Indices, int]:
-    """Path (cells,) of every cell through the halvings, a bit each, and their number."""
+    """Path (cells,) of every cell through the halvings, one bit each, and number of halvings."""
     mesh = basis.mesh
     cells = mesh.nelements
     x, y = mesh.p[:, mesh.t].mean(axis=1)

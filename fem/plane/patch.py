@@ -1,4 +1,4 @@
-"""Plane bodies under Hertz's pressure on a patch of a round wall, and deflections of the wall."""
+"""Plane bodies under Hertz's pressure on a patch of a round wall, and displacements of the wall."""
 
 from dataclasses import replace
 from typing import Any
@@ -16,12 +16,12 @@ def solve_under_patch(
     mesh: Mesh2D, *, material: Elastic, assumption: Assumption, supports: Any, radius: float,
     a: float, P: float,
 ) -> PlaneSolution:  # fmt: skip
-    """The body under half of the load P per length on its boundary "patch".
+    """Solution of the body under half of the load P per length on its boundary "patch".
 
     The patch extends from the x axis along the arc of `radius` about the origin to the half-width a
-    [length]; the other half of the load lies on the other side of the axis. Equal cells integrate
-    the square-root end of the pressure with an error of order 3/2, 1e-5 of the load; the result is
-    scaled to the load P/2.
+    [length]. The other half of the load acts on the other side of the axis. With equal cells, the
+    square-root end of the pressure causes an integration error of order 3/2, 1e-5 of the load. The
+    result is therefore scaled to the load P/2.
     """
     peak = 2 * P / (np.pi * a)
 
@@ -41,7 +41,7 @@ def solve_under_patch(
 def polar_nodes(body: PlaneSolution, name: str) -> Array:
     """Angle [rad], u_r and u_theta (3, m) [length] at all nodes of the boundary `name`, by angle.
 
-    About the origin, of quadratic cells.
+    The polar coordinates are about the origin. The cells must be quadratic.
     """
     mesh, basis = body.basis.mesh, body.basis
     facets = mesh.boundaries[name]

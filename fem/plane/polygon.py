@@ -1,4 +1,4 @@
-"""A ring with a polygonal bore under pressure by finite elements, in one call."""
+"""Ring with a polygonal bore under pressure, solved with finite elements."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PolygonRing:
-    """A solved ring of outside diameter `d_e` [length] with `z` flats; `solution` has its fields.
+    """Solution of a ring of outside diameter `d_e` [length] with `z` flats.
 
-    `fillet_stress` is the largest hoop stress [stress] in the fillets of the corners.
+    `fillet_stress` is the largest hoop stress [stress] in the fillets of the corners. `solution`
+    contains displacements and stresses.
     """
 
     d_e: float
@@ -30,13 +31,13 @@ class PolygonRing:
     solution: PlaneSolution
 
     def growth(self, theta: ArrayLike) -> Array:
-        """Radial displacement [length] of the outside at angles [rad] measured from a flat.
+        """Radial displacement [length] of the outside at angles [rad] measured from mid-flat.
 
-        Angles are 0 to pi/z, the angle of a corner; the ring is periodic.
+        Angles must be between 0 and pi/z, the angle of a corner; the ring is periodic.
         """
         theta = np.atleast_1d(np.asarray(theta, float))
         if not np.all((theta >= 0) & (theta <= np.pi / self.z * (1 + 1e-12))):
-            raise ValueError(f"theta lies between 0 and pi/{self.z} rad, got {theta.tolist()}")
+            raise ValueError(f"theta must be between 0 and pi/{self.z} rad, got {theta.tolist()}")
         return radial(self.solution, self.d_e / 2, theta)
 
 
@@ -45,12 +46,13 @@ def solve_polygon_ring(
     nu: float, p: float, assumption: Literal["plane strain", "plane stress"] = "plane stress",
     refine: int = 2,
 ) -> PolygonRing:  # fmt: skip
-    """A ring with `z` flats under the pressure `p` [stress] on its bore; any consistent units.
+    """Solution of a ring with `z` flats under the pressure `p` [stress] on its bore.
 
-    `mesh` generates half a sector: `meshes.polyhedral.polygon_half_sector`, or a function with the
-    same arguments. Outside diameter `d_e`, diameter `d_i` of the circle through the rounded
-    corners, and their radius `fillet` [length]; E [stress], nu. With `refine` 2, the error of the
-    growth is about 1e-4. ValueError for dimensions without a ring.
+    All units must be consistent. `mesh` generates half a sector:
+    `meshes.polyhedral.polygon_half_sector`, or a function with the same arguments. `d_e` is the
+    outside diameter, `d_i` the diameter of the circle through the rounded corners, `fillet` the
+    radius of the corners [length]; E [stress], nu. With `refine` 2, the error of the radial
+    displacement is about 1e-4. Raises ValueError for dimensions that do not give a ring.
 
     >>> from meshes.polyhedral import polygon_half_sector
     >>> size = {"z": 6, "d_e": 80.0, "d_i": 72.0, "fillet": 2.0}  # mm, with MPa

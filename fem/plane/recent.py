@@ -1,7 +1,7 @@
-"""Cache of the last few results by the content of their arguments.
+"""Cache of the last few results, identified by the content of their arguments.
 
-A stored result equals a new result to the last bit: no result depends on earlier computations of
-the process.
+A stored result equals a new result to the last bit. Results do not depend on earlier computations
+of the process.
 """
 
 from collections.abc import Callable
@@ -18,14 +18,14 @@ Key = tuple[type | int | Array | Indices, ...]
 
 @dataclass
 class Recent(Generic[V]):
-    """At most `most` results, the latest first, and `room` in all by the stated size of each."""
+    """Cache of at most `most` results with total size `room`, the latest first."""
 
     most: int
     room: float = np.inf
     kept: list[tuple[Key, V, float]] = field(default_factory=list)
 
     def get(self, key: Key, make: Callable[[], V], size: Callable[[V], float] = lambda _: 0) -> V:
-        """Result for the arguments `key`, stored or from `make`; it needs `size` of the memory."""
+        """Result for the arguments `key`, stored or computed by `make`; `size` gives its memory."""
         for k, entry in enumerate(self.kept):
             if same(entry[0], key):
                 self.kept.insert(0, self.kept.pop(k))
@@ -47,7 +47,7 @@ class Recent(Generic[V]):
 
 
 def same(one: Key, other: Key) -> bool:
-    """Whether two keys are equal, arrays by their entries."""
+    """True if two keys are equal; arrays are compared by their entries."""
     return len(one) == len(other) and all(
         np.array_equal(a, b) if isinstance(a, np.ndarray) and isinstance(b, np.ndarray) else a == b
         for a, b in zip(one, other, strict=True)

@@ -1,4 +1,4 @@
-"""Whether the supports of a plane problem leave a body, or a chain of hinged ones, free to move."""
+"""Test whether supports permit a rigid motion of a body, or of a chain of hinged bodies."""
 
 from dataclasses import dataclass
 
@@ -21,8 +21,8 @@ MOTIONS = ("x", "y", "rotation")
 class Motions:
     """Rigid motions of the bodies that the conditions permit.
 
-    `fields` (unknowns, k) are their displacements; `words` the body that moves most, and its
-    motion.
+    `fields` (unknowns, k) are the displacements of the motions; `words` describe the body that
+    moves most, and its motion.
     """
 
     fields: Array
@@ -32,7 +32,7 @@ class Motions:
 def check_rigid_motions(
     basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> None:
-    """ValueError with a rigid motion of a body that the conditions permit."""
+    """Raise ValueError if the conditions permit a rigid motion of a body."""
     if words := free_motions(basis, conditions, tied, means, turn=turn).words:
         raise ValueError(f"{words[-1]}: support it against this motion")
 
@@ -56,7 +56,7 @@ def free_motions(
         centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
 
     def motion(x: Array, k: Indices) -> Array:
-        """Displacements (m, 2, n) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        """Displacements (m, 2, n) at `x` (2, m) for unit motions of the bodies `k` (m,)."""
         u, v = (x - centre[:, k]) / size[k]
         one, zero = np.ones_like(u), np.zeros_like(u)
         return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)[..., kinds]
@@ -102,7 +102,7 @@ def free_motions(
 def _compressed(
     rows: csr_array, nodes: Indices, of_node: Indices, shapes: Array, count: int
 ) -> Array:
-    """Conditions of `rows` (k, unknowns) on the motions (n, of `count` bodies), in few rows."""
+    """Conditions of `rows` (k, unknowns) on the n motions of `count` bodies, in few rows."""
     n = shapes.shape[2]
     all_motions = np.zeros((rows.shape[1], count, n))
     for i in (0, 1):
@@ -112,7 +112,7 @@ def _compressed(
 
 
 def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
-    """The first name of the mesh for cells of one body only, in brackets; empty without one."""
+    """First name of cells that belong to one body only, in brackets; empty if there is none."""
     for name, cells in (mesh.subdomains or {}).items():
         if np.all(own[cells]):
             return f" ({name!r})"
@@ -120,7 +120,10 @@ def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
 
 
 def _words(amplitudes: Array, kinds: list[int], names: list[str]) -> str:
-    """Body that moves most, and its motion, by the `amplitudes` (bodies, kinds of motion)."""
+    """Description of the body that moves most, and of its motion.
+
+    `amplitudes` (bodies, kinds) are the amplitudes of the `kinds` of motion.
+    """
     worst = int(np.argmax(np.abs(amplitudes).max(axis=1)))
     how = ", ".join(
         f"{c:+.2g} {MOTIONS[kind]}"
@@ -131,7 +134,7 @@ def _words(amplitudes: Array, kinds: list[int], names: list[str]) -> str:
 
 
 def _bodies(basis: Basis) -> tuple[int, Indices, list[tuple[int, int, int]]]:
-    """Number of bodies, the body of every cell, and hinges (vertex, body, body)."""
+    """Number of bodies, body of every cell, and hinges (vertex, body, body)."""
     mesh = basis.mesh
     inner = mesh.f2t[:, mesh.f2t[1] >= 0]
     links = csr_array((np.ones(inner.shape[1]), tuple(inner)), (mesh.nelements, mesh.nelements))

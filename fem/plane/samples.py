@@ -1,4 +1,4 @@
-"""Displacements and stresses of a plane solution at points, with the weights of their integrals."""
+"""Displacements and stresses of a plane solution at points, with integration weights."""
 
 from dataclasses import dataclass
 
@@ -11,10 +11,10 @@ from fem.plane.discretisation import Array
 class Samples:
     """Values at quadrature points: `x`, `u` (2, m), `stress` (4, m) and `weight` (m,).
 
-    Stress rows are xx, yy, xy, zz; the last is the hoop stress of a body of revolution. `normal`
-    (2, m) is the outward normal on outer boundaries, otherwise empty. The sum of the weights is the
-    area or the length of the boundary; for a body of revolution, the volume or the area of the
-    boundary.
+    Stress rows are xx, yy, xy, zz; the last row is the hoop stress of a body of revolution.
+    `normal` (2, m) is the outward normal on outer boundaries, otherwise empty. The sum of the
+    weights is the area of the cells or the length of the boundary; for a body of revolution, it is
+    the volume of the cells or the area of the boundary.
     """
 
     x: Array
@@ -24,11 +24,11 @@ class Samples:
     normal: Array
 
     def mean(self, values: Array) -> float:
-        """Average of `values` (m,) over the cells or the boundary."""
+        """Mean of `values` (m,) over the cells or the boundary."""
         return float(self.weight @ values / self.weight.sum())
 
     def traction(self) -> Array:
-        """Sigma . n (2, m) on a boundary."""
+        """Traction sigma . n (2, m) on a boundary."""
         xx, yy, xy, _ = self.stress
         n_x, n_y = self.normal
         return np.array([xx * n_x + xy * n_y, xy * n_x + yy * n_y])

@@ -1,4 +1,4 @@
-"""Plane sectors of a cyclic body: evaluation, and the complete body."""
+"""Plane sectors of a cyclic body: evaluation, and assembly of the complete body."""
 
 from collections.abc import Mapping
 
@@ -19,11 +19,11 @@ def radial(body: PlaneSolution, r: float, theta: Array) -> Array:
 
 
 def largest_hoop_stress(side: Samples, centre: Array, end: float, p: float) -> float:
-    """Largest stress [stress] along a fillet under the pressure p, by a polynomial along it.
+    """Largest hoop stress [stress] along a fillet under the pressure p, by a fitted polynomial.
 
-    The fillet extends over `end` [rad] about its centre, from the direction of the x axis. The
-    normal stress there is minus the pressure; the sum of both stresses therefore needs no
-    direction.
+    The fillet extends over the angle `end` [rad] about its centre, from the direction of the x
+    axis. The normal stress is minus the pressure. The hoop stress is therefore the sum of both
+    normal stresses plus p, for any directions of the axes.
     """
     turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / end
     stress = side.stress[0] + side.stress[1] + p
@@ -32,9 +32,9 @@ def largest_hoop_stress(side: Samples, centre: Array, end: float, p: float) -> f
 
 
 def all_sectors(half: Mapping[str, Array], z: int) -> tuple[Array, Array, Indices]:
-    """Points and displacements (n, 2), cells of 2 z copies of half a sector about the x axis.
+    """Points (n, 2), displacements (n, 2) and cells of 2 z copies of half a sector.
 
-    One half sector is mirrored in the x axis, and both are rotated by multiples of 2 pi/z.
+    The half sector is mirrored at the x axis, and both halves are rotated by multiples of 2 pi/z.
     """
     points, moved, cells = half["points"], half["displacement"], half["cells"].astype(np.int64)
     turned: list[tuple[Array, Array]] = []

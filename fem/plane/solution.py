@@ -1,6 +1,6 @@
-"""A solved plane problem and the quantities that are read off it.
+"""Solution of a plane problem, and quantities evaluated from it.
 
-Quantities are integrals over named boundaries and bodies, or energies; stresses are evaluated at
+Quantities are integrals over named boundaries and bodies, or energies. Stresses are evaluated at
 quadrature points from the displacement gradient, without smoothing.
 """
 
@@ -29,14 +29,14 @@ from fem.plane.traces import Trace
 
 @dataclass(frozen=True)
 class Held:
-    """Ties and mean motions of a solution; `rows` (k, unknowns) read the means."""
+    """Ties and mean motions of a solution; `rows` (k, unknowns) give the means."""
 
     tied: Tied
     rows: csr_array
     means: Mapping[str, Mean]
 
     def on_means(self, conditions: Conditions, reaction: Array) -> Array:
-        """Force (k,) along each mean that makes up `reaction` (unknowns,)."""
+        """Force (k,) along each mean motion that contributes to `reaction` (unknowns,)."""
         led = self.tied.led(conditions)
         rows = [led.beside(row) for row in (self.rows @ self.tied.P).toarray()]
         force, *_ = np.linalg.lstsq(np.array(rows).T, led.beside(self.tied.P.T @ reaction))
@@ -48,10 +48,10 @@ class PlaneSolution:
     """Displacements `u` (unknowns,) on `basis`, in balance with the loads.
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
-    difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell.
-    `residual` is the share of the energy in the last correction of the solver, the square of a
-    relative displacement. With `turn`, x is the radius of a body of revolution, y is the coordinate
-    along its axis, and integrals and forces refer to the full circumference.
+    difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell. `residual`
+    is the energy of the last correction of the solver relative to the total energy, which is the
+    square of a relative displacement. With `turn`, x is the radius of a body of revolution and y
+    its axial coordinate; integrals and forces then refer to the full circumference.
     """
 
     basis: Basis
@@ -71,43 +71,46 @@ class PlaneSolution:
     def strain_energy(self) -> float:
         """Half the integral of stress times strain, for the whole thickness [force x length].
 
-        Computed from the strains, not from u . K u: in slender bodies, the rounding error of K
-        times their large rigid motion would exceed the strains.
+        It is computed from the strains, not from u . K u. In slender bodies, the round-off of K
+        times large rigid motions would exceed the strains.
         """
         return self.thickness * self._cells().strain_energy(self.u)
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads, f . u [force x length].
+        """Strain energy minus the work of the loads, f . u [force x length].
 
-        Stationary at the solution: an error of u has a squared effect. Under loads without
-        prescribed displacements, it is minus half the work of the loads: compliance = -2 x this /
-        force^2.
+        It is stationary at the solution: an error of u has a squared effect. Under loads without
+        prescribed displacements, it is minus half the work of the loads; the compliance is then -2
+        x potential energy / force^2.
         """
         return self.strain_energy - float(self.f @ self.u)
 
     def reaction(self, boundary: str) -> tuple[float, float, float]:
         """Force (x, y) and moment about the origin that the supports of `boundary` exert.
 
-        At a corner with several supports, each reports only its part of the force. In a body of
-        revolution x is the sum of the radial forces off the axis, y the axial force, and the moment
-        vanishes.
+        At a corner with several supports, each support has only its share of the force. In a body
+        of revolution, x is the sum of the radial forces off the axis, y the axial force, and the
+        moment is zero.
         """
         named_facets(self.basis.mesh, boundary)  # an unknown name is an error, not a zero
         return self._resultant(self.conditions.of(boundary))
 
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Force (x, y) that an anchor at `point` exerts, on a ring in a body of revolution."""
+        """Force (x, y) that an anchor at `point` exerts; in a body of revolution, on a ring."""
         node = nearest_node(self.basis, point)
         x, y, _ = self._resultant(self.conditions.anchored_at(node))
         return x, y
 
     def mean_reaction(self, boundary: str) -> dict[str, float]:
-        """Force (x, y) and moment (r, about its point) that hold the mean motions of `boundary`."""
+        """Force (x, y) and moment (r, about its point) of the mean motions of `boundary`."""
         means = {} if self.held is None else self.held.means
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"
-            raise ValueError(f"no mean motion of {boundary!r} is held; held are those of: {known}")
+            raise ValueError(
+                f"boundary {boundary!r} must have a prescribed mean motion; boundaries with mean "
+                f"motions: {known}"
+            )
         force, first = self._on_means, 0
         for name, mean in means.items():
             if name == boundary:
@@ -116,16 +119,17 @@ class PlaneSolution:
         return dict(zip(means[boundary].held, force[first:].tolist(), strict=False))
 
     def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Displacement (x, y) of the node at `point`; ValueError if there is no node."""
+        """Displacement (x, y) of the node at `point`. Raises ValueError if there is no node."""
         x, y = self.u[nearest_node(self.basis, point)]
         return float(x), float(y)
 
     def at(self, points: Array) -> Samples:
         """Samples at `points` (2, m), each from the cell that contains the point, with weight 1.
 
-        On an edge between cells, or in overlapping bodies, from one of the cells. ValueError for
-        the first point outside by more than 1e-4 of a cell; this margin covers circles approximated
-        by parabolas. On the axis of a body of revolution, u_r/r is du_r/dr.
+        For a point on an edge between cells, or in overlapping bodies, one of the cells is used.
+        Raises ValueError for the first point that is outside by more than 1e-4 of a cell; this
+        margin covers circles approximated by parabolas. On the axis of a body of revolution, u_r/r
+        is du_r/dr.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
@@ -139,7 +143,7 @@ class PlaneSolution:
         return Samples(points.copy(), u, self._stress(points, u, grad, cells), one, no_side)
 
     def on_boundary(self, name: str) -> Samples:
-        """Samples along `name`; on an internal boundary the mean of both sides.
+        """Samples along the boundary `name`; on an internal boundary, means of both sides.
 
         A boundary on the axis of a body of revolution has no area: its weights are lengths.
         """
@@ -152,7 +156,7 @@ class PlaneSolution:
         return Samples(near.x, near.u, (near.stress + far.stress) / 2, near.weight, no_side)
 
     def in_body(self, name: str | None = None) -> Samples:
-        """Samples in the cells of body `name`, or everywhere."""
+        """Samples in the cells of the body `name`, or in all cells."""
         cells = np.arange(self.lam.size)
         if name is not None:
             cells = named_cells(self.basis.mesh, name)
@@ -172,15 +176,18 @@ class PlaneSolution:
     def mean_displacement(
         self, boundary: str, direction: tuple[float, float] | Callable[[Array], Array]
     ) -> float:
-        """Average of u . direction over `boundary`; the direction may be f(x) of shape (2, m)."""
+        """Mean of u . direction over `boundary`.
+
+        The direction is a vector, or a function f(x) that returns an array (2, m).
+        """
         side = self.on_boundary(boundary)
         d = direction(side.x) if callable(direction) else np.reshape(direction, (2, 1))
         return side.mean((side.u * d).sum(axis=0))
 
     def cells(self) -> dict[str, Array]:
-        """Plain arrays for pictures and files.
+        """Values for pictures and files, as plain arrays.
 
-        `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and per cell
+        `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and for each cell
         the mean `stress` (m, 4: xx, yy, xy, zz or hoop) and `von_mises` (m,).
         """
         mesh, s = self.basis.mesh, self.in_body()
@@ -204,13 +211,13 @@ class PlaneSolution:
 
     @cached_property
     def _mixed(self) -> MixedCells | None:
-        """The mixed cells, if materials are nearly incompressible."""
+        """Mixed cells, or None if no material is nearly incompressible."""
         if not nearly_incompressible(self.lam, self.mu):
             return None
         return MixedCells.of(self.basis, self.lam, self.mu, turn=self.turn)
 
     def _along(self, side: Trace) -> Samples:
-        """Samples of the cells on one side of facets."""
+        """Samples from the cells on one side of facets."""
         x = np.asarray(side.global_coordinates())
         u, grad = side.displacement(self.u)
         swept = self.turn and has_area(self.basis.mesh, side.find)

@@ -1,4 +1,4 @@
-"""Linear elasticity, plane or axisymmetric: -div sigma = b on any mesh, loads and all by name.
+"""Linear elasticity, plane or axisymmetric: -div sigma = b on any mesh, with loads by name.
 
 solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
             supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 100e6})
@@ -52,56 +52,56 @@ def solve_plane(
     thickness: float = 1.0,
     degree: int | None = None,
 ) -> PlaneSolution:
-    """Solve for the displacements of one or several bodies, plane or of revolution.
+    """Solve for the displacements of plane bodies or bodies of revolution.
 
     Parameters
     ----------
     mesh
-        scikit-fem triangles or quadrilaterals, straight or quadratic; names in `mesh.boundaries`
-        and `mesh.subdomains`.
+        Triangles or quadrilaterals of scikit-fem, straight or quadratic, with names in
+        `mesh.boundaries` and `mesh.subdomains`.
     materials
-        One material, or one for each body named in `mesh.subdomains`; every cell needs one.
+        One material, or a material for each body named in `mesh.subdomains`, for every cell.
     assumption
-        "plane strain", "plane stress" or "axisymmetric": then x is the radius r >= 0, y runs along
-        the axis, nodes at r = 0 stay there, and all integrals, forces and reactions are those of
-        the full turn.
+        "plane strain", "plane stress" or "axisymmetric". If axisymmetric, x is the radius r >= 0
+        and y the axial coordinate, nodes at r = 0 stay on the axis, and all integrals, forces and
+        reactions are those of the full circumference.
     supports
-        Boundary name to components: "xy", "n" (a frictionless guide), or a mapping such as
-        {"x": 1e-3} or {"n": f}, where f takes points (2, m) and returns (m,) [length].
+        For each boundary name, the components: "xy", "n" (a frictionless guide), or a mapping such
+        as {"x": 1e-3} or {"n": f}, where f takes points (2, m) and returns values (m,) [length].
     pressures
-        Boundary name to pressure on it, positive inwards [stress]; number or f(x).
+        For each boundary name, the pressure, positive inwards [stress]: a number or f(x).
     tractions
-        Boundary name to traction vector [stress]; pair of numbers or f(x) of shape (2, ...).
+        For each boundary name, the traction [stress]: two numbers, or f(x) of shape (2, ...).
     forces
-        Boundary name to the total uniform force on it [force]; none radial around a turn.
+        For each boundary name, the total uniform force [force]; not radial if axisymmetric.
     body_forces
-        Force per volume on everything, or by body; pair of numbers or f(x) of shape (2, ...).
+        Force per volume on all bodies, or by body: two numbers, or f(x) of shape (2, ...).
     point_forces, anchors
-        Forces and supports at mesh nodes, by coordinates. A point force in the plane, or the
-        total on a ring around the axis, has an unbounded displacement under it: take differences
-        at other points.
+        Forces and supports at mesh nodes, by coordinates. The displacement under a point force (or
+        under a total force on a ring around the axis) is infinite in the exact solution: evaluate
+        displacements at other points.
     ties
-        Boundaries that follow others: the cuts of cyclic sectors and periodic cells.
+        Boundaries that follow other boundaries: cuts of cyclic sectors and periodic cells.
     means
-        Boundary name to mean motions that are prescribed while it deforms freely.
+        For each boundary name, mean motions that are prescribed while the boundary deforms freely.
     thickness
-        Out-of-plane length; energies, reactions and point forces refer to it.
+        Length out of the plane; energies, reactions and point forces refer to this length.
     degree
         Degree of the displacements, 1 or 2; by default the degree of the mesh.
 
     Raises
     ------
     ValueError
-        For unknown names, missing materials, displacements of degree 1 with nu > 0.45,
-        contradicting supports, unsupported bodies; for a body of revolution also r < 0, a
-        thickness, and radial forces on the axis.
+        For unknown names, missing materials, displacements of degree 1 with nu > 0.45, supports
+        that contradict each other, or unsupported bodies; for a body of revolution also for r < 0,
+        a thickness, and radial forces on the axis.
     ArithmeticError
-        If the last correction of the linear solver contains more than 1e-12 of the energy.
+        If the energy of the last correction of the linear solver is above 1e-12 of the total.
 
     Examples
     --------
-    A quarter of a large plate with a hole under unit tension along x; Kirsch's stress beside the
-    hole is 3:
+    A quarter of a large plate with a hole under unit tension along x; Kirsch's stress at the edge
+    of the hole is 3:
 
     >>> from meshes.ring import quarter_ring
     >>> plate = solve_plane(
@@ -114,12 +114,14 @@ def solve_plane(
     """
     if assumption not in get_args(Assumption):
         known = ", ".join(map(repr, get_args(Assumption)))
-        raise ValueError(f"assumption is one of {known}, got {assumption!r}")
+        raise ValueError(f"assumption must be one of {known}, got {assumption!r}")
     if not thickness > 0:
         raise ValueError(f"thickness must be positive, got {thickness:g}")
     turn = assumption == "axisymmetric"
     if turn and thickness != 1:
-        raise ValueError(f"a body of revolution must have no thickness, got {thickness:g}")
+        raise ValueError(
+            f"the thickness of a body of revolution must be 1, the default, got {thickness:g}"
+        )
     lam, mu, ratio = moduli(mesh, materials, assumption)
     basis = basis_for(mesh, lam, mu, degree, turn=turn)
     cells = cells_of(basis, thickness * lam, thickness * mu, turn=turn)
@@ -148,9 +150,9 @@ def solve_plane(
 def _solve(cells, f, T, u0):
     """Solve u = T q + u0, T'(f - internal forces) = 0.
 
-    Returns u, its internal forces, and the relative energy of the last correction. The residual
-    follows from the stresses of u, cell by cell: in slender bodies, the rounding error of K u,
-    which contains their large rigid motion, would exceed it. K is used only for the corrections.
+    Returns u, its internal forces, and the relative energy of the last correction. The residual is
+    computed from the stresses of u, cell by cell. In slender bodies, the round-off of K u, which
+    contains large rigid motions, would exceed the residual. K is used only for the corrections.
     """
     scale = float(cells.mu.max())
     steering = replace(cells, lam=short(cells.lam / scale), mu=short(cells.mu / scale))
@@ -170,7 +172,7 @@ def _solve(cells, f, T, u0):
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solver did not converge: the last correction contains {change:.1e} "
-            f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
+            f"the linear solver did not converge: the energy of the last correction is "
+            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
         )
     return u, internal, change

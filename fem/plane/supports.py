@@ -1,8 +1,8 @@
 """Prescribed displacement components on named boundaries and at points of a plane mesh.
 
-Components are "x", "y", "n" (outward normal) and "t" (tangent, the normal turned by +90 deg).
-Every supported node keeps 0 or 1 free direction, so that the solution is u = T q + u0 with
-free unknowns q; inclined and curved guides need no penalty.
+Components are "x", "y", "n" (outward normal) and "t" (tangent, the normal rotated by +90 deg).
+Every supported node retains 0 or 1 free direction. The solution is therefore u = T q + u0 with free
+unknowns q, and inclined and curved guides need no penalty.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -37,7 +37,7 @@ CENTRE = "the centre of a tie"  # holder of the nodes that follow themselves, tu
 class Conditions:
     """Conditions direction . u(node) = value; `dofs` (2, m), `direction` (2, m), `value` (m,).
 
-    `owner` (m,) numbers the boundary or point of `owners` that each condition belongs to.
+    `owner` (m,) is the index in `owners` of the boundary or point to which each condition belongs.
     """
 
     dofs: Indices
@@ -58,9 +58,9 @@ class Conditions:
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
     def by_node(self) -> tuple[Indices, Indices, Array]:
-        """The conditions of each node in one row.
+        """Conditions of each node, in one row per node.
 
-        Numbers (nodes, c) of the conditions, -1 if a node has fewer than c >= 2; the unknowns (2,
+        Numbers (nodes, c) of the conditions, -1 if a node has fewer than c >= 2; unknowns (2,
         nodes) of the nodes; directions (nodes, c, 2), zero without a condition.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
@@ -74,7 +74,7 @@ class Conditions:
         return number, self.dofs[:, first], direction
 
     def forces(self, reaction: Array) -> Array:
-        """Force (m,) along each condition that makes up `reaction` (unknowns,) of the supports."""
+        """Forces (m,) along the conditions, of which `reaction` (unknowns,) is the sum."""
         number, dofs, direction = self.by_node()
         # least norm: equal conditions share the force
         inverse = np.linalg.pinv(direction.swapaxes(1, 2), rcond=INDEPENDENT)
@@ -84,14 +84,14 @@ class Conditions:
         return force
 
     def beside(self, reaction: Array) -> Array:
-        """The part of `reaction` (unknowns,) that no condition can carry."""
+        """Part of `reaction` (unknowns,) that no condition can carry."""
         left = reaction.copy()
         np.subtract.at(left, self.dofs, self.direction * self.forces(reaction))
         return left
 
 
 def node_dofs(basis: Basis) -> Indices:
-    """X and y unknown of every node, shape (2, nodes): vertices, edge nodes, cell nodes."""
+    """Unknowns u_x and u_y of every node (2, nodes): vertices, edge nodes, cell nodes."""
     blocks = [basis.nodal_dofs, basis.facet_dofs, basis.interior_dofs]
     return np.hstack([np.asarray(b)[:2] for b in blocks if b is not None and np.size(b)])
 
@@ -143,18 +143,21 @@ def collect(
 
 
 def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
-    """The two unknowns of the node at `point`; ValueError for no node or several nodes."""
+    """Unknowns u_x and u_y of the node at `point`.
+
+    Raises ValueError if there is no node or if there are several nodes.
+    """
     dofs = node_dofs(basis)
     distance = np.hypot(*(basis.doflocs[:, dofs[0]] - np.reshape(point, (2, 1))))
     nearest = int(np.argmin(distance))
     if np.count_nonzero(distance <= COINCIDENT * np.ptp(basis.mesh.p, axis=1).max()) > 1:
         raise ValueError(
-            f"several nodes at {tuple(point)}: bodies touch there; take another point or a boundary"
+            f"several nodes at {tuple(point)}: bodies touch there; use another point or a boundary"
         )
     if distance[nearest] > 1e-6 * np.ptp(basis.mesh.p, axis=1).max():
         raise ValueError(
-            f"no node at {tuple(point)}: the nearest is {distance[nearest]:.3g} away; "
-            "give the mesh a point there"
+            f"no node at {tuple(point)}: the distance to the nearest node is "
+            f"{distance[nearest]:.3g}; add this point to the mesh"
         )
     return dofs[:, nearest]
 
@@ -162,10 +165,10 @@ def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
 def free_directions(
     basis: Basis, conditions: Conditions, place: Indices, led: Indices | None = None
 ) -> tuple[csr_array, Array]:
-    """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
+    """Matrix T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
 
-    Free unknowns q have the order of their nodes by `place` (unknowns,). The unknowns `led` are
-    omitted, with zero rows.
+    The free unknowns q have the order of their nodes in `place` (unknowns,). The unknowns `led` are
+    omitted; their rows are zero.
     """
     number, dofs, direction = conditions.by_node()
     value = (
@@ -199,12 +202,14 @@ def free_directions(
 def _components(support: Support, where: str) -> Iterable[tuple[str, Prescribed]]:
     items = dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)
     if unknown := set(items) - set(COMPONENTS):
-        raise ValueError(f"{where}: components are x, y, n, t, got {''.join(sorted(unknown))!r}")
+        raise ValueError(
+            f"{where}: components must be x, y, n or t, got {''.join(sorted(unknown))!r}"
+        )
     return items.items()
 
 
 def nodes_on(basis: Basis, facets: Indices) -> Indices:
-    """Both unknowns (2, m) of every node on `facets`."""
+    """Unknowns u_x and u_y (2, m) of every node on `facets`."""
     nodes = [basis.nodal_dofs[:, np.unique(basis.mesh.facets[:, facets])]]
     if basis.facet_dofs is not None and np.size(basis.facet_dofs):
         nodes.append(basis.facet_dofs[:2, np.unique(facets)])
@@ -212,7 +217,7 @@ def nodes_on(basis: Basis, facets: Indices) -> Indices:
 
 
 def _kept_on_axis(basis: Basis, owner: int) -> tuple[Indices, Array, Array, Indices]:
-    """The conditions u_r = 0 at all nodes on the axis."""
+    """Conditions u_r = 0 at all nodes on the axis."""
     dofs = node_dofs(basis)
     dofs = dofs[:, on_axis(basis.mesh, basis.doflocs[:, dofs[0]])]
     count = dofs.shape[1]
@@ -221,7 +226,7 @@ def _kept_on_axis(basis: Basis, owner: int) -> tuple[Indices, Array, Array, Indi
 
 
 def _kept_still(still: Indices, owner: int) -> tuple[Indices, Array, Array, Indices]:
-    """The conditions u = 0 at the nodes `still` (2, k)."""
+    """Conditions u = 0 at the nodes `still` (2, k)."""
     count = 2 * still.shape[1]
     direction = np.repeat(np.eye(2), still.shape[1], axis=1)
     return np.tile(still, 2), direction, np.zeros(count), np.full(count, owner)
@@ -229,7 +234,9 @@ def _kept_still(still: Indices, owner: int) -> tuple[Indices, Array, Array, Indi
 
 def _at_point(basis: Basis, point: tuple[float, float], component: str) -> tuple[Indices, Array]:
     if component in "nt":
-        raise ValueError(f"anchor at {point}: a point has no normal, use x and y")
+        raise ValueError(
+            f"anchor at {point}: components must be x or y, because a point has no normal"
+        )
     return nearest_node(basis, point)[:, None], np.eye(2)[:, ["xy".index(component)]]
 
 
@@ -239,12 +246,12 @@ def _values(value: Prescribed, x: Array) -> Array:
 
 
 def _refuse(basis: Basis, conditions: Conditions, number: Indices) -> NoReturn:
-    """Report which of the conditions `number` (c,) of a node contradict each other."""
+    """Raise ValueError for the conditions `number` (c,) of a node, which contradict each other."""
     own = number[number >= 0]
     x, y = basis.doflocs[:, conditions.dofs[0, own[0]]]
     by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[own]}))
     values = conditions.value[own].tolist()
     raise ValueError(
-        f"at ({x:.10g}, {y:.10g}), held by {by}: two supports of one node contradict each other: "
-        f"{values}"
+        f"at ({x:.10g}, {y:.10g}), supports {by}: two supports of a node contradict each "
+        f"other: {values}"
     )

@@ -1,10 +1,10 @@
-"""Sections of cyclic sectors and periodic cells: nodes of one boundary follow those of another.
+"""Sections of cyclic sectors and periodic cells: nodes of a boundary follow another boundary.
 
     Tie(leader="ring.left", follower="ring.right", angle=-2 * pi / 8)
 
-u(follower) = R u(leader); the same rotation R, about a point, and a shift move the nodes of the
-leader to those of the follower. Displacements are u = P w with the displacements w of the nodes
-that lead. A node that follows itself with a rotation is fixed.
+The condition is u(follower) = R u(leader). The same rotation R, about a point, and a shift move the
+nodes of the leader to the nodes of the follower. Displacements are u = P w, where w are the
+displacements of the nodes that do not follow. A node that follows itself with a rotation is fixed.
 """
 
 import math
@@ -29,9 +29,9 @@ Follows = dict[int, tuple[int, Move]]  # by the unknowns x of nodes: whom, and t
 
 @dataclass(frozen=True, kw_only=True)
 class Tie:
-    """`follower` is `leader` rotated by `angle` [rad] about a point, then shifted [length].
+    """The boundary `follower` is `leader`, rotated by `angle` [rad] about a point and then shifted.
 
-    By default, rotation and shift are zero: two boundaries at the same place are bonded.
+    By default, rotation and shift [length] are zero: two boundaries at the same place are bonded.
     """
 
     leader: str
@@ -44,23 +44,23 @@ class Tie:
         if not np.all(np.isfinite([self.angle, *self.about, *self.shift])):
             raise ValueError(f"tie {self}: angle, about and shift must be finite")
         if self.leader == self.follower and not self.angle and not any(self.shift):
-            raise ValueError(f"tie {self}: a boundary cannot follow itself")
+            raise ValueError(f"tie {self}: leader and follower must be different boundaries")
 
     def __str__(self) -> str:
         return f"{self.follower!r} to {self.leader!r}"
 
     @property
     def move(self) -> Move:
-        """The movement from leaders to their followers."""
+        """Motion from leaders to their followers."""
         return Move.about(complex(*self.about), self.angle, complex(*self.shift))
 
 
 @dataclass(frozen=True)
 class Tied:
-    """Followers (2, m) and leaders (2, m), unknowns x and y of nodes; `angle` (m,) [rad].
+    """Followers (2, m) and leaders (2, m), unknowns u_x and u_y of nodes; `angle` (m,) [rad].
 
     No leader follows another node; `still` (2, k) are fixed nodes. `x` (2, unknowns) are the
-    positions of nodes; those of followers follow from their leaders to the last digit.
+    positions of nodes; positions of followers are computed exactly from their leaders.
     """
 
     follower: Indices
@@ -71,7 +71,7 @@ class Tied:
 
     @property
     def count(self) -> int:
-        """Unknowns of the mesh."""
+        """Number of unknowns of the mesh."""
         return self.x.shape[1]
 
     @cached_property
@@ -93,16 +93,16 @@ class Tied:
 
     @cached_property
     def rows(self) -> csr_array:
-        """Rows (k, unknowns) that vanish if followers follow their leaders."""
+        """Rows (k, unknowns) that are zero if followers follow their leaders."""
         if not self.angle.size:
             return csr_array((0, self.count))
         apart = (diags_array(np.ones(self.count)) - self.P).tocsr()
         return apart[self.follower.ravel()]
 
     def led_by(self, nodes: Indices) -> tuple[Indices, Array]:
-        """Leaders (2, m) of `nodes` (2, m), and the angles (m,) of rotation of the nodes.
+        """Leaders (2, m) of `nodes` (2, m), and the angles (m,) by which the nodes are rotated.
 
-        A node that does not follow leads itself.
+        A node that follows no other node is its leader itself.
         """
         place = np.full(self.count, -1)
         place[self.follower[0]] = np.arange(self.angle.size)
@@ -120,7 +120,7 @@ class Tied:
     def free_directions(
         self, basis: Basis, conditions: Conditions, place: Indices
     ) -> tuple[csr_array, Array]:
-        """As `fem.plane.supports.free_directions`, every follower moving with its leader."""
+        """T and u0 of `fem.plane.supports.free_directions`; followers move with their leaders."""
         if not self.angle.size:
             return free_directions(basis, conditions, place)
         T, u0 = free_directions(basis, self.led(conditions), place, self.follower.ravel())
@@ -129,9 +129,9 @@ class Tied:
         return (T @ diags_array(1 / size)).tocsr(), self.P @ u0
 
     def forces(self, conditions: Conditions, reaction: Array) -> Array:
-        """Force (m,) along each condition that makes up `reaction` (unknowns,) of the supports.
+        """Forces (m,) along the conditions, of which `reaction` (unknowns,) is the sum.
 
-        What a follower's support carries appears at its leader as well.
+        The force of a support of a follower also appears at its leader.
         """
         return self.led(conditions).forces(self.P.T @ reaction)
 
@@ -144,9 +144,9 @@ class Tied:
 
 
 def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
-    """Followers and leaders; ValueError if the nodes of a tie do not match.
+    """Followers and leaders of all ties. Raises ValueError if the nodes of a tie do not match.
 
-    With `turn` x is a radius, and ties can only shift along the axis.
+    With `turn`, x is a radius, and ties can only shift along the axis.
     """
     y_of = np.zeros(basis.N, int)
     nodes = node_dofs(basis)
@@ -155,7 +155,7 @@ def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
     at_rest: set[int] = set()
     for tie in ties:
         if turn and (math.remainder(tie.angle, 2 * math.pi) or tie.shift[0]):
-            raise ValueError(f"tie {tie}: around a turn followers are only shifted along y")
+            raise ValueError(f"tie {tie}: if axisymmetric, followers can only be shifted along y")
         for a, b in zip(*_partners(basis, tie), strict=True):
             (a_root, to_a), (b_root, to_b) = _root(follows, a), _root(follows, b)
             between = to_b.back.after(tie.move.after(to_a))
@@ -177,7 +177,7 @@ def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
 
 
 def _root(follows: Follows, node: int) -> tuple[int, Move]:
-    """The node at the end of the chain that `node` follows, and the motion from there."""
+    """Node at the end of the chain that `node` follows, and the motion from that node."""
     move = Move()
     while node in follows:
         node, last = follows[node]
@@ -186,14 +186,15 @@ def _root(follows: Follows, node: int) -> tuple[int, Move]:
 
 
 def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
-    """Unknowns x of leaders and followers, in pairs."""
+    """Unknowns u_x of leaders and followers, in pairs."""
     leader, follower = (
         np.unique(nodes_on(basis, named_facets(basis.mesh, name))[0])
         for name in (tie.leader, tie.follower)
     )
     if leader.size != follower.size:
         raise ValueError(
-            f"tie {tie}: {follower.size} nodes cannot follow {leader.size}: use equal meshes"
+            f"tie {tie}: the follower must have as many nodes as the leader, "
+            f"got {follower.size} for {leader.size}: use equal meshes"
         )
     moved = tie.move.of(basis.doflocs[0, leader] + 1j * basis.doflocs[1, leader])
     wanted = np.array([moved.real, moved.imag])
@@ -203,7 +204,7 @@ def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
     if distance[worst] > MATCH * extent or np.unique(nearest).size < leader.size:
         x, y = wanted[:, worst]
         raise ValueError(
-            f"tie {tie}: no node follows that at ({x:.5g}, {y:.5g}), the nearest is "
-            f"{distance[worst]:.3g} away: use equal meshes, or correct angle, about and shift"
+            f"tie {tie}: no follower matches the leader's node at ({x:.5g}, {y:.5g}), the nearest "
+            f"is {distance[worst]:.3g} away: use equal meshes, or correct angle, about and shift"
         )
     return leader.tolist(), follower[nearest].tolist()

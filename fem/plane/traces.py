@@ -1,4 +1,4 @@
-"""Facets of a plane mesh with the cells behind them: points, normals, and shape functions."""
+"""Facets of a plane mesh with the cells behind them: points, normals and shape functions."""
 
 from functools import cached_property
 
@@ -11,12 +11,12 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 
 
 class Trace(FacetBasis):
-    """`basis` on the cells at one `side` of `facets`, at facet parameters `X` (1, q).
+    """Basis on the cells at one `side` of `facets`, at the facet parameters `X` (1, q).
 
     It has the content of scikit-fem's class, with two differences. First, the position of a point
-    of a facet in the cell follows from the common corners; scikit-fem inverts the curved map by
-    Newton's method to 1e-12 of a cell, which is impossible by round-off if cells are small relative
-    to their distance from the origin. Second, shape functions are evaluated on demand.
+    of a facet in the cell is calculated from their common corners. scikit-fem inverts the curved
+    map by Newton's method to 1e-12 of a cell; round-off makes this impossible if cells are small
+    relative to their distance from the origin. Second, shape functions are evaluated on demand.
     """
 
     def __init__(self, basis: Basis, facets: Indices, side: int, X: Array, W: Array) -> None:
@@ -33,13 +33,13 @@ class Trace(FacetBasis):
 
     @cached_property
     def shapes(self) -> tuple[Array, Array]:
-        """Shape functions (n, m, q) and their d/dx_i (2, n, m, q) at the points of the facets."""
+        """Shape functions (n, m, q) and derivatives d/dx_i (2, n, m, q) at the points of facets."""
         places = _places(self.mesh, self.find, self.tind, self.X[0])
         return shapes_in(self.mesh, self.tind, self.elem.elem, places)
 
     @cached_property
     def basis(self) -> list[tuple[DiscreteField]]:
-        """The same in the form of scikit-fem, for each unknown of a cell."""
+        """Shape functions in the form of scikit-fem, for each unknown of a cell."""
         N, slope = self.shapes
         found = []
         for k in range(self.Nbfun):
@@ -51,7 +51,7 @@ class Trace(FacetBasis):
         return found
 
     def displacement(self, u: Array) -> tuple[Array, Array]:
-        """u_i (2, m, q) at the points, and d_j u_i (2, 2, m, q), component i first."""
+        """Displacements u_i (2, m, q) at the points, and d_j u_i (2, 2, m, q), with i first."""
         N, slope = self.shapes
         local = u[self._unknowns]
         value = np.einsum("nmi,nmq->imq", local, N)
@@ -71,7 +71,7 @@ class Trace(FacetBasis):
 
 
 def _tangents(mesh: Mesh2D, facets: Indices, s: Array) -> Array:
-    """dx/ds (2, m, q) along `facets` at the parameters `s` (q,)."""
+    """Tangents dx/ds (2, m, q) along `facets` at the parameters `s` (q,)."""
     start, end = mesh.p[:, mesh.facets[:, facets]].swapaxes(0, 1)[..., None]
     if not mesh.dofs.facet_dofs.size:
         return np.repeat(end - start, s.size, axis=2)
@@ -86,7 +86,7 @@ def _places(mesh: Mesh2D, facets: Indices, cells: Indices, s: Array) -> Array:
 
 
 def _ends(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
-    """Where (2 ends, 2, m) `facets` start and end in the reference of their `cells`."""
+    """Reference coordinates (2 ends, 2, m) in `cells` of the start and end of `facets`."""
     corner, reference = mesh.t[:, cells], mesh.elem.refdom.p
     # the facet parameter runs from row 0 to row 1
     return np.array([
@@ -95,7 +95,7 @@ def _ends(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
 
 
 def _outward(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
-    """1 (m,) if the cell of a facet is on the left along its parameter, otherwise -1."""
+    """Sign (m,): 1 if the cell of a facet is on the left along its parameter, otherwise -1."""
     a, b = _ends(mesh, facets, cells)
     middle = mesh.elem.refdom.p.mean(axis=1, keepdims=True)
     (x, y), (u, v) = b - a, (a + b) / 2 - middle

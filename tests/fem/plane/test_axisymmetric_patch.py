@@ -114,26 +114,26 @@ def test_nodes_off_the_axis_by_round_off_lie_on_it(shape, off):
     near, on = (solve_square(square(shape, left), pressures={"top": 1e6}) for left in (off, 0.0))
     np.testing.assert_allclose(near.u, on.u, rtol=0, atol=1e-12 * abs(on.u).max())
     assert near.on_boundary("left").weight.sum() == pytest.approx(1)
-    with pytest.raises(ValueError, match="load on 'left' has no area"):
+    with pytest.raises(ValueError, match="boundary 'left' has no area for a load"):
         solve_square(square(shape, off), pressures={"left": 1e6})
-    with pytest.raises(ValueError, match="on the axis a force can only be axial"):
+    with pytest.raises(ValueError, match="must be axial, because the point is on the axis"):
         solve_square(square(shape, off), point_forces={(off, 1.0): (1.0, 0.0)})
 
 
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"thickness": 2.0}, r"must have no thickness, got 2"),
+        ({"thickness": 2.0}, r"the thickness of a body of revolution must"),
         ({"point_forces": {(0.0, 1.0): (3.0, 1.0)}},
-         r"point force at \(0.0, 1.0\) has the radial part 3: on the axis"),
-        ({"forces": {"right": (3.0, 1.0)}}, r"force on 'right' has the radial part 3"),
-        ({"forces": {"left": (0.0, 1.0)}}, r"load on 'left' has no area.*r = 0"),
+         r"the point force at \(0.0, 1.0\) must be"),
+        ({"forces": {"right": (3.0, 1.0)}}, r"the force on 'right' has the radial"),
+        ({"forces": {"left": (0.0, 1.0)}}, r"boundary 'left' has no area for a load.*r = 0"),
         ({"mesh": square("tri3", -1e-6)}, r"^cell \d+ of \d+, about \(.*\), reaches r = -.*r >= 0"),
         ({"mesh": bulging("tri6")}, r"^cell .* reaches r = -0.01: "),
         ({"mesh": bulging("quad9")}, r"^cell .* reaches r = -0.01: "),
         ({"supports": {}}, r"body 1 of 1 can move rigidly \(\+1 y\): support"),
         ({"supports": {"bottom": {"x": 1e-3, "y": 0.0}}},
-         r"^at \(0, 0\), held by 'bottom', 'the axis': .* contradict each other"),
+         r"at \(0, 0\), supports 'bottom', 'the axis'"),
     ],
     ids=str,
 )  # fmt: skip

@@ -60,8 +60,8 @@ def welded():
          "'plane stress', 'axisymmetric', got 'plain strain'"),
         (square, {"thickness": 0.0}, "thickness must be positive, got 0"),
         (square, {"degree": 3}, "degree 1 or 2, got degree=3"),
-        (square, {"supports": {"left": "z"}}, "'left'.*x, y, n, t, got"),
-        (square, {"anchors": {(1, 1): "n"}}, r"\(1, 1\).*no normal"),
+        (square, {"supports": {"left": "z"}}, "support 'left': components must be x, y, n"),
+        (square, {"anchors": {(1, 1): "n"}}, r"anchor at \(1, 1\): components must be x or"),
     ],
 )  # fmt: skip
 def test_a_problem_that_makes_no_sense_is_named(mesh, changed, message):
@@ -88,10 +88,10 @@ def test_two_squares_that_touch_in_one_corner_are_no_body(shape, degree, load):
     ("make", "message"),
     [
         (lambda: solve().on_boundary("bore"), KNOWN),
-        (lambda: solve().displacement_at((0.6, 0.5)), r"no node at .* nearest is 0\.1 away"),
-        (lambda: solve(anchors={(0.6, 0.5): "x"}), r"no node at .* nearest is 0\.1 away"),
+        (lambda: solve().displacement_at((0.6, 0.5)), "distance to the nearest node is"),
+        (lambda: solve(anchors={(0.6, 0.5): "x"}), "distance to the nearest node is"),
         (lambda: solve(square((1e6, 0.0)), point_forces={(1e6 + 0.6, 0.5): (1.0, 0.0)}),
-         r"no node at .* nearest is 0\.1 away"),
+         "distance to the nearest node is"),
         (lambda: Elastic(E=1.0, nu=0.5), r"\(-1, 0\.5\), got nu=0.5"),
         (lambda: Elastic(E=1.0, nu=-1.0), r"\(-1, 0\.5\), got nu=-1"),
         (lambda: Elastic(E=inf, nu=0.3), "positive and finite, got E=inf"),
@@ -122,11 +122,11 @@ FIFTH = Tie(leader="first cut", follower="last cut", angle=2 * pi / 5)
 @pytest.mark.parametrize(
     ("tie", "words"),
     [
-        ({"leader": "bore", "angle": 2 * pi / 5}, "7 nodes cannot follow 13"),
-        ({"leader": "first cut", "angle": -2 * pi / 5}, "no node follows that at (0.92203, -1.3"),
+        ({"leader": "bore", "angle": 2 * pi / 5}, "got 7 for 13: use equal meshes"),
+        ({"leader": "first cut", "angle": -2 * pi / 5}, "node at (0.92203, -1.3"),
         ({"leader": "cut"}, "no boundary 'cut'"),
         ({"leader": "first cut", "angle": np.nan}, "angle, about and shift must be finite"),
-        ({"leader": "last cut"}, "a boundary cannot follow itself"),
+        ({"leader": "last cut"}, "leader and follower must be different"),
     ],
 )
 def test_a_wrong_tie_is_named_in_a_line(tie, words):
@@ -140,11 +140,11 @@ def test_what_a_cyclic_tie_leaves_free_and_cannot_be_around_a_turn_is_refused():
     with pytest.raises(ValueError, match=r"\+1 rotation\): support it against this motion"):
         cyclic_body(replace(mesh, doflocs=mesh.doflocs + rough), supports={}, ties=[FIFTH])
     mesh = sector("tri6", 12, start=0.1)
-    with pytest.raises(ValueError, match="around a turn followers are only shifted along y"):
+    with pytest.raises(ValueError, match="tie 'last cut' to 'first cut': if"):
         cyclic_body(mesh, assumption="axisymmetric", ties=[replace(FIFTH, angle=2 * pi / 12)])
 
 
-HELD = "supports or another mean hold already"
+HELD = "a prescribed mean motion must not be fixed"
 
 
 @pytest.mark.parametrize(
@@ -166,11 +166,11 @@ def test_means_that_are_held_already_or_hold_too_little_are_refused(supports, me
 
 def test_wrong_means_are_named():
     for held, words in (
-        ({"z": 0.0}, "mean motions are of x, y and r, got z"), ({}, "got none"),
+        ({"z": 0.0}, "mean motions must be named x, y or r, got z"), ({}, "got none"),
         ({"r": np.inf}, "must be finite"),
     ):  # fmt: skip
         with pytest.raises(ValueError, match=words):
             Mean(held)
     s = cyclic_body(ring("tri3", 4), means={"rim": Mean({"r": 0.0})})
-    with pytest.raises(ValueError, match="no mean motion of 'bore' is held; held are those of"):
+    with pytest.raises(ValueError, match="must have a prescribed mean motion"):
         s.mean_reaction("bore")
