@@ -1,4 +1,4 @@
-"""Matrices of a rotor from matrices of its parts: M q'' + (C + Omega G) q' + K q = f."""
+"""Assembly of the matrices of a rotor from its parts: M q'' + (C + Omega G) q' + K q = f."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -30,10 +30,11 @@ PLANES = (((X, TY), (1.0, 1.0)), ((Y, TX), (1.0, -1.0)))
 
 @dataclass(frozen=True)
 class System:
-    """Assembled matrices (n, n), six unknowns a node; `z` and `shaft` (nodes,) are its place.
+    """Assembled matrices (n, n) with six unknowns per node.
 
-    `varying` are the supports that depend on the speed; `ends` (elements, 2) the nodes of the
-    beam elements, `given` (elements,) which of the rotor's elements they are part of.
+    `z` and `shaft` (nodes,) are the axial position and the shaft of each node. `varying` are the
+    supports that depend on the speed. `ends` (elements, 2) are the nodes of the beam elements;
+    `given` (elements,) is the index of the rotor's element of which each beam element is a part.
     """
 
     M: Array
@@ -47,7 +48,7 @@ class System:
     varying: tuple[SpeedSupport, ...]
 
     def at(self, speed: float) -> tuple[Array, Array]:
-        """K and C (n, n) with the supports at `speed` [rad/s]."""
+        """Matrices K and C (n, n) with the supports at `speed` [rad/s]."""
         if not self.varying:
             return self.K, self.C
         K, C = self.K.copy(), self.C.copy()
@@ -59,7 +60,10 @@ class System:
 
 
 def assemble(rotor: "Rotor") -> System:
-    """The matrices of `rotor`; inner nodes of refined elements follow the numbered nodes."""
+    """Assembled matrices of `rotor`.
+
+    Inner nodes of refined elements follow the numbered nodes.
+    """
     z, shaft, ends, given = _nodes(rotor)
     sections = _sections(rotor, given)
     n = UNKNOWNS * z.size
@@ -93,7 +97,7 @@ def _of(node: int) -> slice:
 
 
 def _nodes(rotor: "Rotor") -> tuple[Array, Indices, Indices, Indices]:
-    """Places and shafts of all nodes; nodes and given element of each beam element."""
+    """Axial positions and shafts of all nodes; nodes and given element of each beam element."""
     z, shaft = list(rotor.z), list(rotor.shaft_of)
     ends, given, number = [], [], 0
     for k, own in enumerate(rotor.shafts):
@@ -145,7 +149,10 @@ def _add_shafts(M: Array, K: Array, ends: Indices, s: Sections) -> None:
 
 
 def _add_gyroscopic(G: Array, ends: Indices, G_1: Array, ratio: Array) -> None:
-    """In (u, phi) of both planes: M_xx u_x'' + Omega G_1 u_y', M_yy u_y'' - Omega G_1 u_x'."""
+    """Add the gyroscopic terms of both planes in (u, phi) to G.
+
+    The terms are M_xx u_x'' + Omega G_1 u_y' and M_yy u_y'' - Omega G_1 u_x'.
+    """
     (x, sign_x), (y, sign_y) = PLANES
     at_x = (UNKNOWNS * ends[:, :, None] + np.array(x)).reshape(-1, 4)
     at_y = (UNKNOWNS * ends[:, :, None] + np.array(y)).reshape(-1, 4)

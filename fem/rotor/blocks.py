@@ -1,10 +1,10 @@
-"""A rotor in the complex coordinates of whirl, split into independent blocks.
+"""Rotor in complex whirl coordinates, split into independent blocks.
 
-At each node, r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 rotate forwards, and their
-conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports, the two are not
-coupled, and the problem is half as large. Bending, torsion and axial motion are not coupled unless
-a link couples them. The change of coordinates is unitary; symmetric matrices become Hermitian.
-Coupled damped rotors remain in the real unknowns of the nodes.
+At each node, r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 rotate forwards; their
+conjugate counterparts (x - i y)/sqrt 2, ... rotate backwards. On isotropic supports, forward and
+backward coordinates are not coupled, and each problem has half the size. Bending, torsion and axial
+motion are not coupled unless a link couples them. The change of coordinates is unitary: symmetric
+matrices become Hermitian. Coupled damped rotors remain in the real unknowns of the nodes.
 """
 
 from dataclasses import dataclass
@@ -39,10 +39,11 @@ PLANE = np.array(["bending", "bending", "axial", "bending", "bending", "torsion"
 
 @dataclass(frozen=True)
 class Block:
-    """Unknowns `at` of the complex coordinates (of the nodes if not `turned`), matrices (n, n).
+    """Independent block of unknowns `at`, with matrices (n, n).
 
-    `sense` is 1 for forward unknowns only, -1 for backward unknowns only, otherwise 0; `planes`
-    names the kinds of motion in the block; `across` (n,) is true for unknowns of bending.
+    `at` are complex coordinates, or unknowns of the nodes if not `turned`. `sense` is 1 for a block
+    of forward coordinates only, -1 for backward coordinates only, otherwise 0. `planes` names the
+    kinds of motion in the block; `across` (n,) is True for unknowns of bending.
     """
 
     at: Indices
@@ -57,22 +58,22 @@ class Block:
 
     @cached_property
     def undamped(self) -> bool:
-        """Whether K is Hermitian and nothing is damped, so that all eigenvalues are imaginary."""
+        """True if K is Hermitian and there is no damping; all eigenvalues are then imaginary."""
         skew = abs(self.K - self.K.conj().T).max()
         return bool(not self.C.any() and skew <= 1e-14 * abs(self.K).max())
 
     @cached_property
     def supported(self) -> bool:
-        """Whether supports prevent all rigid motions across the axis."""
+        """True if supports prevent all rigid motions across the axis."""
         across = np.flatnonzero(self.across)
         return not (across.size and rigid_motions(self.K[np.ix_(across, across)]).shape[1])
 
     def own(self, q: Complex) -> Complex:
-        """Amplitudes (..., n) in the coordinates of this block, from those of the nodes."""
+        """Amplitudes (..., n) in the coordinates of this block, from amplitudes of the nodes."""
         return (to_whirl(q) if self.turned else q)[..., self.at]
 
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
-        """Amplitudes (..., unknowns) of the nodes' unknowns of `v` (..., n)."""
+        """Amplitudes (..., unknowns) of the unknowns of the nodes, from `v` (..., n)."""
         whole = np.zeros((*v.shape[:-1], unknowns), complex)
         whole[..., self.at] = v
         return from_whirl(whole) if self.turned else whole
@@ -87,19 +88,19 @@ def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
 
 
 def to_whirl(q: NDArray[np.inexact]) -> Complex:
-    """Amplitudes (..., n) in complex coordinates from amplitudes of the nodes' unknowns."""
+    """Amplitudes (..., n) in complex coordinates, from amplitudes of the unknowns of nodes."""
     nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
     return np.asarray((nodes @ WHIRL.T).reshape(q.shape))
 
 
 def from_whirl(q: NDArray[np.inexact]) -> Complex:
-    """Inverse of `to_whirl`."""
+    """Amplitudes of the unknowns of nodes, from complex coordinates; inverse of `to_whirl`."""
     nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
     return np.asarray((nodes @ WHIRL.conj()).reshape(q.shape))
 
 
 def blocks(system: System, speed: float = 0.0) -> list[Block]:
-    """The independent parts of `system`, with supports at `speed` [rad/s]."""
+    """Independent blocks of `system`, with supports at `speed` [rad/s]."""
     K, C = system.at(speed)
     M_w, K_w, C_w, G_w = (_turned(A) for A in (system.M, K, C, system.G))
     linked = np.zeros(M_w.shape, bool)
@@ -127,7 +128,7 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
 
 
 def _partner(at: Indices) -> Indices:
-    """The unknowns conjugate to `at`; both unknowns of a node have the same positions."""
+    """Unknowns conjugate to `at`; an unknown and its conjugate belong to the same node."""
     return at + np.tile([1, -1, 0, 1, -1, 0], at.max() // UNKNOWNS + 1)[at]
 
 
@@ -140,5 +141,5 @@ def _turned(A: Array) -> Complex:
 
 
 def _plain(A: Complex) -> NDArray[np.inexact]:
-    """The real part if the imaginary part is zero, which halves the work."""
+    """Real part if the imaginary part is zero, which halves the work; otherwise `A`."""
     return A.real.copy() if abs(A.imag).max(initial=0) <= NONE * abs(A).max(initial=0) else A

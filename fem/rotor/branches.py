@@ -1,4 +1,4 @@
-"""Eigenvalues over the speed as branches: tracking from each speed to the next."""
+"""Branches of eigenvalues over the speed, tracked from each speed to the next."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,10 @@ ROUND = 1e-6  # share of the other sense in a motion, below which it has one
 
 @dataclass(frozen=True)
 class Branches:
-    """`values` lambda (speeds, k) and shapes (speeds, k, n) of the nodes' unknowns."""
+    """Eigenvalues lambda (speeds, k) of branches, and shapes (speeds, k, n) of the nodes.
+
+    `sense` is the sense of whirl.
+    """
 
     values: Complex
     shapes: Complex
@@ -29,7 +32,7 @@ class Branches:
 
 
 def check_speeds(speeds: ArrayLike) -> Array:
-    """Speeds (m,); ValueError unless they are finite numbers."""
+    """Speeds (m,) as an array. Raises ValueError unless they are finite numbers."""
     given = np.atleast_1d(np.asarray(speeds, float))
     if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
         raise ValueError("speeds must be a row of finite numbers in rad/s")
@@ -37,29 +40,31 @@ def check_speeds(speeds: ArrayLike) -> Array:
 
 
 def check_count(count: int) -> int:
-    """ValueError unless at least one mode is requested."""
+    """Number of modes. Raises ValueError unless it is an integer of at least 1."""
     if count != int(count) or count < 1:
-        raise ValueError(f"at least one mode is needed, got count={count}")
+        raise ValueError(f"count, the number of modes, must be an integer >= 1, got {count}")
     return int(count)
 
 
 def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
-    """The blocks of `plane` to be solved; of two conjugate blocks only the forward block."""
+    """Blocks of `plane` to be solved; of two conjugate blocks, only the forward block."""
     known = ("bending", "torsion", "axial", "all")
     if plane not in known:
-        raise ValueError(f"a plane is one of {', '.join(known)}, got {plane!r}")
+        raise ValueError(f"plane must be one of {', '.join(known)}, got {plane!r}")
     made = blocks(rotor.system, speed)
     return [b for b in made if b.sense >= 0 and (plane == "all" or plane in b.planes)]
 
 
 def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branches]:
-    """Branches of every block of `rotor`, at least `count` of each if it has as many."""
+    """Branches of every block of `rotor`: at least `count` for each block, if it has as many."""
     unknowns = rotor.system.M.shape[0]
     if not rotor.system.varying:
         return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]
     made = [parts(rotor, float(s), plane) for s in speeds]
     if len({tuple(b.at.tobytes() for b in own) for own in made}) > 1:
-        raise ValueError("supports that couple the planes at some speeds alone: solve each speed")
+        raise ValueError(
+            "supports must couple the planes at all speeds or at none: solve each speed separately"
+        )
     columns = zip(*made, strict=True)
     return [_joined(list(own), speeds, count, unknowns) for own in columns]
 
@@ -83,10 +88,10 @@ Chosen = tuple[Complex, Complex, NDArray[np.inexact]]
 
 
 def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Chosen]:
-    """Per speed: the lowest oscillating eigenvalues (k,), shapes (k, unknowns), states (m, k).
+    """Lowest oscillating eigenvalues (k,), shapes (k, unknowns), states (m, k), for each speed.
 
-    A block with both senses of whirl has conjugate pairs: only one half is returned. In a forward
-    block, backward eigenvalues are negative.
+    A block with both senses of whirl has conjugate pairs, of which only one half is returned. In a
+    forward block, backward eigenvalues are negative.
     """
     made = []
     for i, values in enumerate(found.values):
@@ -105,7 +110,10 @@ def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Ch
 
 
 def _tracked(chosen: list[Chosen], sense: int) -> Branches:
-    """The branches of the first speed, tracked over speed; NaN after one ceases to oscillate."""
+    """Branches of the first speed, tracked over the speeds.
+
+    The values of a branch are NaN after it ceases to oscillate.
+    """
     values, shapes, states = chosen[0]
     rows = [(values, shapes)]
     for own, shape, state in chosen[1:]:
@@ -129,7 +137,10 @@ def _tracked(chosen: list[Chosen], sense: int) -> Branches:
 
 
 def whirl_sense(shapes: Complex) -> NDArray[np.int64]:
-    """+1 forward, -1 backward, 0 to and fro, of shapes (..., n) of e^(i omega t), omega > 0."""
+    """Sense of whirl of shapes (..., n): +1 forward, -1 backward, 0 for motion in a line.
+
+    The shapes are amplitudes of e^(i omega t), omega > 0.
+    """
     nodes = to_whirl(shapes).reshape(*shapes.shape[:-1], -1, 6)
     squares = (abs(nodes) ** 2).sum(axis=-2)
     across, tilt, nothing = squares[..., :2], squares[..., 3:5], NOTHING * squares.sum(axis=-1)
@@ -141,6 +152,6 @@ def whirl_sense(shapes: Complex) -> NDArray[np.int64]:
 
 
 def damping_ratios(values: Complex) -> Array:
-    """-Re lambda/|lambda|, zero for a motion at rest."""
+    """Damping ratios -Re lambda/|lambda|; zero for a motion of frequency zero."""
     size = abs(values)
     return np.asarray(-values.real / np.where(size > 0, size, 1))

@@ -1,4 +1,4 @@
-"""Natural frequencies over the speed, followed from speed to speed (Campbell diagram)."""
+"""Natural frequencies over the speed, tracked from speed to speed (Campbell diagram)."""
 
 from dataclasses import dataclass
 
@@ -13,9 +13,10 @@ from fem.rotor.model import Rotor
 
 @dataclass(frozen=True)
 class Campbell:
-    """Branches over `speeds` (m,) [rad/s]: lambda (m, k), whirl (m, k), ordered at the first.
+    """Branches over `speeds` (m,) [rad/s]: eigenvalues (m, k) [1/s] and sense of whirl (m, k).
 
-    NaN if a branch no longer oscillates. The lambda are eigenvalues [1/s].
+    Branches are ordered by their frequency at the first speed. Values are NaN if a branch no longer
+    oscillates.
     """
 
     speeds: Array
@@ -24,7 +25,7 @@ class Campbell:
 
     @property
     def frequencies(self) -> Array:
-        """Im lambda (m, k) [rad/s]."""
+        """Natural frequencies Im lambda (m, k) [rad/s]."""
         return np.asarray(self.eigenvalues.imag)
 
     @property
@@ -33,9 +34,10 @@ class Campbell:
         return damping_ratios(self.eigenvalues)
 
     def crossings(self, ratio: float = 1.0) -> Array:
-        """Speeds (j,) [rad/s] at which a branch equals `ratio` times the speed, by interpolation.
+        """Speeds (j,) [rad/s] at which the frequency of a branch equals `ratio` times the speed.
 
-        A parabola through the three nearest speeds; the error is of third order in their spacing.
+        They are interpolated by a parabola through the three nearest speeds. The error is of third
+        order in the spacing of the speeds.
         """
         found = []
         for branch in self.frequencies.T:
@@ -49,10 +51,10 @@ class Campbell:
 
 
 def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bending") -> Campbell:
-    """The `count` branches with the lowest frequencies at the first of ascending `speeds` [rad/s].
+    """Branches with the `count` lowest frequencies at the first of the rising `speeds` [rad/s].
 
-    A branch is tracked by its mode shape, so that it keeps its number at a crossing, and by its
-    frequency if two branches exchange their shapes. ValueError unless the speeds ascend.
+    A branch is tracked by its mode shape, so that it retains its number at a crossing, and by its
+    frequency if two branches exchange their shapes. Raises ValueError unless the speeds increase.
     """
     at = check_speeds(speeds)
     if np.any(np.diff(at) <= 0):
@@ -65,7 +67,7 @@ def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bend
 
 
 def _root(x: Array, y: Array, between: Array) -> float:
-    """Root in `between` of the parabola through (x, y), or of the secant without such a root."""
+    """Root in `between` of the parabola through (x, y), or of the secant if there is none."""
     left, right = between
     roots = np.roots(np.polyfit(x, y, x.size - 1))
     inside = [r.real for r in roots if abs(r.imag) == 0 and left <= r.real <= right]

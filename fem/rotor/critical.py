@@ -1,8 +1,8 @@
-"""Critical speeds without a Campbell diagram: omega = e Omega put into the equations of motion.
+"""Critical speeds without a Campbell diagram, from omega = e Omega in the equations of motion.
 
-K v = omega^2 (M - i G/e) v is a problem for mu = 1/omega^2 with K in the place of the positive
+K v = omega^2 (M - i G/e) v is an eigenvalue problem for mu = 1/omega^2, in which K is the positive
 matrix. M - i G/e may be indefinite: a thin disc stiffens its shaft so much that a forward critical
-speed no longer exists. Negative mu are no speeds.
+speed no longer exists. Negative mu do not belong to speeds.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ ABSENT = 1e-13  # 1/omega^2 over the largest, below which no speed is left
 
 @dataclass(frozen=True)
 class CriticalSpeeds:
-    """Rotor speeds (k,) [rad/s] by size, shapes (k, nodes, 6) and the sense of the whirl (k,)."""
+    """Critical speeds (k,) [rad/s], rising; shapes (k, nodes, 6) and sense of whirl (k,)."""
 
     speeds: Array
     shapes: Complex
@@ -39,16 +39,19 @@ def critical_speeds(
     the two senses; "both" also includes modes that oscillate in a line. The sense of whirl is
     relative to a positive speed of the rotor. Damping is neglected. For the unbalance of a shaft
     with another ratio, `excitation` is this ratio. The result has fewer than `count` speeds if no
-    more exist. ValueError for supports that depend on the speed, and for a rotor without sufficient
-    supports.
+    more exist. Raises ValueError for supports that depend on the speed, and for a rotor without
+    sufficient supports.
     """
     check_count(count)
     if whirl not in WHIRLS:
-        raise ValueError(f"a whirl is one of {', '.join(WHIRLS)}, got {whirl!r}")
+        raise ValueError(f"whirl must be one of {', '.join(WHIRLS)}, got {whirl!r}")
     if not (np.isfinite(excitation) and excitation != 0):
-        raise ValueError(f"an excitation is a ratio other than 0, got {excitation:g}")
+        raise ValueError(f"excitation must be a finite ratio other than 0, got {excitation:g}")
     if rotor.system.varying:
-        raise ValueError("supports depend on the speed: take the crossings of `campbell`")
+        raise ValueError(
+            "critical speeds require supports that do not depend on the speed: "
+            "use the crossings of `campbell`"
+        )
     speeds, shapes = [], []
     for block in rotor.blocks:
         if "bending" in block.planes:
@@ -62,19 +65,21 @@ def critical_speeds(
 
 
 def check_supported(block: Block) -> None:
-    """ValueError if the rotor can move rigidly across its axis."""
+    """Raise ValueError if the rotor can move rigidly across its axis."""
     if not block.supported:
-        raise ValueError("the rotor is not supported: it can move rigidly across its axis")
+        raise ValueError(
+            "the rotor can move rigidly across its axis: support it against this motion"
+        )
 
 
 def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
-    """Speeds and vectors (k, n). If only rotation is free, A v is orthogonal to this motion."""
+    """Speeds (k,) and vectors (k, n). If only rotation is free, A v is orthogonal to it."""
     check_supported(block)
     K, A = block.K, block.M - block.H / excitation
     if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():
         raise ValueError(
             "cross-coupled supports (kxy != kyx) have no undamped critical speeds: "
-            "take the crossings of `campbell`"
+            "use the crossings of `campbell`"
         )
     free = rigid_motions(K)
     Z = np.linalg.qr(A @ free, mode="complete")[0][:, free.shape[1] :]

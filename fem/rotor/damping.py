@@ -1,4 +1,4 @@
-"""Damping of the whole rotor, in addition to its bearings."""
+"""Damping of the whole rotor, in addition to the damping of its bearings."""
 
 import math
 from collections.abc import Sequence
@@ -12,7 +12,10 @@ from fem.rotor.elements import Array
 
 @dataclass(frozen=True)
 class Rayleigh:
-    """C = alpha M + beta K, with alpha [1/s] and beta [s]; ValueError for negative values."""
+    """Rayleigh damping C = alpha M + beta K, with alpha [1/s] and beta [s], both not negative.
+
+    Raises ValueError for negative values.
+    """
 
     alpha: float
     beta: float
@@ -20,31 +23,33 @@ class Rayleigh:
     def __post_init__(self) -> None:
         if not (0 <= self.alpha < math.inf and 0 <= self.beta < math.inf):
             raise ValueError(
-                f"Rayleigh damping must not be negative, got {self.alpha:g} 1/s, {self.beta:g} s"
+                "alpha and beta must not be negative, "
+                f"got alpha={self.alpha:g} 1/s, beta={self.beta:g} s"
             )
 
     @classmethod
     def at(cls, first: tuple[float, float], second: tuple[float, float]) -> "Rayleigh":
-        """From the damping ratios at two frequencies: (omega [rad/s], zeta) each.
+        """Rayleigh damping from the damping ratios at two frequencies: (omega [rad/s], zeta) each.
 
-        zeta = (alpha/omega + beta omega)/2. ValueError if a coefficient would be negative.
+        zeta = (alpha/omega + beta omega)/2. Raises ValueError if a coefficient would be negative.
         """
         (w_1, z_1), (w_2, z_2) = first, second
         if not (w_1 > 0 and w_2 > 0 and w_1 != w_2):
-            raise ValueError(f"two different frequencies > 0 are needed, got {w_1:g}, {w_2:g}")
+            raise ValueError(f"two different frequencies > 0 are required, got {w_1:g}, {w_2:g}")
         alpha, beta = np.linalg.solve([[0.5 / w_1, 0.5 * w_1], [0.5 / w_2, 0.5 * w_2]], [z_1, z_2])
         return cls(float(alpha), float(beta))
 
     def matrix(self, M: Array, K: Array) -> Array:
-        """C (n, n)."""
+        """Damping matrix C (n, n)."""
         return self.alpha * M + self.beta * K
 
 
 @dataclass(frozen=True)
 class Modal:
-    """Damping ratios of the modes at rest, in ascending order; the last is used for all others.
+    """Damping ratios of the modes at zero speed, by ascending frequency.
 
-    C = M Phi diag(2 zeta omega) Phi^T M, with Phi^T M Phi = 1. Rigid motions are undamped.
+    The last ratio is used for all higher modes. C = M Phi diag(2 zeta omega) Phi^T M, with Phi^T M
+    Phi = 1. Rigid motions are undamped.
     """
 
     ratios: Sequence[float]
@@ -54,11 +59,11 @@ class Modal:
             raise ValueError(f"damping ratios must not be negative, got {tuple(self.ratios)}")
 
     def matrix(self, M: Array, K: Array) -> Array:
-        """C (n, n). ValueError for a rotor with unknowns without mass."""
+        """Damping matrix C (n, n). Raises ValueError for a rotor with unknowns without mass."""
         try:
             squares, Phi = eigh((K + K.T) / 2, M)
         except np.linalg.LinAlgError:
-            raise ValueError("modal damping needs a shaft with mass") from None
+            raise ValueError("modal damping requires a mass for every unknown") from None
         omega = np.sqrt(np.where(squares > 1e-12 * squares[-1], squares, 0.0))
         zeta = np.full(omega.size, float(self.ratios[-1]))
         zeta[: len(self.ratios)] = self.ratios[: omega.size]

@@ -1,12 +1,12 @@
 """Closed-form matrices of beam elements that rotate about their axis.
 
 In one plane, with the unknowns (u, phi) at both ends and phi = du/dz - shear angle, the shape
-functions are exact for a beam with loads at its ends only. Therefore,
+functions are exact for a beam with loads at its ends only. Therefore
 
     K = E I / (L^3 (1 + Phi)) [...],    Phi = 12 E I / (kappa G A L^2),
 
-and masses are consistent with them: `M_t` of rho A u^2, `M_r` of rho I phi^2. The polar inertia
-is twice rho I, hence the gyroscopic matrix of the complex coordinate G_1 = 2 M_r.
+and the masses are consistent with these functions: `M_t` of rho A u^2, `M_r` of rho I phi^2. The
+polar inertia is twice rho I; the gyroscopic matrix in complex coordinates is therefore G_1 = 2 M_r.
 
 References: H. D. Nelson, J. Mech. Des. 102 (1980) 793-803; Z. Friedman, J. B. Kosmatka,
 Comput. Struct. 47 (1993) 473-481.
@@ -22,7 +22,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Sections:
-    """Beam elements (m,): lengths, bending, shear, axial and torsional stiffness, masses."""
+    """Properties of beam elements (m,): lengths, stiffnesses and masses.
+
+    The stiffnesses are those of bending, shear, extension and torsion.
+    """
 
     L: Array
     EI: Array
@@ -35,7 +38,7 @@ class Sections:
 
 
 def bending_stiffness(s: Sections) -> Array:
-    """K (m, 4, 4) on (u, phi) at both ends."""
+    """Bending stiffness K (m, 4, 4) on (u, phi) at both ends."""
     Phi, L = _slenderness(s), s.L
     c = s.EI / (L**3 * (1 + Phi))
     return _symmetric(
@@ -47,7 +50,7 @@ def bending_stiffness(s: Sections) -> Array:
 
 
 def translational_mass(s: Sections) -> Array:
-    """M_t (m, 4, 4) of rho A u^2."""
+    """Translational mass M_t (m, 4, 4) of rho A u^2."""
     f, L = _slenderness(s), s.L
     c = s.mass * L / (1 + f) ** 2
     end = (13 / 35 + 7 * f / 10 + f**2 / 3) * c
@@ -60,7 +63,7 @@ def translational_mass(s: Sections) -> Array:
 
 
 def rotary_mass(s: Sections) -> Array:
-    """M_r (m, 4, 4) of rho I phi^2."""
+    """Rotary mass M_r (m, 4, 4) of rho I phi^2."""
     f, L = _slenderness(s), s.L
     c = s.rotary / (L * (1 + f) ** 2)
     end, turn = 6 / 5 * c, (1 / 10 - f / 2) * L * c
@@ -70,12 +73,12 @@ def rotary_mass(s: Sections) -> Array:
 
 
 def bar_stiffness(stiffness: Array, L: Array) -> Array:
-    """K (m, 2, 2) of a bar, E A or G J over its length."""
+    """Stiffness K (m, 2, 2) of a bar, from E A or G J (`stiffness`) and its length."""
     return (stiffness / L)[:, None, None] * np.array([[1.0, -1.0], [-1.0, 1.0]])
 
 
 def bar_mass(density: Array, L: Array) -> Array:
-    """M (m, 2, 2) of a bar, rho A or rho J [per length]."""
+    """Mass M (m, 2, 2) of a bar, from rho A or rho J [per length] (`density`) and its length."""
     return (density * L / 6)[:, None, None] * np.array([[2.0, 1.0], [1.0, 2.0]])
 
 
@@ -84,7 +87,7 @@ def _slenderness(s: Sections) -> Array:
 
 
 def _symmetric(*rows: list[Array]) -> Array:
-    """(m, n, n) from the rows of the upper triangle."""
+    """Symmetric matrices (m, n, n) from the rows of the upper triangle."""
     n, m = len(rows), rows[0][0].size
     A = np.empty((m, n, n))
     for i, row in enumerate(rows):

@@ -1,7 +1,7 @@
 """Sets of parameters with given critical speeds: many, because few speeds fix few parameters.
 
-Initial values are Sobol points in the ranges (log-uniform). From each of them, least-norm steps
-lead to a system with these speeds.
+Initial values are Sobol points in the ranges (log-uniform). From each point, least-norm steps lead
+to a system with these speeds.
 """
 
 from collections.abc import Callable
@@ -23,7 +23,7 @@ Systems = Callable[[Array], WhirlSystems]  # of parameters (m, k)
 
 @dataclass(frozen=True)
 class Ranges:
-    """From `low` (k,) to `high` (k,) by logarithms.
+    """Logarithmic ranges of parameters from `low` (k,) to `high` (k,).
 
     >>> Ranges(np.array([1.0]), np.array([100.0])).parameters(np.array([[0.5]])).round(9).tolist()
     [[10.0]]
@@ -34,21 +34,25 @@ class Ranges:
 
     @property
     def width(self) -> Array:
-        """In logarithms."""
+        """Widths (k,) of the ranges of the logarithms."""
         return np.asarray(np.log(self.high / self.low))
 
     def parameters(self, x: Array) -> Array:
-        """Parameters (m, k) at places x (m, k) in the ranges, from 0 to 1."""
+        """Parameters (m, k) at the relative positions x (m, k) in the ranges, from 0 to 1."""
         return np.asarray(self.low * np.exp(x * self.width))
 
     def places(self, p: Array) -> Array:
-        """Places (m, k) of parameters (m, k)."""
+        """Relative positions (m, k) of the parameters (m, k) in the ranges."""
         return np.asarray(np.log(p / self.low) / self.width)
 
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Parameters (members, k); marks (starts,) of successful starts, and of retained ones."""
+    """Parameters (members, k), and masks (starts,) of initial points.
+
+    `met` marks the points from which the speeds were reached, `kept` those with parameters within
+    the ranges.
+    """
 
     members: Array
     met: NDArray[np.bool_]
@@ -58,7 +62,10 @@ class Ensemble:
 def ensemble(
     ranges: Ranges, speeds: tuple[float, ...], systems: Systems, members: int, *, seed: int
 ) -> Ensemble:
-    """At least `members` sets with the speeds [rad/s], unless 32 batches of starts give fewer."""
+    """At least `members` sets of parameters that have the `speeds` [rad/s].
+
+    There are fewer sets if 32 batches of initial points do not give as many.
+    """
     count = len(ranges.low)
     sobol = qmc.Sobol(count, scramble=True, rng=np.random.default_rng(seed))
     x = np.zeros((0, count))

@@ -1,8 +1,8 @@
-"""Rotors of one layout that have given critical speeds: steps from many starts at once.
+"""Parameters of a rotor that give prescribed critical speeds, from many initial values together.
 
 Positions x (m, k) are the logarithms of the parameters relative to their ranges, 0 to 1. Steps have
-the least norm in x, by gradients of the Rayleigh quotient Omega^2 = v K v / v (M - G_1) v at
-constant v.
+the least norm in x. The gradients are those of the Rayleigh quotient Omega^2 = v K v / v (M - G_1)
+v at constant v.
 """
 
 from collections.abc import Callable
@@ -23,9 +23,9 @@ Systems = Callable[[Array], WhirlSystems]  # at places (m, k)
 def fitted(
     start: Array, wanted: tuple[float, ...], systems: Systems
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Places (m, k) that steps from `start` lead to, and whether they have the speeds (m,).
+    """Positions (m, k) reached by steps from `start`, and a mask (m,) of those that succeeded.
 
-    The target values are the lowest forward critical speeds [rad/s].
+    `wanted` are the prescribed lowest forward critical speeds [rad/s].
     """
     x, hit = start.copy(), np.zeros(len(start), bool)
     active = np.arange(len(start))
@@ -46,7 +46,7 @@ def fitted(
 
 
 def gradients(x: Array, v: Array, systems: Systems) -> Array:
-    """Derivatives (m, modes, k) of the logarithms of the speeds by the places x, at shapes v."""
+    """Derivatives (m, modes, k) of the logarithms of the speeds by the positions x, at shapes v."""
     made = []
     for change in SMALL * np.eye(x.shape[1]):
         K_up, N_up = systems(x + change).energies(v)

@@ -1,16 +1,17 @@
-"""Responses at many speeds by one diagonalisation, instead of a factorisation for each speed.
+"""Responses at many speeds by one diagonalisation, instead of one factorisation per speed.
 
-If forces rotate at a fixed ratio to the shafts, omega = rho Omega, the matrix of a block is
+If forces rotate at a constant ratio to the shafts, omega = rho Omega, the matrix of a block is
 
     D = K + i omega C - omega^2 A,  A = M - H / rho.
 
-The modes V of A v = mu K v, with V^H K V = 1, make all terms diagonal except the damping; the
+The modes V of A v = mu K v, with V^H K V = 1, make all terms diagonal except the damping. The
 damping of bearings has a low rank, C = P Q^H:
 
     V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu,
 
-Woodbury's formula then leaves systems of the size of this rank. One correction with the residual of
-D follows; its size shows whether the result is as accurate as a direct solution.
+With Woodbury's formula, only systems of the size of this rank must be solved. Then one correction
+with the residual of D follows; its size indicates whether the result is as accurate as a direct
+solution.
 """
 
 from dataclasses import dataclass
@@ -33,7 +34,10 @@ GOOD = 1e-8  # relative to the motion: a larger correction leaves more than roun
 
 @dataclass(frozen=True)
 class Diagonal:
-    """Modes `V` (n, n), their `mu` (n,), and C in them, `left` (n, r) times `right` (n, r)^H."""
+    """Modes `V` (n, n), their `mu` (n,), and the damping C in the coordinates of the modes.
+
+    C is `left` (n, r) times `right` (n, r)^H.
+    """
 
     block: Block
     A: NDArray[np.inexact]
@@ -44,7 +48,7 @@ class Diagonal:
 
     @classmethod
     def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
-        """Modes of `block` at speeds and frequencies (m,); None if the form is not valid."""
+        """Modes of `block` for speeds and frequencies (m,); None if not applicable."""
         ratio = _ratio(speeds, omega)
         skew = abs(block.K - block.K.conj().T).max()
         if ratio is None or skew > SKEW * abs(block.K).max():
@@ -63,7 +67,7 @@ class Diagonal:
         return cls(block, A, V, mu, left, right)
 
     def solve(self, omega: Array, f: Complex) -> tuple[Complex, NDArray[np.bool_]]:
-        """Motions (m, n) under `f` (m, n) at `omega` (m,), and which of them are good."""
+        """Motions (m, n) under `f` (m, n) at `omega` (m,), and a mask of the accurate results."""
         square, C = omega[:, None] ** 2, 1j * omega[:, None]
         q = self._decoupled(omega, f @ self.V.conj())
         u = q @ self.V.T
@@ -90,7 +94,7 @@ class Diagonal:
 
 
 def _ratio(speeds: Array, omega: Array) -> float | None:
-    """Omega / speeds if this ratio is the same for all speeds and not zero."""
+    """Ratio omega / speeds if it is the same for all speeds and not zero, otherwise None."""
     fastest = int(np.argmax(abs(speeds)))
     if not speeds[fastest] or not omega[fastest]:
         return None

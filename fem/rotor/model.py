@@ -8,8 +8,8 @@
     critical_speeds(rotor).speeds
     unbalance_response(rotor, np.linspace(0, 1000, 501), {2: 1e-4}).orbit(2, 250)
 
-Nodes are the ends of the given elements, numbered from 0 along the first shaft, then along the
-next. Each has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
+Nodes are the ends of the given elements, numbered from 0 along the first shaft, then along the next
+shaft. Each node has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
 """
 
 from collections.abc import Sequence
@@ -34,10 +34,11 @@ THEORIES = ("timoshenko", "rayleigh", "euler")
 
 @dataclass(frozen=True)
 class Rotor:
-    """Shafts with discs, supports and links; each given element is divided into `refine` elements.
+    """Shafts with discs, supports and links, in SI units.
 
-    `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (also no rotary inertia). ValueError
-    for nodes that do not exist, and for overlapping discs on a shaft. SI units.
+    Each given element is divided into `refine` elements. `theory` is "timoshenko", "rayleigh" (no
+    shear) or "euler" (also no rotary inertia). Raises ValueError for nodes that do not exist, and
+    for overlapping discs on a shaft.
     """
 
     shafts: Sequence[Shaft]
@@ -52,7 +53,7 @@ class Rotor:
         if not self.shafts:
             raise ValueError("a rotor needs at least one shaft")
         if self.theory not in THEORIES:
-            raise ValueError(f"a theory is one of {', '.join(THEORIES)}, got {self.theory!r}")
+            raise ValueError(f"theory must be one of {', '.join(THEORIES)}, got {self.theory!r}")
         if self.refine != int(self.refine) or self.refine < 1:
             raise ValueError(f"refine must be a whole number >= 1, got {self.refine}")
         count = self.stations
@@ -61,7 +62,9 @@ class Rotor:
         named += [("link", n) for link in self.links for n in (link.a, link.b)]
         for what, node in named:
             if node != int(node) or not 0 <= node < count:
-                raise ValueError(f"a {what} is at node {node}, but nodes are 0 to {count - 1}")
+                raise ValueError(
+                    f"the node of a {what} must exist, got node {node}: nodes are 0 to {count - 1}"
+                )
         self._check_discs()
 
     def _check_discs(self) -> None:
@@ -72,7 +75,8 @@ class Rotor:
                 gap -= (left.width + right.width) / 2
                 if gap < -1e-9 * (left.width + right.width):
                     raise ValueError(
-                        f"discs at nodes {left.node} and {right.node} overlap by {-gap:g} m"
+                        f"discs must not overlap: the discs at nodes {left.node} and {right.node} "
+                        f"overlap by {-gap:g} m"
                     )
 
     def _by_shaft(self, discs: Sequence[Disc]) -> list[tuple[int, list[Disc]]]:
@@ -82,53 +86,53 @@ class Rotor:
 
     @property
     def stations(self) -> int:
-        """Number of nodes that have a number."""
+        """Number of numbered nodes."""
         return sum(len(s.elements) + 1 for s in self.shafts)
 
     @cached_property
     def first_nodes(self) -> NDArray[np.int64]:
-        """Number of each shaft's first node."""
+        """Number of the first node of each shaft."""
         counts = [len(s.elements) + 1 for s in self.shafts]
         return np.concatenate([[0], np.cumsum(counts)[:-1]])
 
     @cached_property
     def z(self) -> Array:
-        """Place of the numbered nodes along the axis (stations,) [m]."""
+        """Axial positions (stations,) [m] of the numbered nodes."""
         return np.concatenate(
             [s.z + np.cumsum([0.0, *(e.length for e in s.elements)]) for s in self.shafts]
         )
 
     @cached_property
     def shaft_of(self) -> NDArray[np.int64]:
-        """Index of the shaft of each numbered node."""
+        """Index (stations,) of the shaft of each numbered node."""
         return np.repeat(np.arange(len(self.shafts)), [len(s.elements) + 1 for s in self.shafts])
 
     @cached_property
     def system(self) -> System:
-        """The assembled matrices."""
+        """Assembled matrices."""
         return assemble(self)
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """Its independent blocks, with supports at rest."""
+        """Independent blocks, with supports at zero speed."""
         return blocks(self.system)
 
     @property
     def M(self) -> Array:
-        """Mass (n, n), the numbered nodes' unknowns first, six a node."""
+        """Mass matrix (n, n), with six unknowns per node; numbered nodes come first."""
         return self.system.M
 
     @property
     def K(self) -> Array:
-        """Stiffness (n, n), without supports that depend on the speed."""
+        """Stiffness matrix (n, n), without supports that depend on the speed."""
         return self.system.K
 
     @property
     def C(self) -> Array:
-        """Damping (n, n), without supports that depend on the speed."""
+        """Damping matrix (n, n), without supports that depend on the speed."""
         return self.system.C
 
     @property
     def G(self) -> Array:
-        """Gyroscopic matrix (n, n) for a speed of 1 rad/s, skew."""
+        """Skew-symmetric gyroscopic matrix (n, n) for a speed of 1 rad/s."""
         return self.system.G

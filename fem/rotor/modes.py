@@ -1,4 +1,4 @@
-"""Free vibration of a rotor at one speed."""
+"""Free vibration of a rotor at a given speed."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ SAME_SIZE = 1e-9  # over the largest: equal displacements of a symmetric shape d
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes by ascending frequency: lambda (k,), and shapes (k, nodes, 6) of e^(lambda t).
+    """Modes by ascending frequency: eigenvalues (k,), and shapes (k, nodes, 6) of e^(lambda t).
 
     `whirl` (k,) is 1 for forward whirl, in the sense of a positive speed, -1 for backward whirl,
     and 0 for motion in a line (or only torsion or axial motion).
@@ -28,7 +28,7 @@ class Modes:
 
     @property
     def frequencies(self) -> Array:
-        """Im lambda (k,) [rad/s]: damped natural frequencies."""
+        """Damped natural frequencies Im lambda (k,) [rad/s]."""
         return np.asarray(self.eigenvalues.imag)
 
     @property
@@ -38,12 +38,12 @@ class Modes:
 
 
 def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
-    """The lowest `count` modes at `speed` [rad/s].
+    """Modes with the `count` lowest frequencies at `speed` [rad/s].
 
-    `plane` is "bending", "torsion", "axial" or "all"; motions coupled by a link are included. The
-    largest displacement of a shape is 1 (or its largest rotation, if it has no displacement); inner
-    nodes of refined elements follow the numbered nodes. The rigid motions of a rotor without
-    supports are modes of frequency zero.
+    `plane` is "bending", "torsion", "axial" or "all"; motions coupled to them by a link are
+    included. The largest displacement of a shape is 1 (or its largest rotation, if it has no
+    displacement). Inner nodes of refined elements follow the numbered nodes. The rigid motions of a
+    rotor without supports are modes of frequency zero.
     """
     found = branches(rotor, check_speeds(speed), check_count(count), plane)
     values = np.concatenate([b.values[0] for b in found])
@@ -57,7 +57,7 @@ def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bendin
 
 
 def normalised(shapes: Complex) -> Complex:
-    """Shapes (k, n) as (k, nodes, 6) whose largest displacement is 1 and real."""
+    """Shapes (k, nodes, 6) from shapes (k, n), scaled to a largest displacement of 1, real."""
     nodes = shapes.reshape(shapes.shape[0], -1, UNKNOWNS)
     moved = nodes[:, :, :3].reshape(len(nodes), -1)
     turned = nodes[:, :, 3:].reshape(len(nodes), -1)

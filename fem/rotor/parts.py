@@ -15,9 +15,10 @@ UNKNOWNS = 6  # of a node: x, y, z, theta_x, theta_y, theta_z
 
 @dataclass(frozen=True)
 class Material:
-    """Isotropic elastic: Young's modulus `E` [Pa], Poisson's ratio `nu`, density `rho` [kg/m^3].
+    """Isotropic elastic material: Young's modulus `E` [Pa], Poisson's ratio `nu`, density `rho`.
 
-    A shaft without mass has rho = 0. ValueError unless E > 0, -1 < nu <= 0.5 and rho >= 0.
+    The unit of `rho` is kg/m^3; a shaft without mass has rho = 0. Raises ValueError unless E > 0,
+    -1 < nu <= 0.5 and rho >= 0.
     """
 
     E: float
@@ -26,11 +27,11 @@ class Material:
 
     def __post_init__(self) -> None:
         if not 0 < self.E < math.inf:
-            raise ValueError(f"Young's modulus must be positive, got E={self.E:g} Pa")
+            raise ValueError(f"Young's modulus must be positive and finite, got E={self.E:g} Pa")
         if not -1 < self.nu <= 0.5:
-            raise ValueError(f"Poisson's ratio lies above -1 and up to 0.5, got nu={self.nu:g}")
+            raise ValueError(f"Poisson's ratio must satisfy -1 < nu <= 0.5, got nu={self.nu:g}")
         if not 0 <= self.rho < math.inf:
-            raise ValueError(f"a density must not be negative, got rho={self.rho:g} kg/m^3")
+            raise ValueError(f"density must not be negative, got rho={self.rho:g} kg/m^3")
 
     @property
     def G(self) -> float:
@@ -43,11 +44,11 @@ STEEL = Material(E=210e9, nu=0.3, rho=7850.0)
 
 @dataclass(frozen=True)
 class Element:
-    """A cylindrical piece of a shaft: `length`, outer and inner diameter `d_o`, `d_i` [m].
+    """Cylindrical part of a shaft: `length`, outer and inner diameter `d_o`, `d_i` [m].
 
-    `shear` is the coefficient kappa of the shear stiffness kappa G A; by default Hutchinson's
-    (J. Appl. Mech. 68 (2001) 87-92) for the circular section, solid or hollow. ValueError unless
-    length > 0, 0 <= d_i < d_o and kappa > 0.
+    `shear` is the coefficient kappa of the shear stiffness kappa G A. The default is Hutchinson's
+    value (J. Appl. Mech. 68 (2001) 87-92) for the solid or hollow circular section. Raises
+    ValueError unless length > 0, 0 <= d_i < d_o and kappa > 0.
     """
 
     length: float
@@ -58,17 +59,17 @@ class Element:
 
     def __post_init__(self) -> None:
         if not 0 < self.length < math.inf:
-            raise ValueError(f"a shaft element needs a length > 0, got {self.length:g} m")
+            raise ValueError(f"the length of a shaft element must be > 0, got {self.length:g} m")
         if not 0 <= self.d_i < self.d_o < math.inf:
             raise ValueError(
-                f"diameters need 0 <= d_i < d_o, got d_i={self.d_i:g} m, d_o={self.d_o:g} m"
+                f"diameters must satisfy 0 <= d_i < d_o, got d_i={self.d_i:g} m, d_o={self.d_o:g} m"
             )
         if self.shear is not None and not 0 < self.shear < math.inf:
-            raise ValueError(f"a shear coefficient must be positive, got {self.shear:g}")
+            raise ValueError(f"the shear coefficient must be positive, got {self.shear:g}")
 
     @property
     def area(self) -> float:
-        """Cross-section [m^2]."""
+        """Area of the cross-section [m^2]."""
         return math.pi / 4 * (self.d_o**2 - self.d_i**2)
 
     @property
@@ -78,7 +79,7 @@ class Element:
 
     @property
     def kappa(self) -> float:
-        """Shear coefficient, Hutchinson's for a circular section unless given."""
+        """Shear coefficient kappa; if not given, Hutchinson's value for a circular section."""
         if self.shear is not None:
             return self.shear
         nu, a, b = self.material.nu, self.d_o, self.d_i
@@ -89,10 +90,10 @@ class Element:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Elements from end to end, starting at `z` [m].
+    """Shaft of consecutive elements, beginning at the axial position `z` [m].
 
-    The shaft rotates at `ratio` [1] times the speed of the rotor; a negative ratio is the opposite
-    sense. ValueError without elements.
+    The shaft rotates at `ratio` [1] times the speed of the rotor; with a negative ratio, it rotates
+    in the opposite sense. Raises ValueError without elements.
     """
 
     elements: Sequence[Element]
@@ -104,16 +105,16 @@ class Shaft:
             raise ValueError("a shaft needs at least one element")
         if not math.isfinite(self.ratio) or not math.isfinite(self.z):
             raise ValueError(
-                f"a shaft's ratio and z are finite, got ratio={self.ratio:g}, z={self.z:g} m"
+                f"ratio and z of a shaft must be finite, got ratio={self.ratio:g}, z={self.z:g} m"
             )
 
 
 @dataclass(frozen=True)
 class Disc:
-    """A rigid disc: `mass` [kg], `polar` and `diametral` moments of inertia [kg m^2].
+    """Rigid disc: `mass` [kg], `polar` and `diametral` moments of inertia [kg m^2].
 
-    Discs of a `width` [m], the node in the middle, must not overlap. ValueError for negative
-    values.
+    Discs with a `width` [m], with the node in the middle, must not overlap. Raises ValueError for
+    negative values.
     """
 
     node: int
@@ -131,10 +132,10 @@ class Disc:
 
     @classmethod
     def cylinder(cls, node: int, d_o: float, d_i: float, width: float, rho: float) -> "Disc":
-        """A homogeneous disc with a bore."""
+        """Homogeneous disc with a bore; lengths [m], density `rho` [kg/m^3]."""
         if not (0 <= d_i < d_o and width > 0 and rho > 0):
             raise ValueError(
-                "a disc needs 0 <= d_i < d_o, width > 0 and rho > 0, got "
+                "a disc must have 0 <= d_i < d_o, width > 0 and rho > 0, got "
                 f"d_i={d_i:g} m, d_o={d_o:g} m, width={width:g} m, rho={rho:g} kg/m^3"
             )
         mass = math.pi / 4 * (d_o**2 - d_i**2) * width * rho
@@ -156,11 +157,11 @@ def joint(
 
 @dataclass(frozen=True)
 class Support:
-    """A bearing between a node and the ground: stiffness k.. [N/m], damping c.. [N s/m].
+    """Bearing between a node and the ground: stiffness k.. [N/m], damping c.. [N s/m].
 
-    If omitted, `kyy` equals `kxx` and `kyx` equals `kxy`: one number gives an isotropic bearing.
-    `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about the axis [N
-    m/rad, N m s/rad]. ValueError for negative or infinite coefficients.
+    If omitted, `kyy` equals `kxx` and `kyx` equals `kxy`: a single number defines an isotropic
+    bearing. `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about
+    the axis [N m/rad, N m s/rad]. Raises ValueError for negative or infinite coefficients.
     """
 
     node: int
@@ -186,24 +187,24 @@ class Support:
             if value is not None and not 0 <= value < math.inf:
                 raise ValueError(f"a support's {name} must not be negative, got {value:g}")
         if not np.all(np.isfinite(self.K)) or not np.all(np.isfinite(self.C)):
-            raise ValueError("a support's coefficients must be finite")
+            raise ValueError("the coefficients of a support must be finite")
 
     @cached_property
     def K(self) -> Array:
-        """Stiffness (6, 6)."""
+        """Stiffness matrix (6, 6)."""
         return joint(
             self.kxx, self.kyy, self.kxy, self.kyx, self.kzz, self.k_tilt, self.k_turn
         )  # fmt: skip
 
     @cached_property
     def C(self) -> Array:
-        """Damping (6, 6)."""
+        """Damping matrix (6, 6)."""
         return joint(self.cxx, self.cyy, self.cxy, self.cyx, self.czz, self.c_tilt, self.c_turn)
 
 
 @dataclass(frozen=True)
 class SpeedSupport:
-    """A bearing whose coefficients change with the speed: `at(speed [rad/s])` is a `Support`."""
+    """Bearing whose coefficients depend on the speed: `at(speed [rad/s])` returns a `Support`."""
 
     node: int
     at: Callable[[float], Support]
@@ -211,7 +212,10 @@ class SpeedSupport:
 
 @dataclass(frozen=True)
 class Link:
-    """Link between node `a` of one shaft and node `b` of another: K, C (6, 6) on q_a - q_b."""
+    """Link between node `a` of one shaft and node `b` of another shaft.
+
+    The matrices K and C (6, 6) act on q_a - q_b.
+    """
 
     a: int
     b: int
@@ -221,26 +225,26 @@ class Link:
     def __post_init__(self) -> None:
         for name, A in (("K", self.stiffness), ("C", self.damping)):
             if A.shape != (UNKNOWNS, UNKNOWNS) or not np.all(np.isfinite(A)):
-                raise ValueError(f"a link's {name} is a finite (6, 6) matrix, got {A.shape}")
+                raise ValueError(f"{name} of a link must be a finite (6, 6) matrix, got {A.shape}")
             if np.any(np.diag(A) < 0):
                 raise ValueError(
-                    f"a link's {name} has no negative diagonal, got {np.diag(A).min():g}"
+                    f"the diagonal of a link's {name} must be >= 0, got {np.diag(A).min():g}"
                 )
         if self.a == self.b:
-            raise ValueError(f"a link joins two nodes, got node {self.a} twice")
+            raise ValueError(f"a link must join two different nodes, got node {self.a} twice")
 
     @classmethod
     def bearing(cls, a: int, b: int, kxx: float, **coefficients: float) -> "Link":
-        """A bearing between two shafts, with the coefficients of `Support`."""
+        """Bearing between two shafts, with the coefficients of `Support`."""
         own = Support(a, kxx, **coefficients)
         return cls(a, b, own.K, own.C)
 
     @property
     def stiffness(self) -> Array:
-        """K (6, 6)."""
+        """Stiffness matrix K (6, 6)."""
         return np.asarray(self.K, float)
 
     @property
     def damping(self) -> Array:
-        """C (6, 6)."""
+        """Damping matrix C (6, 6)."""
         return np.zeros((UNKNOWNS, UNKNOWNS)) if self.C is None else np.asarray(self.C, float)

@@ -1,4 +1,4 @@
-"""Damping ratios and speeds at which responses are computed, and readings of amplitudes."""
+"""Damping ratios for computed responses, and evaluation of amplitudes over the speed."""
 
 import numpy as np
 
@@ -9,10 +9,11 @@ LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 
 
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
-    """Damping ratios (count, 2) at two frequencies, uniform over their logarithms (R2 sequence).
+    """Damping ratios (count, 2) at two frequencies, uniform in their logarithms (R2 sequence).
 
-    With Rayleigh damping, the quotient of both ratios is at most the quotient of the frequencies:
-    the second ratio is limited accordingly.
+    `apart` is the quotient of the frequencies. With Rayleigh damping, the quotient of the two
+    damping ratios is at most the quotient of the frequencies; the second ratio is limited
+    accordingly.
 
     >>> ratios = spread_ratios(0.005, 0.03, 3.5, 64)
     >>> bool((ratios[:, 0] >= 0.005).all() and (ratios[:, 0] <= 0.03).all())
@@ -26,7 +27,7 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 
 
 def peaks(near: Array) -> Array:
-    """Highest local maxima (...,) of `near` (..., speeds), NaN without a maximum.
+    """Highest local maxima (...,) of `near` (..., speeds); NaN without a local maximum.
 
     A maximum at an end of the range is the flank of another peak and is not included.
 
@@ -40,7 +41,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Largest relative height of f (3, ...) at the middle of u (3,) above the chord of the others.
+    """Largest relative height of f (3, ...) at the middle of u (3,) above the chord of its ends.
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

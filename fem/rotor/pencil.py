@@ -1,17 +1,17 @@
 """Eigenvalues of (lambda^2 M + lambda (C + Omega G) + K) v = 0 for many speeds at once.
 
-Undamped: lambda = i omega, with Hermitian K, M and H = i G. For mu = 1/omega,
+Undamped problems: lambda = i omega, with Hermitian K, M and H = i G. For mu = 1/omega,
 
     mu^2 K v = M v - mu Omega H v,
 
-in the coordinates of the modes at rest, where K becomes 1 and M diagonal (B = diag b^2), the
-Hermitian standard problem
+in the coordinates of the modes at zero speed, in which K becomes 1 and M diagonal (B = diag b^2),
+becomes the Hermitian standard problem
 
     [[-Omega H, b], [b, 0]] [v; w] = mu [v; w].
 
 This form needs a positive K and permits unknowns without mass. If K permits a rigid motion, the
-problem for omega has the same form with M in the place of K. The other problems, damped or with an
-asymmetric K, are linearised in the same two forms for a general solver.
+problem for omega has the same form, with M in the place of K. All other problems, damped or with an
+asymmetric K, are linearised in the same two forms and solved by a general solver.
 """
 
 from collections.abc import Callable
@@ -31,11 +31,11 @@ ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are z
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Eigenvalues (speeds, k), and `take` to get some of them at one speed.
+    """Eigenvalues (speeds, k), and a function `take` that returns eigenvectors at one speed.
 
-    `take(i, at)` returns the vectors (n, j) and states (m, j) of the eigenvalues number `at` at the
-    speed number `i`. States have length 1 and are orthonormal for undamped problems: their products
-    show which eigenvalues at two speeds belong together.
+    `take(i, at)` returns the vectors (n, j) and states (m, j) of the eigenvalues with the numbers
+    `at` at the speed with the number `i`. States have length 1 and are orthonormal for undamped
+    problems. Their products show which eigenvalues at two speeds belong to the same branch.
     """
 
     values: Complex
@@ -43,7 +43,7 @@ class Spectrum:
 
 
 def spectrum(block: Block, speeds: Array) -> Spectrum:
-    """All eigenvalues of `block` at every speed [rad/s], including infinite ones."""
+    """All eigenvalues of `block` at every speed [rad/s], including infinite eigenvalues."""
     if block.undamped:
         return _undamped(block, speeds)
     return _general(block, speeds)
@@ -63,7 +63,9 @@ def _undamped(block: Block, speeds: Array) -> Spectrum:
     inner = solve_triangular(lower, solve_triangular(lower, B, lower=True).conj().T, lower=True)
     squares, turn = eigh((inner + inner.conj().T) / 2)
     if squares[0] < -1e-9 * squares[-1]:
-        raise ArithmeticError("a matrix of the rotor is not positive: check stiffness and mass")
+        raise ArithmeticError(
+            "the matrices of the rotor must be positive: check stiffness and mass"
+        )
     b = np.sqrt(np.where(squares > ABSENT * squares[-1], squares, 0.0))
     half = solve_triangular(lower, block.H, lower=True)
     H = solve_triangular(lower, half.conj().T, lower=True)
@@ -92,7 +94,7 @@ def _general(block: Block, speeds: Array) -> Spectrum:
         rest = np.linalg.solve(A, np.hstack([block.C, _gyroscopic(block), B]))
     except np.linalg.LinAlgError:
         raise ArithmeticError(
-            "unknowns without mass are left free: support them or give them mass"
+            "every unknown without mass must be supported: add a support or a mass"
         ) from None
     C, G, B = rest[:, :n], rest[:, n : 2 * n], rest[:, 2 * n :]
     S = np.zeros((speeds.size, 2 * n, 2 * n), rest.dtype)
@@ -113,10 +115,10 @@ def _general(block: Block, speeds: Array) -> Spectrum:
 
 
 def _null_vectors(block: Block, speed: float, values: Complex) -> Complex:
-    """Vectors (n, k) of known eigenvalues, by one step of inverse iteration.
+    """Eigenvectors (n, k) for known eigenvalues, by one step of inverse iteration.
 
-    The matrix is singular to round-off; therefore, one step leaves a relative error of the order of
-    `NUDGE` over the distance of the eigenvalues.
+    The matrix is singular to round-off. Therefore one step leaves a relative error of the order of
+    `NUDGE` divided by the distance of the eigenvalues.
     """
     size = max(abs(values).max(), 1.0)
     lam = (values + NUDGE * (abs(values) + NUDGE * size))[:, None, None]
@@ -129,7 +131,7 @@ def _null_vectors(block: Block, speed: float, values: Complex) -> Complex:
 
 
 def _gyroscopic(block: Block) -> NDArray[np.inexact]:
-    """G = -i H, real if possible."""
+    """Gyroscopic matrix G = -i H, real if possible."""
     G = -1j * block.H
     return G if G.imag.any() else G.real
 
@@ -139,7 +141,7 @@ def _inverse(mu: Array) -> Array:
 
 
 def _vanishing(mu: NDArray[np.inexact]) -> NDArray[np.bool_]:
-    """Where 1/mu is an eigenvalue of infinite size: of unknowns without mass."""
+    """True where 1/mu is an infinite eigenvalue, which belongs to unknowns without mass."""
     return np.asarray(abs(mu) <= ABSENT * abs(mu).max(axis=-1, keepdims=True))
 
 

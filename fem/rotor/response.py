@@ -23,9 +23,9 @@ MANY = 250
 
 @dataclass(frozen=True)
 class Orbit:
-    """An ellipse with its semi-axes [m]; the minor one is negative for backward motion.
+    """Elliptic orbit with its semi-axes [m]; `minor` is negative for backward motion.
 
-    `inclination` [rad] is the angle of the major axis to x.
+    `inclination` [rad] is the angle between the major axis and x.
     """
 
     major: float
@@ -35,14 +35,17 @@ class Orbit:
     y: complex
 
     def points(self, count: int = 90) -> Array:
-        """Positions (count, 2) over one revolution, the first at time zero."""
+        """Positions (count, 2) over one revolution; the first is at time zero."""
         turn = np.exp(2j * np.pi * np.arange(count) / count)
         return np.column_stack([(self.x * turn).real, (self.y * turn).real])
 
 
 @dataclass(frozen=True)
 class Response:
-    """Amplitudes `q` (speeds, unknowns) of Re(q e^(i omega t)), omega (speeds,) not negative."""
+    """Amplitudes `q` (speeds, unknowns) of the motion Re(q e^(i omega t)).
+
+    `omega` (speeds,) is not negative.
+    """
 
     rotor: Rotor
     speeds: Array
@@ -55,7 +58,7 @@ class Response:
         return np.asarray(self.q[:, UNKNOWNS * node : UNKNOWNS * (node + 1)])
 
     def orbit(self, node: int, index: int = 0) -> Orbit:
-        """The ellipse of a node at the speed of number `index`."""
+        """Elliptic orbit of a node at the speed with the number `index`."""
         x, y = (complex(v) for v in self.at(node)[index, :2])
         forward, backward = (x + 1j * y) / 2, (x - 1j * y).conjugate() / 2
         turned = np.angle(forward * backward) / 2 if forward and backward else np.angle(forward)
@@ -64,12 +67,12 @@ class Response:
         )
 
     def major(self, node: int) -> Array:
-        """Half the large axis of the node's orbit at every speed (speeds,) [m]."""
+        """Semi-major axis of the orbit of a node at every speed (speeds,) [m]."""
         x, y = self.at(node)[:, 0], self.at(node)[:, 1]
         return np.asarray((abs(x + 1j * y) + abs(x - 1j * y)) / 2)
 
     def support_load(self, k: int) -> Complex:
-        """Forces and moments (speeds, 6) of the rotor on its support number `k`."""
+        """Forces and moments (speeds, 6) of the rotor on its support with the number `k`."""
         self._check(k, len(self.rotor.supports), "support")
         support = self.rotor.supports[k]
         q = self.at(support.node)
@@ -82,7 +85,7 @@ class Response:
         ])  # fmt: skip
 
     def link_load(self, k: int) -> Complex:
-        """Forces and moments (speeds, 6) of node a on node b through link number `k`."""
+        """Forces and moments (speeds, 6) of node a on node b through the link number `k`."""
         self._check(k, len(self.rotor.links), "link")
         link: Link = self.rotor.links[k]
         return _load(link.stiffness, link.damping, self.at(link.a) - self.at(link.b), self.omega)
@@ -90,17 +93,17 @@ class Response:
     @staticmethod
     def _check(k: int, count: int, what: str) -> None:
         if not 0 <= k < count:
-            raise ValueError(f"there is no {what} {k}: they are 0 to {count - 1}")
+            raise ValueError(f"{what} {k} does not exist: numbers are 0 to {count - 1}")
 
 
 def unbalance_response(
     rotor: Rotor, speeds: ArrayLike, unbalances: Mapping[int, complex]
 ) -> Response:
-    """The response to `unbalances`: node -> mass times eccentricity [kg m], complex for its angle.
+    """Response to `unbalances`: node -> mass times eccentricity [kg m], complex for its angle.
 
-    Each unbalance rotates with its shaft; all unbalances of one response must therefore be on
-    shafts of one ratio. ValueError otherwise, for nodes that do not exist, and for a rotor without
-    sufficient supports; ArithmeticError at a resonance without damping.
+    Each unbalance rotates with its shaft. All unbalances of one response must therefore be on
+    shafts with the same ratio. Raises ValueError for other unbalances, for nodes that do not exist,
+    and for a rotor without sufficient supports; ArithmeticError at a resonance without damping.
     """
     return unbalance_responses(rotor, speeds, [unbalances])[0]
 
@@ -108,7 +111,7 @@ def unbalance_response(
 def unbalance_responses(
     rotor: Rotor, speeds: ArrayLike, each: Sequence[Mapping[int, complex]]
 ) -> list[Response]:
-    """The response to each of several sets of unbalances, all on shafts of one ratio."""
+    """Responses to several sets of unbalances, all on shafts with the same ratio."""
     at = check_speeds(speeds)
     forces, ratios = [], set()
     for unbalances in each:
@@ -116,24 +119,28 @@ def unbalance_responses(
         forces.append(force)
         ratios |= own
     if len(ratios) > 1:
-        raise ValueError("unbalances on shafts of different ratios are different responses")
+        raise ValueError(
+            "all unbalances of a response must be on shafts with the same ratio: compute one "
+            "response for each ratio"
+        )
     omega = ratios.pop() * at
     return _responses(rotor, at, omega, [omega[:, None] ** 2 * force for force in forces])
 
 
 def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, set[float]]:
-    """Forces (unknowns,) over omega^2, and the ratios of the shafts with which they rotate."""
+    """Forces (unknowns,) divided by omega^2, and the ratios of the shafts that carry them."""
     if not unbalances:
-        raise ValueError("an unbalance response needs an unbalance")
+        raise ValueError("an unbalance response requires at least one unbalance")
     force = np.zeros(rotor.system.M.shape[0], complex)
     ratios = set()
     for node, value in unbalances.items():
         if node != int(node) or not 0 <= node < rotor.stations:
             raise ValueError(
-                f"an unbalance is at node {node}, but nodes are 0 to {rotor.stations - 1}"
+                f"the node of an unbalance must exist, got node {node}: "
+                f"nodes are 0 to {rotor.stations - 1}"
             )
         if not np.isfinite(value):
-            raise ValueError(f"the unbalance at node {node} is not finite")
+            raise ValueError(f"the unbalance at node {node} must be finite")
         force[UNKNOWNS * node] += value
         force[UNKNOWNS * node + 1] += -1j * value
         ratios.add(rotor.shafts[rotor.shaft_of[node]].ratio)
@@ -143,7 +150,7 @@ def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, 
 def forced_response(
     rotor: Rotor, speeds: ArrayLike, omega: ArrayLike, force: NDArray[np.inexact]
 ) -> Response:
-    """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
+    """Response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
 
     `speeds` and `omega` (m,) are pairs; one of them may be a single number. Forces with a negative
     omega rotate in the opposite sense; amplitudes refer to the positive omega.
@@ -154,12 +161,12 @@ def forced_response(
 def _responses(
     rotor: Rotor, speeds: ArrayLike, omega: ArrayLike, forces: Sequence[NDArray[np.inexact]]
 ) -> list[Response]:
-    """`forced_response` to each of the `forces`, whose matrices are the same."""
+    """Results of `forced_response` for each of `forces`, solved with the same matrices."""
     at, frequency = np.broadcast_arrays(check_speeds(speeds), check_speeds(omega))
     n = rotor.system.M.shape[0]
     for force in forces:
         if force.shape[-1] != n:
-            raise ValueError(f"forces have {n} unknowns, got {force.shape[-1]}")
+            raise ValueError(f"forces must have {n} unknowns, got {force.shape[-1]}")
     loads = np.array([np.broadcast_to(force, (at.size, n)) for force in forces], complex)
     q = np.zeros(loads.shape, complex)
     if rotor.system.varying:
@@ -175,7 +182,7 @@ def _responses(
 
 
 def _solve(block: Block, speeds: Array, omega: Array, loads: Complex, q: Complex) -> None:
-    """Add to `q` the motions of `block` under `loads`, both (loads, speeds, unknowns)."""
+    """Add to `q` the motions of `block` under `loads`; both are (loads, speeds, unknowns)."""
     loaded = np.flatnonzero((f := block.own(loads)).any(axis=(1, 2)))
     if not loaded.size:
         return
@@ -205,7 +212,8 @@ def _direct(block: Block, speeds: Array, omega: Array, f: Complex) -> list[Compl
         return [np.linalg.solve(D, each[..., None])[..., 0] for each in f]
     except np.linalg.LinAlgError:
         raise ArithmeticError(
-            "no bounded response: the rotor has an undamped resonance or a free motion at rest"
+            "no bounded response exists: the rotor has an undamped resonance, or an unsupported "
+            "motion at zero frequency"
         ) from None
 
 

@@ -1,4 +1,4 @@
-"""Gyroscopic splitting of the frequencies of forward and backward whirl."""
+"""Gyroscopic splitting of the natural frequencies of forward and backward whirl."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -11,14 +11,14 @@ PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they a
 
 
 class Matrix(Protocol):
-    """A dense or a sparse matrix that multiplies columns."""
+    """Dense or sparse matrix that multiplies columns."""
 
     def __matmul__(self, other: Array, /) -> Array: ...
 
 
 @dataclass(frozen=True)
 class Whirl:
-    """Frequencies `w` (k,) [rad/s], positive, and shapes (n, k) of one sense of whirl."""
+    """Positive frequencies `w` (k,) [rad/s] and shapes (n, k) for one sense of whirl."""
 
     w: Array
     shapes: Array
@@ -34,9 +34,9 @@ def gyroscopic_splitting(
 
     .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
 
-    without the round-off of K in a difference of nearly equal frequencies. If the shapes number k
-    are different, at speeds at which the order of modes changes, the difference is not small and is
-    computed directly.
+    This form avoids the round-off of K in the difference of nearly equal frequencies. At speeds at
+    which the order of modes changes, the shapes with the number k are different. The difference of
+    frequencies is then not small and is computed directly.
     """
     f, b = (
         v.shapes / np.sqrt((v.shapes * (M @ v.shapes)).sum(axis=0)) for v in (forward, backward)

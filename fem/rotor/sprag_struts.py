@@ -1,7 +1,8 @@
-"""Sprags between two races as struts between rigid hubs, inclined by the wedge angle, under torque.
+"""Sprags between two races as struts between rigid hubs, under torque.
 
-The ends of a strut either roll on the races (its line has a constant distance from the axis) or are
-pinned to both races. Each contact is a line contact: force proportional to deflection^(10/9).
+The struts are inclined by the wedge angle. Their ends either roll on the races (the line of a strut
+has a constant distance from the axis) or are pinned to both races. Each contact is a line contact:
+the force is proportional to deflection^(10/9).
 """
 
 import math
@@ -20,11 +21,11 @@ TURN = (5,)  # component that is free under a torque: rotation about the axis
 
 @dataclass(frozen=True, kw_only=True)
 class SpragStruts:
-    """Z sprags of the length L [m] under the torque T [N m], on radii R_i and R_e [m].
+    """Z sprags of the length L [m] under the torque T [N m], on the radii R_i and R_e [m].
 
-    `nu` [rad] is the wedge angle at the inner race. `yields_at_kn` [m] is the deflection of both
-    contacts together under 1 kN; its default is Palmgren's value. The first sprag lies
-    (`missing` - 1)/2 pitches before the x-axis: a gap of `missing` sprags is symmetric about it.
+    `nu` [rad] is the wedge angle at the inner race. `yields_at_kn` [m] is the total deflection of
+    both contacts under 1 kN; the default is Palmgren's value. The first sprag lies (`missing` -
+    1)/2 pitches before the x-axis, so that a gap of `missing` sprags is symmetric about the x-axis.
     """
 
     T: float
@@ -57,7 +58,7 @@ class SpragStruts:
         return float((force / self.law) ** (1 / POWER))
 
     def slices(self, psi: Array, count: int) -> tuple[Array, Array]:
-        """Angle [rad] and height [m] of all `count` slices of sprags at psi (Z,)."""
+        """Angle [rad] and height [m] of all slices, `count` per sprag, of sprags at psi (Z,)."""
         z = self.L * ((np.arange(count) + 0.5) / count - 0.5)
         return np.repeat(psi, count), np.tile(z, psi.size)
 
@@ -65,7 +66,7 @@ class SpragStruts:
         self, count: int, *, dx: float = 0.0, drop: float = 0.0, gone: int = 0,
         stiffer: float = 1.0,
     ) -> struts.Joint:  # fmt: skip
-        """State of struts with rolling ends, `count` slices each, under T; inner hub held at dx.
+        """State of struts with rolling ends, `count` slices each, under T; inner hub fixed at dx.
 
         Both contacts have a parabolic crown with the `drop` [m] at its ends. The first `gone`
         sprags are missing. Deflections are divided by `stiffer`.
@@ -83,11 +84,12 @@ class SpragStruts:
         return started.under(self._torque, TURN)
 
     def tilted(self, count: int, offset: float) -> struts.Joint:
-        """State of struts with rolling ends under T, with an offset and tilted inner hub.
+        """State of struts with rolling ends under T, with a displaced and tilted inner hub.
 
-        The first strut lies half a pitch from the x-axis. The hub is offset in x by `offset` [m] at
-        mid-length (at most a quarter of the deflection: every slice stays in contact), by twice
-        this value at one end, and by zero at the other end.
+        The first strut lies half a pitch from the x-axis. The hub is displaced in x by `offset` [m]
+        at mid-length, by twice this value at one end, and by zero at the other end. At mid-length,
+        the displacement is at most a quarter of the deflection, so that every slice stays in
+        contact.
         """
         psi = 2 * math.pi * (np.arange(self.Z) + 0.5) / self.Z
         cams = self._cams(*self.slices(psi, count))
@@ -100,7 +102,7 @@ class SpragStruts:
         return held.under(self._torque, TURN)
 
     def pinned(self, count: int, *, stiffer: float = 1.0) -> struts.Joint:
-        """Struts pinned to both races, in their positions under T."""
+        """State of struts that are pinned to both races, in their positions under T."""
         psi, z = self.slices(2 * math.pi * np.arange(self.Z) / self.Z, count)
         h = self.R_i * math.sin(self.nu)
         away = psi + self.nu - math.asin(h / self.R_e)
@@ -113,7 +115,7 @@ class SpragStruts:
         return struts.Joint.at_rest(held, struts.power_law(k / count, POWER))
 
     def off_diagonal(self, K: Array) -> float:
-        """Largest off-diagonal entry [N/m], with tilts divided by L and the twist by R_i."""
+        """Largest off-diagonal entry of K [N/m], with tilts divided by L and the twist by R_i."""
         size = np.array([1, 1, 1, self.L, self.L, self.R_i])
         return float(np.abs((K - np.diag(np.diag(K))) / np.outer(size, size)).max())
 
@@ -122,10 +124,10 @@ class SpragStruts:
         return np.array([0, 0, 0, 0, 0, self.T])
 
     def _cams(self, angle: Array, z: Array, s_0: Array | float = 0.0) -> struts_kinds.Rolling:
-        """Struts whose lines are tangents of a circle about the axis."""
+        """Struts whose lines are tangents to a circle about the axis."""
         lever, reach = self.R_i * math.sin(self.nu), self.R_i * math.cos(self.nu)
         return struts_kinds.Rolling(angle=angle + self.nu, z=z, lever=lever, reach=reach, s_0=s_0)
 
     def _power_law(self, k: float) -> struts.Law:
-        """Law for the shortening of struts, whose contacts have the constant k at an angle nu."""
+        """Law of the shortening of struts whose contacts have the constant k at the angle nu."""
         return struts.power_law(k / math.cos(self.nu) ** (POWER + 1), POWER)

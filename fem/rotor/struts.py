@@ -1,6 +1,6 @@
-r"""Two rigid hubs joined by nonlinear struts, in exact kinematics of finite rotations.
+r"""Two rigid hubs joined by nonlinear struts, with exact kinematics of finite rotations.
 
-Each strut transmits F(s) with its shortening s, a function of the positions of the hubs only:
+Each strut transmits F(s). Its shortening s is a function of the positions of the hubs only:
 
 - `Pinned`: both ends are fixed in the hubs, :math:`s = s_0 + l_0 - |d + R a - b|`;
 - `Rolling`: a face on the outer hub, and a cam on the inner hub in a plane normal to its axis; the
@@ -27,7 +27,7 @@ HALVINGS = 40
 
 
 def power_law(k: Array | float, n: float) -> Law:
-    """F = k <s>^n and its slope; `k` [N/m^n] for each strut or for all."""
+    """Function that returns F = k <s>^n and its derivative; `k` [N/m^n] for each strut or all."""
 
     def law(s: Array) -> tuple[Array, Array]:
         pressed = np.where(s > 0, s, 1.0)
@@ -51,11 +51,11 @@ class Joint:
 
     @classmethod
     def at_rest(cls, struts: Pinned | Rolling, law: Law) -> "Joint":
-        """The joint in its reference state."""
+        """Joint in its reference state."""
         return cls(struts=struts, law=law, d=np.zeros(3), R=np.eye(3))
 
     def moved(self, step: Array) -> "Joint":
-        """The joint after a displacement and a rotation vector `step` (6,) [m, rad]."""
+        """Joint after a displacement and a rotation vector `step` (6,) [m, rad]."""
         return replace(self, d=self.d + step[:3], R=rotation(step[3:]) @ self.R)
 
     def forces(self) -> Array:
@@ -68,7 +68,7 @@ class Joint:
         return np.asarray(self.law(state.s)[0] @ state.J)
 
     def tangent(self) -> Array:
-        """Loads by displacement and rotation vector (6, 6), exact and symmetric."""
+        """Exact, symmetric derivatives (6, 6) of the loads by displacement and rotation vector."""
         state = self.struts.state(self.d, self.R)
         assert state.H is not None
         force, slope = self.law(state.s)
@@ -76,10 +76,10 @@ class Joint:
         return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
 
     def under(self, loads: Array, free: tuple[int, ...], *, tolerance: float = 1e-12) -> "Joint":
-        """The joint in equilibrium with `loads` (6,) on its `free` displacements; others are fixed.
+        """Joint in equilibrium with `loads` (6,) on its `free` displacements; the others are fixed.
 
-        Newton's method; steps are halved until the residual decreases. `tolerance` is relative to
-        the largest load, with moments divided by the size of the inner hub.
+        The method is Newton's; steps are halved until the residual decreases. `tolerance` is
+        relative to the largest load, with moments divided by the size of the inner hub.
 
         Raises
         ------

@@ -1,8 +1,8 @@
-r"""Struts between two rigid hubs: shortenings and their derivatives by the hubs' places, exact.
+r"""Struts between two rigid hubs: exact shortenings and their derivatives by the hub positions.
 
 The inner hub is at d with the rotation R; the outer hub is fixed. A strut acts along a unit vector
-e at a point y of the inner hub, measured from its centre. If d becomes d + u and R becomes exp(w)
-R, its shortening to second order is
+e at a point y of the inner hub, measured from its centre. If d changes to d + u and R to exp(w) R,
+the shortening of the strut is, to second order,
 
 .. math:: s(u, w) = s + e \cdot u + (y \times e) \cdot w + \tfrac12 (u, w) H (u, w)^T
 """
@@ -26,9 +26,9 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class Pinned:
-    """Struts between `a` (m, 3) of the inner and `b` (m, 3) of the outer hub [m].
+    """Struts between the points `a` (m, 3) of the inner hub and `b` (m, 3) of the outer hub [m].
 
-    In the reference state they are shortened by `s_0`, each or all.
+    In the reference state they are shortened by `s_0`, one value for each strut or for all struts.
     """
 
     a: Array
@@ -37,9 +37,11 @@ class Pinned:
 
     def __post_init__(self) -> None:
         if self.a.shape != self.b.shape or self.a.shape[1:] != (3,):
-            raise ValueError(f"ends need (m, 3) each, got {self.a.shape} and {self.b.shape}")
+            raise ValueError(
+                f"both ends must have the shape (m, 3), got {self.a.shape} and {self.b.shape}"
+            )
         if (np.linalg.norm(self.a - self.b, axis=1) == 0).any():
-            raise ValueError("a strut needs a length above 0 m: both its ends coincide")
+            raise ValueError("the length of a strut must be above 0 m, but its ends coincide")
 
     def state(self, d: Array, R: Array, *, second: bool = True) -> State:
         y, at_first = self.a @ R.T, self.a - self.b
@@ -60,10 +62,11 @@ class Pinned:
 
 @dataclass(frozen=True, kw_only=True)
 class Rolling:
-    """Involute cams of the inner hub, normals at `lever` [m] from its axis z, against faces.
+    """Involute cams of the inner hub against flat faces of the outer hub.
 
-    Faces have normals along `angle` (m,) [rad] in the x-y plane and act at heights `z` (m,) [m]. In
-    the reference state, contact points are `reach` [m] along the normal, shortened by `s_0`.
+    The normals of the cams are at the distance `lever` [m] from the axis z of the hub. Faces have
+    normals along `angle` (m,) [rad] in the x-y plane and act at the heights `z` (m,) [m]. In the
+    reference state, contact points are `reach` [m] along the normal, and the shortening is `s_0`.
     """
 
     angle: Array
@@ -106,7 +109,7 @@ class Rolling:
 
 
 def cross(v: Array) -> Array:
-    """Matrices (m, 3, 3) of v x, for v (m, 3)."""
+    """Matrices (m, 3, 3) of the cross product v x, for v (m, 3)."""
     M = np.zeros((len(v), 3, 3))
     M[:, 0, 1], M[:, 0, 2], M[:, 1, 2] = -v[:, 2], v[:, 1], -v[:, 0]
     return M - M.transpose(0, 2, 1)

@@ -8,11 +8,11 @@ from fem.rotor.elements import Array
 def uneven_links(
     *, Z: int, slices: int, L: float, lever: float, across: float, exponent: float, offset: float
 ) -> Array:
-    """K (6, 6) of Z links whose deformation is delta_0 (1 + offset cos psi).
+    """Stiffness K (6, 6) of Z links with the deformations delta_0 (1 + offset cos psi).
 
-    K = sum k_j J J^T over links and slices with J = (cos, sin, 0, -x sin, x cos, lever), and
-    k_j = k (1 + offset cos psi)^(exponent - 1), where Z k/2 is the stiffness `across` [N/m] of the
-    evenly loaded links. `L` is their length, `lever` their deformation over the twist [m].
+    K = sum k_j J J^T over links and slices with J = (cos, sin, 0, -x sin, x cos, lever), and k_j =
+    k (1 + offset cos psi)^(exponent - 1). Z k/2 is the stiffness `across` [N/m] of equally loaded
+    links. `L` is the length of the links [m], `lever` the deformation per angle of twist [m].
 
     >>> K = uneven_links(Z=4, slices=2, L=1.0, lever=0.5, across=2.0, exponent=1.1, offset=0.0)
     >>> K.diagonal().round(12).tolist()

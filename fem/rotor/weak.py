@@ -1,14 +1,15 @@
 """Rotating shafts as weak forms on a line, to verify the closed-form elements.
 
-In the complex coordinate r = x + i y, with the slope p = dr/dz less the shear angle,
+In the complex coordinate r = x + i y, with the slope p = dr/dz minus the shear angle,
 
     Timoshenko   a = int EI p' q' + S (r' - p)(s' - q),   m = int rho A r s + rho I p q,
                  g = int 2 rho I p q,                      quadratic r and p
     Euler        a = int EI r'' s'',  m = int rho A r s,  Rayleigh adds rho I r' s' to m
                  and 2 rho I r' s' to g,                   Hermite's cubics
 
-K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points per cell, where the
-derivative of a quadratic equals a linear function: with more points, slender shafts lock.
+The equation is K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points per
+cell, where the derivative of a quadratic function equals a linear function. With more points,
+slender shafts lock.
 """
 
 from collections.abc import Mapping
@@ -55,7 +56,7 @@ def curvatures(u, v, w):
 
 @dataclass(frozen=True)
 class WeakShaft:
-    """K, M and G (n, n) of a shaft along the line `mesh`; `basis` of the deflection."""
+    """Matrices K, M and G (n, n) of a shaft along the line `mesh`; `basis` of the deflection."""
 
     K: csr_array
     M: csr_array
@@ -63,14 +64,14 @@ class WeakShaft:
     basis: Basis
 
     def deflection_at(self, z: float) -> int:
-        """The unknown of the deflection r at the node `z`; ValueError without a node there."""
+        """Number of the unknown deflection r at the node `z`. Raises ValueError without a node."""
         nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")
         return int(self.basis.nodal_dofs[0, nodes[0]])
 
     def on_springs(self, springs: Mapping[float, float]) -> "WeakShaft":
-        """The shaft on springs to the ground: place [m] -> stiffness across [N/m]."""
+        """Shaft on springs to the ground: axial position [m] -> lateral stiffness [N/m]."""
         K = self.K.tolil(copy=True)
         for z, k in springs.items():
             place = self.deflection_at(z)
@@ -78,19 +79,20 @@ class WeakShaft:
         return replace(self, K=csr_array(K))
 
     def whirl(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> tuple[Array, Array]:
-        """Lowest frequencies (count,) [rad/s] of forward and backward whirl at `speed`, positive.
+        """Lowest positive frequencies (count,) [rad/s] of forward and backward whirl at `speed`.
 
-        The deflection is zero at the positions `held` [m]. numpy.linalg.LinAlgError if the shaft
-        can move rigidly.
+        The deflection is zero at the positions `held` [m]. Raises numpy.linalg.LinAlgError if the
+        shaft can move rigidly.
         """
         left, right = _linearised(speed, *self._matrices(held))
         inverse = eigh(right, left, eigvals_only=True)
         return 1 / inverse[::-1][:count], -1 / inverse[:count]
 
     def splitting(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> Array:
-        """Forward less backward frequency (count,) [rad/s] of the lowest modes at `speed`.
+        """Forward minus backward frequency (count,) [rad/s] of the lowest modes at `speed`.
 
-        Accurate to as many digits as a frequency, however small; otherwise as :meth:`whirl`.
+        The relative accuracy is that of a frequency, also for small differences. The arguments are
+        those of :meth:`whirl`.
         """
         K, M, G = self._matrices(held)
         inverse, x = eigh(*_linearised(speed, K, M, G)[::-1])
@@ -100,7 +102,7 @@ class WeakShaft:
         return gyroscopic_splitting(speed, M, G, ahead, behind)
 
     def _matrices(self, held: ArrayLike) -> tuple[Array, Array, Array]:
-        """K, M and G of the free unknowns."""
+        """Matrices K, M and G of the free unknowns."""
         fixed = [self.deflection_at(float(z)) for z in np.ravel(held)]
         own = np.setdiff1d(np.arange(self.K.shape[0]), fixed)
         K, M, G = (part[own][:, own].toarray() for part in (self.K, self.M, self.G))
@@ -108,7 +110,7 @@ class WeakShaft:
 
 
 def _linearised(speed: float, K: Array, M: Array, G: Array) -> tuple[Array, Array]:
-    """A, positive definite, and B of A x = w B x with x = (v, w v)."""
+    """Matrices A (positive definite) and B of A x = w B x with x = (v, w v)."""
     zero = np.zeros_like(K)
     return np.block([[K, zero], [zero, M]]), np.block([[-speed * G, M], [M, zero]])
 
@@ -122,24 +124,24 @@ def weak_shaft(
     rotary: ArrayLike,
     theory: str = "timoshenko",
 ) -> WeakShaft:
-    """A shaft with E I, kappa G A, rho A and rho I: one value each, or one per cell of `mesh` [SI].
+    """Shaft with E I, kappa G A, rho A and rho I: one value, or one value per cell of `mesh` [SI].
 
-    ValueError for another theory, and values that are not positive.
+    Raises ValueError for an unknown theory, and for values that are not positive.
     """
     if theory not in THEORIES:
-        raise ValueError(f"a theory is one of {', '.join(THEORIES)}, got {theory!r}")
+        raise ValueError(f"theory must be one of {', '.join(THEORIES)}, got {theory!r}")
     named = {"bending": bending, "shear": shear, "mass": mass, "rotary": rotary}
     cells = {k: np.broadcast_to(np.asarray(v, float), mesh.nelements) for k, v in named.items()}
     for name, values in cells.items():
         if not np.all((values > 0) & np.isfinite(values)):
-            raise ValueError(f"{name} must be positive, got {values.min():g}")
+            raise ValueError(f"{name} must be positive and finite, got {values.min():g}")
     if theory == "timoshenko":
         return _timoshenko(mesh, cells)
     return _euler(mesh, cells, rotary=theory == "rayleigh")
 
 
 def _timoshenko(mesh: MeshLine, c: dict[str, Array]) -> WeakShaft:
-    """Unknowns r, then p."""
+    """Weak form of the Timoshenko shaft; the unknowns are r, then p."""
     full, two = (Basis(mesh, ElementLineP2(), quadrature=_gauss(n)) for n in (3, 2))
 
     def of(form, basis, name):
@@ -168,6 +170,6 @@ def _euler(mesh: MeshLine, c: dict[str, Array], *, rotary: bool) -> WeakShaft:
 
 
 def _gauss(points: int) -> tuple[Array, Array]:
-    """Gauss' rule on a cell, that for polynomials up to the degree 2 points - 1."""
+    """Gauss rule on a cell, exact for polynomials up to the degree 2 `points` - 1."""
     x, w = np.polynomial.legendre.leggauss(points)
     return (x[None] + 1) / 2, w / 2

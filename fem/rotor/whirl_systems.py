@@ -1,7 +1,8 @@
-"""Many rotors of one layout at once, undamped, in the complex coordinate of forward whirl.
+"""Many undamped rotors with one layout, in the complex coordinate of forward whirl.
 
-Node n, from 0, has the unknowns (r, phi) at 2n and 2n + 1: K v = Omega^2 (M - G_1) v is a critical
-speed. Elements are as in `fem.rotor.elements`. Matrices are dense (m, 2 nodes, 2 nodes).
+Node n, from 0, has the unknowns (r, phi) at 2n and 2n + 1. Critical speeds Omega satisfy K v =
+Omega^2 (M - G_1) v. For the elements, see `fem.rotor.elements`. Matrices are dense (m, 2 nodes, 2
+nodes).
 """
 
 from dataclasses import dataclass
@@ -21,7 +22,7 @@ from fem.rotor.parts import Material
 
 
 class Discs(NamedTuple):
-    """Discs at one `node`: mass [kg], polar and diametral moment [kg m^2], (m,) each."""
+    """Discs at one `node`: mass [kg], polar and diametral moment [kg m^2], each (m,)."""
 
     node: int
     mass: Array
@@ -30,7 +31,7 @@ class Discs(NamedTuple):
 
 
 class Springs(NamedTuple):
-    """Stiffness `k` (m,) between two unknowns of all systems, the second None for the ground."""
+    """Springs `k` (m,) between the unknowns i and j of all systems; j is None for the ground."""
 
     i: int
     j: int | None
@@ -39,9 +40,10 @@ class Springs(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class WhirlSystems:
-    """Systems (m,) of e tubes; the elements begin at the nodes `first` (e,) of `nodes` nodes.
+    """Systems (m,) of e tubes with `nodes` nodes; the elements begin at the nodes `first` (e,).
 
-    `length`, `d_o`, `d_i` (m, e) [m], shear coefficients `kappa` (e,), one material.
+    `length`, `d_o`, `d_i` (m, e) are in [m]; `kappa` (e,) are shear coefficients. All elements have
+    the same material.
     """
 
     nodes: int
@@ -71,7 +73,7 @@ class WhirlSystems:
         return K, translational_mass(sections).reshape(shape) + rotary, 2 * rotary
 
     def matrices(self) -> tuple[Array, Array, Array]:
-        """K, M and G_1 of the systems."""
+        """Matrices K, M and G_1 (m, 2 nodes, 2 nodes) of the systems."""
         shape = (self.length.shape[0], 2 * self.nodes, 2 * self.nodes)
         K, M, G = np.zeros(shape), np.zeros(shape), np.zeros(shape)
         for whole, parts in zip((K, M, G), self.elements, strict=True):
@@ -92,7 +94,7 @@ class WhirlSystems:
         return K, M, G
 
     def energies(self, v: Array) -> tuple[Array, Array]:
-        """V K v and v (M - G_1) v (m, k) of shapes v (m, 2 nodes, k)."""
+        """Energies v K v and v (M - G_1) v (m, k) of the shapes v (m, 2 nodes, k)."""
         K, M, G = self.elements
         ends = v[:, np.array([2 * n for n in self.first])[:, None] + np.arange(4)]  # m, e, 4, k
         stiff = np.einsum("meik,meik->mk", ends, K @ ends)
@@ -105,9 +107,9 @@ class WhirlSystems:
         return stiff, inert
 
     def critical_speeds(self, count: int) -> tuple[Array, Array]:
-        """The lowest forward critical speeds (m, count) [rad/s] and shapes (m, 2 nodes, count).
+        """Lowest forward critical speeds (m, count) [rad/s] and shapes (m, 2 nodes, count).
 
-        Shapes have v K v = 1. If fewer speeds exist, the others are NaN.
+        Shapes are scaled to v K v = 1. If fewer speeds exist, the missing values are NaN.
         """
         K, M, G = self.matrices()
         inverse = np.linalg.inv(np.linalg.cholesky(K))

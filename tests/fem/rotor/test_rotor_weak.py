@@ -62,7 +62,7 @@ def test_a_stout_shaft_on_springs_bounces_and_rocks_as_if_rigid():
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ({"theory": "bernoulli"}, "a theory is one of"),
+        ({"theory": "bernoulli"}, "theory must be one of timoshenko, rayleigh"),
         ({"shear": 0.0}, "shear must be positive"),
         ({"mass": np.nan}, "mass must be positive"),
     ],
