@@ -1,4 +1,4 @@
-"""Bodies wedged between two races: states at rest, and courses through states of growing load.
+"""Bodies wedged between two races: equilibrium states, and series of states of increasing load.
 
 SI units.
 """

@@ -1,4 +1,4 @@
-"""Values of finite-element states under increasing load, interpolated over one another."""
+"""Series of finite-element states under increasing load, with interpolation."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -15,23 +15,23 @@ GROWING = 1.5  # first to last value, from which on logarithms are splined
 
 
 class Course:
-    """Cubic splines through the values `at_states` of each state (n,), by name.
+    """Values `at_states` of each state (n,), by name, interpolated by cubic splines.
 
-    Splines are functions of the logarithm of a quantity that increases from state to state. Values
-    that increase by more than a factor `GROWING` are also splined as logarithms: their slopes
-    hardly change, because deflections of bodies in contact are nearly powers of the loads. `by`
-    names the default abscissa.
+    Splines are functions of the logarithm of a quantity that increases from state to state. For
+    values that increase by more than a factor `GROWING`, the logarithm is interpolated: its slope
+    hardly changes, because deflections of bodies in contact are nearly powers of the loads. `by` is
+    the name of the default abscissa.
     """
 
     by: ClassVar[str] = "N"
     at_states: dict[str, Array]
 
     def logarithm(self, name: str, by: str) -> CubicSpline:
-        """Logarithm of a quantity as a function of the logarithm of another."""
+        """Logarithm of the quantity `name` as a function of the logarithm of the quantity `by`."""
         return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
 
     def over(self, name: str, by: str) -> Callable[[Array], Array]:
-        """A quantity as a function of the logarithm of another."""
+        """Quantity `name` as a function of the logarithm of the quantity `by`."""
         y = self.at_states[name]
         if y[-1] > GROWING * y[0] > 0:
             power = self.logarithm(name, by)
@@ -40,17 +40,22 @@ class Course:
         return lambda t: np.asarray(spline(t))
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """A quantity at a value of another; ArithmeticError outside the range of the states."""
+        """Value of the quantity `name` at which the quantity `by` has the given `value`.
+
+        Raises ArithmeticError outside the range of the states.
+        """
         by = by or self.by
         low, high = self.at_states[by][[0, -1]]
         if not low <= value <= high:
-            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
+            raise ArithmeticError(
+                f"{by} = {value:.4g} is outside the range of the states, which begins at {low:.4g}"
+            )
         return float(self.over(name, by)(np.log(value)))
 
     def integral(self, slope: Callable[[Array], Array], along: str, ends: Array) -> Array:
-        """Integrals (m,) of `slope` over the logarithm of `along`, from no load up to `ends` (m,).
+        """Integrals (m,) of `slope` over the logarithm of `along`, from zero load to `ends` (m,).
 
-        Up to the first state a power law with the slope at its beginning is used.
+        Below the first state, a power law with the slope at the first state is used.
         """
         first = float(np.log(self.at_states[along][0]))
         x, w = np.polynomial.legendre.leggauss(GAUSS)

@@ -1,8 +1,8 @@
-"""Axial load at which a wedged roller slips: the ring is driven along z up to its largest load.
+"""Axial load at which a wedged roller slips: the ring is displaced along z up to its largest load.
 
-The limit follows from solved states only. First, displacements of the rim of the ring follow the
-path of the axial load. Then the rim moves on until no loaded node of a contact sticks and the
-resultant of its friction is mu N, the maximum for this N and F_t.
+The limit is obtained from solved states only. First, displacements of the rim of the ring follow
+the path of the axial load. Then the rim is displaced further until no loaded node of a contact
+sticks and the resultant of its friction is mu N, the maximum for this N and F_t.
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ HALVINGS = 2.5
 
 @dataclass(frozen=True)
 class Driven:
-    """State with the displacement `u` [m] of the rim of the ring along z."""
+    """Contact state with the displacement `u` [m] of the rim of the ring along z."""
 
     state: State
     u: float
@@ -40,9 +40,10 @@ class Driven:
 
 @dataclass(frozen=True)
 class Drive:
-    """The clutch `one` under its torque, with the rim of its ring driven along z.
+    """Clutch `one` under its torque, with the rim of its ring displaced along z.
 
-    The roller remains in place: if it creeps by friction, the ring continues to rotate.
+    The roller remains in its position: if it creeps because of friction, the ring continues to
+    rotate.
     """
 
     one: Pulled
@@ -56,32 +57,35 @@ class Drive:
 
     @property
     def unit(self) -> float:
-        """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
+        """Force F_z [N/m] that gives, together with F_t, the resultant mu N on the mesh."""
         return axial_unit(self.one, self.rest)
 
     @cached_property
     def way(self) -> float:
-        """Deflection [m] of parts along z under that force without slip."""
+        """Deflection [m] of the parts along z under the force `unit` without slip."""
         return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
-        """The end of a load path: at rest, then at these multiples of `unit` in turn."""
+        """State at the end of a load path: at rest, then successively under `shares` x `unit`."""
         at = Driven(self.rest, 0.0)
         for share in shares:
             at = self._to(share * self.unit, at)
         return at
 
     def together(self, share: float) -> Driven:
-        """Torque and axial load at once, from no load: the deflection by a part of `unit`."""
+        """State after applying torque and axial load together, from zero load.
+
+        The axial displacement is the deflection under `share` x `unit`.
+        """
         u = share * self.way
         rim = self._rim(u)
         first = self.there.at(self.rest.drags, axial_displacements=rim)
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] on the whole clutch at slip, starting from `at`, and its uncertainty.
+        """Axial load [N] on the whole clutch at slip, on a path from `at`, and its uncertainty.
 
-        At the given torque, and at the clamping angle of the clutch under it.
+        It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
         one, R = self.one, self.one.q.race
         lever, doubt = self.lever(at)
@@ -90,12 +94,12 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """F_ax R/T at slip, from `at` on, and its uncertainty: friction depends on the steps."""
+        """Ratio F_ax R/T at slip, on a path from `at`, and its uncertainty by the step size."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
     def left(self, at: Driven) -> float:
-        """Relative growth of the axial force that the cone allows, at this N and F_t."""
+        """Relative increase of the axial force that the friction cone permits at this N and F_t."""
         b = Borne.on_mesh(at.state)
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
@@ -105,11 +109,11 @@ class Drive:
 
     @property
     def _steep(self) -> float:
-        """Minus d ln(lever)/d ln(tan alpha) at the limit."""
+        """Value of -d ln(lever)/d ln(tan alpha) at the limit."""
         return 1 + 1 / lever_left(self.one.mu, self.rest.start) ** 2
 
     def _slip(self, at: Driven, step: float) -> tuple[float, float]:
-        """The largest F_ax R/T until slip, and the value of `left` there."""
+        """Largest ratio F_ax R/T up to slip, and the value of `left` at slip."""
         largest, ahead = 0.0, 0.0
         for _ in range(MOST):
             new = self._onward(at, step * self.way, ahead)
@@ -119,8 +123,8 @@ class Drive:
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
         raise NotFoundError(
-            f"no slip was found: {MOST} steps along z end {left:.1e} of the axial force below the "
-            "friction cone"
+            f"no slip was found: after {MOST} steps along z, {left:.1e} of the axial force is "
+            "missing to the friction cone"
         )
 
     def _to(self, force: float, at: Driven) -> Driven:
@@ -135,7 +139,9 @@ class Drive:
             at = new
             if not slope > 0:
                 break
-        raise NotFoundError(f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m")
+        raise NotFoundError(
+            f"the axial force {force:.4g} N/m was not reached: difference {missing:.1e} N/m"
+        )
 
     def _onward(self, at: Driven, du: float, ahead: float = 0.0) -> Driven:
         u = at.u + du
@@ -146,5 +152,8 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """F_z [N/m] of one roller that friction permits in addition to F_t at rest, by mesh normals."""
+    """Force F_z [N/m] of a roller that friction permits in addition to F_t at rest.
+
+    It is calculated for the normals of the mesh.
+    """
     return rest.torque / (one.q.z * one.q.race) * lever_left(one.mu, rest.start)

@@ -1,9 +1,9 @@
 """One pitch of rollers between flats and a round race, with the roller at the angle psi.
 
-The roller has a given position in which both contacts overlap; only the contacts support it. A cam
-inside is clamped at its bore; for a cam outside, the mean rotation of its rim is prescribed, as is
-that of the race. The moment of the race is the torque. The position of rest of the roller gives psi
-and both approaches.
+The roller has a given position in which both contacts overlap; only the contacts hold it. An inner
+cam is clamped at its bore. For an outer cam, the mean rotation of its rim is prescribed, as for the
+race. The moment of the race is the torque. The equilibrium position of the roller gives psi and
+both approaches.
 """
 
 import math
@@ -29,7 +29,7 @@ MOST = 8  # steps to rest
 
 
 class Sector:
-    """One pitch with the roller at a place, meshed for contacts of these half-widths [m]."""
+    """One pitch with the roller at `place`, meshed for the half-widths `widths` [m]."""
 
     def __init__(
         self, place: Place, widths: tuple[float, float], cells: int, *, mu: float,
@@ -39,10 +39,10 @@ class Sector:
         self.problem = flat_problem(place, place.q.mesh(place, widths, cells), mu, along)
 
     def rest(self, drags: Drags = (0.0, 0.0)) -> "State":
-        """The state in which the centre of the roller neither moves nor rotates.
+        """Equilibrium state in which the centre of the roller neither moves nor rotates.
 
-        `drags` [m], the displacements of the surfaces of inner and outer part into the wedge, are
-        corrected until this is met.
+        `drags` [m] are the displacements of the surfaces of inner and outer part into the wedge;
+        they are corrected until the roller is at rest.
         """
         return at_rest(self.at, drags, State.unrest, body="roller", most=MOST)
 
@@ -64,7 +64,10 @@ class Sector:
 
 @dataclass(frozen=True)
 class State(Touching):
-    """A pitch at rest; forces of one roller per length [N/m], the torque of all per length [N]."""
+    """Equilibrium of a pitch, with forces per length.
+
+    Forces are those of one roller [N/m]; the torque is that of all rollers [N].
+    """
 
     start: Place
     drags: Drags
@@ -72,7 +75,7 @@ class State(Touching):
 
     @cached_property
     def motion(self) -> tuple[float, float]:
-        """Movement [m] of the roller's centre into the wedge, and of its rim by rotation."""
+        """Displacement [m] of the roller's centre into the wedge, and of its rim by rotation."""
         r, half, sense = self.start.q.r, self.start.psi / 2, self.start.q.sense
         u = np.array(self.solution.plane.displacement_at((self.start.x, self.start.y)))
         _, turn = core_motion(self.solution, (self.start.x, self.start.y), r)
@@ -95,7 +98,7 @@ class State(Touching):
 
     @property
     def tilt(self) -> float:
-        """Rotation of the cam, clockwise [rad]."""
+        """Angle of rotation of the cam, clockwise [rad]."""
         return self.start.q.sense * self.drags[self._flat] / self.start.q.flat
 
     @property
@@ -105,14 +108,14 @@ class State(Touching):
 
     @property
     def on_flat(self) -> tuple[float, float]:
-        """Force on the cam into its flat, and along it out of the wedge."""
+        """Force on the cam: into its flat, and along the flat out of the wedge."""
         x, y = (self.start.q.sense * f for f in self.solution.touches[self._flat].force)
         c, s = math.cos(self.tilt), math.sin(self.tilt)
         return -s * x - c * y, -c * x + s * y
 
     @property
     def on_race(self) -> tuple[float, float]:
-        """Force on the race along the ray through the roller, and across out of the wedge."""
+        """Force on the race: along the ray through the roller, and across it out of the wedge."""
         x, y = (self.start.q.sense * f for f in self.solution.touches[1 - self._flat].force)
         psi = self.place.psi + self.tilt
         c, s = math.cos(psi), math.sin(psi)
@@ -139,7 +142,7 @@ def flat_problem(
 
 
 def flat_pairs(place: Place, mu: float) -> "list[Pair]":
-    """The contacts on the flat and on the race."""
+    """Contact pairs on the flat and on the race."""
     from fem.contact.pairs import Pair
     from fem.contact.shapes import Circle, Flat
 

@@ -1,4 +1,4 @@
-"""Residuals of the states of a roller between flat and race, all relative."""
+"""Relative residuals of the states of a roller between flat and race."""
 
 import math
 from typing import TYPE_CHECKING
@@ -15,11 +15,12 @@ Array = NDArray[np.float64]
 
 
 def balance(course: FlatCourse, T: float) -> dict[str, float]:
-    """Residuals of statics, of rolling, and of the solver under a torque [N m].
+    """Residuals of statics, of rolling, and of the solver under the torque `T` [N m].
 
-    Ratios minus 1: F_t/N over tan(psi/2) at flat and race; torque of the forces on race and cam
-    over T; wind-up by rolling over that by energy; forces on the roller in the most heavily loaded
-    state; forces of both contacts over each other.
+    They are ratios minus 1: F_t/N to tan(psi/2) at flat and race; torque of the forces on race and
+    cam to T; wind-up by rolling to wind-up by energy; forces of one contact to those of the other.
+    "forces" is the unbalanced force on the roller in the most heavily loaded state, relative to a
+    contact force.
     """
     q, place = course.q, course.place(T)
     tan, torque = math.tan(place.psi / 2), np.array([T])
@@ -41,7 +42,10 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
 
 
 def over_hertz(touch: "Touch", at: Array) -> Array:
-    """Pressure over the largest of Hertz, at parts `at` of the half-width by its moments."""
+    """Pressure relative to Hertz's peak pressure, at the positions `at` x half-width.
+
+    The half-width is calculated from the moments of the pressure.
+    """
     s, load = touch.along(), touch.p * touch.weight
     a, P = touch.half_width(), load.sum()
     order = np.argsort(s)

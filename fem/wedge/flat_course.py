@@ -19,7 +19,7 @@ QUANTITIES = ("T", "N", "N race", "F_t", "F_t race", "d_i", "d_o", "a_i", "a_o",
 
 
 class FlatCourse(Course):
-    """`states` of a clutch with rollers of length `L` [m], by ascending load.
+    """Series of `states` of a clutch with rollers of length `L` [m], by ascending load.
 
     The quantity `along` increases from state to state: integrals are over its logarithm.
     """
@@ -35,23 +35,25 @@ class FlatCourse(Course):
         self.psi = np.array([s.place.psi for s in states])
 
     def place(self, value: float, by: str = "T") -> Place:
-        """Place of the roller's centre."""
+        """Position of the centre of the roller at which the quantity `by` has the given `value`."""
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
 
     def start(self, T: float) -> Start:
-        """Position of the pitch under a torque [N m], from its most heavily loaded state."""
+        """Initial position of the pitch under the torque T [N m], from its last state."""
         last = after(self.last)
         return last.scaled(self.at("d_o", T) / last.d[1])
 
     def share(self, T: float, where: str = "") -> float:
-        """F_t/N under a torque [N m] at the flat, or at the race: " race"."""
+        """Ratio F_t/N under the torque T [N m] at the flat, or at the race (`where` = " race")."""
         return self.at(f"F_t{where}", T) / self.at(f"N{where}", T)
 
     def force_at_angle(self, psi: float) -> float:
-        """Normal force [N] with the roller's centre at the angle `psi` [rad]."""
+        """Normal force [N] at which the centre of the roller has the angle `psi` [rad]."""
         low, high = np.sort(self.psi[[0, -1]])
         if not low <= psi <= high:
-            raise ArithmeticError(f"the angle {psi:.4g} rad lies beyond the states' {high:.4g} rad")
+            raise ArithmeticError(
+                f"the angle {psi:.4g} rad is outside the range of the states, up to {high:.4g} rad"
+            )
         sense, rigid = self.q.sense, math.cos(self.q.rigid_angle)
         opened, wanted = sense * (rigid - np.cos(self.psi)), sense * (rigid - math.cos(psi))
         # nearly a power of N
@@ -64,7 +66,7 @@ class FlatCourse(Course):
         return self._up_to(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
 
     def torsion_by_rolling(self, T: Array) -> Array:
-        """Wind-up [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
+        """Wind-up [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)), which is exact rolling."""
         q = self.q
         d_i, d_o = self.logarithm("d_i", self.along), self.logarithm("d_o", self.along)
 
@@ -79,20 +81,20 @@ class FlatCourse(Course):
         return self._up_to(slope, T)
 
     def log_torque(self, t: Array) -> Array:
-        """Logarithm of the torque if the logarithm of the states' parameter is `t`."""
+        """Logarithm of the torque, for `t`, the logarithm of the quantity `along`."""
         return t
 
     def log_along(self, T: Array) -> Array:
-        """Inverse of `log_torque`."""
+        """Logarithm of the quantity `along` at the torque T: inverse of `log_torque`."""
         return np.asarray(np.log(T))
 
     def _up_to(self, slope: Callable[[Array], Array], T: Array) -> Array:
-        """Integrals of a slope up to torques."""
+        """Integrals of a slope from zero to the torques T."""
         return self.integral(slope, self.along, self.log_along(np.atleast_1d(T)))
 
 
 def read(L: float, state: State) -> dict[str, float]:
-    """Torque [N m], energy [J] of the clutch; forces [N] on one roller, lengths, pressures."""
+    """Torque [N m] and energy [J] of the clutch; forces [N] on a roller, lengths, pressures."""
     (N, F_t), (N_race, F_race) = state.on_flat, state.on_race
     (a_i, a_o), (p_i, p_o) = state.widths, state.peaks
     return {

@@ -1,4 +1,4 @@
-"""The angle of a wedged roller if the flats are slightly displaced."""
+"""Clamping angle of a wedged roller with slightly displaced flats."""
 
 import math
 from dataclasses import replace
@@ -13,7 +13,7 @@ NEAR, MOST = 2e-4, 6  # relative error of the torque, number of steps
 def angle_with_flats(
     q: Pitch, start: Start, flat: float, cells: int, *, T: float, L: float
 ) -> float:
-    """The clamping angle [rad] under a torque [N m] with the flats at `flat` [m].
+    """Clamping angle [rad] under the torque T [N m] with the flats at the distance `flat` [m].
 
     `start` is the position of the pitch `q` under this torque, with rollers of length `L` [m].
     """

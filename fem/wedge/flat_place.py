@@ -1,7 +1,7 @@
-"""Position of a roller between a flat and a round race, and the parts of one pitch.
+"""Position of a roller between a flat and a round race, and data of one pitch.
 
-The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft, for
-which the direction of rotation that wedges a roller is reversed.
+The cam is the part with the flats. `sense` is +1 for flats inside a ring and -1 for flats around a
+shaft, for which a roller is wedged by the opposite direction of rotation.
 """
 
 import math
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 class Names(NamedTuple):
-    """Names of the bodies, of the touched surfaces, and of the boundaries that hold them."""
+    """Names of bodies, of contact surfaces, and of boundaries with supports."""
 
     cam: str
     race: str
@@ -31,9 +31,11 @@ class Names(NamedTuple):
 
 @dataclass(frozen=True)
 class Pitch:
-    """z rollers of the radius `r` between flats at a distance `flat` and a race `race`, all SI.
+    """Data of z rollers of radius `r` between flats and a race, in SI units.
 
-    `mesh` makes a pitch at a position, for contacts of given half-widths and number of cells.
+    `flat` is the distance of the flats from the axis, `race` the radius of the race. `mesh`
+    generates the mesh of a pitch for a position of the roller, the half-widths of the contacts and
+    the number of cells.
     """
 
     sense: int
@@ -50,13 +52,13 @@ class Pitch:
 
     @property
     def rigid_angle(self) -> float:
-        """The angle psi [rad] without load."""
+        """Angle psi [rad] without load."""
         return math.acos((self.flat + self.sense * self.r) / (self.race - self.sense * self.r))
 
     def arc(self, psi: Array, to_race: Array) -> Array:
-        """Arc [m] of the roller's centre about the axis relative to the cam, from no load on.
+        """Arc [m] of the roller's centre about the axis, relative to the cam, from zero load.
 
-        `psi` [rad] is its angle, `to_race` [m] the approach of roller and race.
+        `psi` [rad] is the angle of the roller, `to_race` [m] the approach of roller and race.
         """
         rho = self.race - self.sense * self.r + self.sense * to_race
         return np.asarray(rho * (psi - self.rigid_angle) * self.sense)
@@ -64,7 +66,7 @@ class Pitch:
 
 @dataclass(frozen=True)
 class Place:
-    """Centre of the roller: `x`, `y` [m] along the flat and along its normal."""
+    """Centre of the roller: `x` [m] along the flat and `y` [m] along its normal."""
 
     q: Pitch
     x: float
@@ -72,7 +74,7 @@ class Place:
 
     @property
     def psi(self) -> float:
-        """Angle at the axis between the flat's normal and the roller's centre [rad]."""
+        """Angle at the axis between the normal of the flat and the centre of the roller [rad]."""
         return math.atan2(self.x, self.y)
 
     @property
@@ -99,7 +101,7 @@ class Place:
 
     @classmethod
     def overlapping(cls, q: Pitch, d_i: float, d_o: float) -> "Place":
-        """The place in which the contacts overlap by these."""
+        """Position in which the inner contact overlaps by `d_i` and the outer by `d_o` [m]."""
         to_flat, to_race = (d_i, d_o) if q.sense > 0 else (d_o, d_i)
         y = q.flat + q.sense * q.r - q.sense * to_flat
         return cls(q, math.sqrt((q.race - q.sense * q.r + q.sense * to_race) ** 2 - y**2), y)

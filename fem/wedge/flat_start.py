@@ -1,4 +1,4 @@
-"""Start values of a roller between flat and race, and the search for the state under a load."""
+"""Initial values for a roller between flat and race, and search for the state under a load."""
 
 import math
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Pair = tuple[float, float]
 
 @dataclass(frozen=True)
 class Start:
-    """Approximate state: overlaps of both contacts [m], half-widths [m] and drags [m]."""
+    """Approximate state: overlaps `d` [m], half-widths [m] and drags [m] of both contacts."""
 
     d: Pair
     widths: Pair
@@ -26,15 +26,16 @@ class Start:
 
     @classmethod
     def guessed(cls, q: Pitch, whole: float, *, inner: float, flatter: float) -> "Start":
-        """Start for an overlap of both contacts [m]; `inner` is the share of the inner contact.
+        """Approximate state for the total overlap `whole` [m] of both contacts.
 
-        `flatter` is the approximate r d/a² of the inner contact, 3 for a race inside.
+        `inner` is the share of the inner contact. `flatter` is the approximate r d/a² of the inner
+        contact: 3 for an inner race.
         """
         d = inner * whole, (1 - inner) * whole
         return cls(d, (math.sqrt(q.r * d[0] / flatter), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
 
     def scaled(self, share: float) -> "Start":
-        """Start for overlaps that are `share` of these."""
+        """Approximate state with overlaps multiplied by `share`."""
         root = math.sqrt(share)
         return Start(
             (share * self.d[0], share * self.d[1]),
@@ -43,14 +44,14 @@ class Start:
         )
 
     def state(self, q: Pitch, cells: int) -> State:
-        """The state that overlaps like this."""
+        """Equilibrium state with these overlaps."""
         place = Place.overlapping(q, *self.d)
         sector = Sector(place, self.widths, cells, mu=STICKS * math.tan(place.psi / 2))
         return sector.rest(self.drags)
 
 
 def after(state: State) -> Start:
-    """A start with the total overlap of `state`, divided between contacts as at its equilibrium."""
+    """Approximate state with the total overlap of `state`, divided as in its equilibrium."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
@@ -62,23 +63,24 @@ def overlap(q: Pitch, P: float) -> float:
 
 
 def rigid_force(q: Pitch, T: float) -> float:
-    """N_0 = T/(z R tan(alpha_0)) [N], the normal force of a rigid clutch."""
+    """Normal force of a rigid clutch N_0 = T/(z R tan(alpha_0)) [N]."""
     cos = (q.flat + q.sense * q.r) / (q.race - q.sense * q.r)
     return T / (q.z * q.race) * math.sqrt((1 + cos) / (1 - cos))
 
 
 def guessed_inside(q: Pitch, P: float) -> Start:
-    """With flats inside under a normal force P [N/m], about."""
+    """Approximate state of an inner cam under a normal force P [N/m]."""
     return Start.guessed(q, overlap(q, P), inner=SPLIT, flatter=2)
 
 
 def loaded(
     q: Pitch, now: Start, share: Callable[[State], float], *, power: float, near: float, what: str
 ) -> Start:
-    """State from `now`, by coarse meshes, at which `share` is within `near` of 1.
+    """Approximate state, on coarse meshes, at which `share` is within `near` of 1.
 
-    `share` is the target over the load of a state; overlaps grow with its `power`. NotFoundError if
-    the steps do not converge; the message contains `what`.
+    The search begins with `now`. `share` is the ratio of target to load of a state; overlaps are
+    proportional to its `power`. Raises NotFoundError if the steps do not converge; the message
+    contains `what`.
     """
     for _ in range(MOST):
         state = now.state(q, COARSE)
@@ -86,4 +88,4 @@ def loaded(
         now = after(state).scaled(by**power)
         if abs(by - 1) < near:
             return now
-    raise NotFoundError(f"{what} is not reached: difference {by - 1:.1%}")
+    raise NotFoundError(f"{what} was not reached: difference {by - 1:.1%}")

@@ -1,4 +1,4 @@
-"""States of flats around a shaft: the angle decreases under load, and the torque has a maximum."""
+"""Flats around a shaft: the angle decreases under load, and the torque has a maximum."""
 
 import math
 from functools import cached_property
@@ -15,13 +15,16 @@ Array = NDArray[np.float64]
 
 
 class SummitCourse(FlatCourse):
-    """States over the normal force, which continues to grow after the maximum of the torque."""
+    """States by the normal force, which continues to increase after the maximum of the torque."""
 
     along: ClassVar[str] = "N"
 
     @cached_property
     def _square(self) -> CubicSpline:
-        """(T/N)² over the root of N: it falls nearly as the approaches grow, without a bend."""
+        """Spline of (T/N)² over the square root of N.
+
+        It decreases nearly in proportion to the approaches, with little curvature.
+        """
         N = self.at_states["N"]
         return CubicSpline(np.sqrt(N), (self.at_states["T"] / N) ** 2)
 
@@ -30,18 +33,24 @@ class SummitCourse(FlatCourse):
         return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """As for flats inside; if T has two values, that before its maximum."""
+        """Value of a quantity, as for inner flats.
+
+        If T occurs twice, the state before its maximum is used.
+        """
         if (by or self.by) == "T":
             return self.at(name, math.exp(self._force(value)), "N")
         return math.exp(self._T(math.log(value))) if name == "T" else super().at(name, value, by)
 
     @property
     def summit(self) -> tuple[float, float]:
-        """Normal force [N] and torque [N m] at the maximum; ArithmeticError without maximum."""
+        """Normal force [N] and torque [N m] at the maximum of the torque.
+
+        Raises ArithmeticError if the states have no maximum.
+        """
         N = self.at_states["N"]
         top = int(np.argmax(self.at_states["T"]))
         if top in (0, N.size - 1):
-            raise ArithmeticError("the torque has no summit among the states")
+            raise ArithmeticError("the torque has no maximum among the states")
         ends = np.log(N[[top - 1, top + 1]])
         found = minimize_scalar(
             lambda t: -float(self._T(t)),
@@ -58,9 +67,11 @@ class SummitCourse(FlatCourse):
         return np.array([self._force(float(t)) for t in T])
 
     def _force(self, T: float) -> float:
-        """Logarithm of the normal force under a torque [N m] before the summit."""
+        """Logarithm of the normal force at the torque T [N m] before the maximum."""
         N, top = np.log(self.at_states["N"]), int(np.argmax(self.at_states["T"]))
         low, high = self.at_states["T"][[0, top]]
         if not low <= T <= high:
-            raise ArithmeticError(f"T = {T:.4g} lies beyond the states from {low:.4g} on")
+            raise ArithmeticError(
+                f"T = {T:.4g} is outside the range of the states, which begins at {low:.4g}"
+            )
         return float(brentq(lambda t: float(self._T(t)) - math.log(T), N[0], N[top], xtol=1e-13))

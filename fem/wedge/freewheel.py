@@ -1,4 +1,4 @@
-"""A roller freewheel under torque and axial load by finite elements, in one call."""
+"""Roller freewheel under torque and axial load, solved with finite elements."""
 
 import math
 from collections.abc import Callable
@@ -21,13 +21,13 @@ STAR = Names("star", "ring", "star.flat", "ring.bore", "star.bore", "ring.rim")
 
 @dataclass(frozen=True)
 class FreewheelState:
-    """A freewheel with flats inside in equilibrium; pairs are values at star and ring.
+    """Equilibrium of a freewheel with flats inside; pairs are values at star and ring.
 
-    `torque` [N m] and `axial_load` [N] of the clutch, from the solution; the clamping angle `alpha`
-    [rad], half of the angle between flat and ring. For one roller: the normal forces `N` [N],
-    `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa], `required_friction` [1]
-    (the resultant of friction over N), and whether a contact `slides`. `solution` contains the
-    fields of one pitch, in a plane of unit length.
+    `torque` [N m] and `axial_load` [N] of the clutch are calculated from the solution. `alpha`
+    [rad] is the clamping angle, half of the angle between flat and ring. Values for one roller:
+    normal forces `N` [N], `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa],
+    `required_friction` [1] (resultant friction over N). `slides` is True if a contact slides.
+    `solution` contains displacements and stresses of one pitch per unit length.
     """
 
     torque: float
@@ -46,16 +46,18 @@ def solve_freewheel(
     mesh: "Callable[..., Mesh2D]", *, R: float, X: float, r: float, z: int, L: float, r_b: float,
     R_a: float, E: float, nu: float, mu: float, T: float, F_ax: float = 0.0, cells: int = 8,
 ) -> FreewheelState:  # fmt: skip
-    """One pitch of a freewheel with flats inside under the torque T [N m], then F_ax [N].
+    """State of a freewheel with flats inside under the torque T [N m], then F_ax [N].
 
-    `mesh` generates it: `meshes.freewheel.inner_cam_sector`, or a function with the same arguments.
-    Bore of the ring R, distance of the flats X, `z` rollers of radius r and length L, bore of the
-    star r_b, outside of the ring R_a [m]; E [Pa], nu, friction coefficient `mu` of all contacts;
-    `cells` on half of each fine zone. Plane strain, small displacements. Both loads are met within
-    1e-3.
+    `mesh` generates one pitch: `meshes.freewheel.inner_cam_sector`, or a function with the same
+    arguments. Dimensions [m]: radius R of the ring bore, distance X of the flats, `z` rollers of
+    radius r and length L, bore radius r_b of the star, outer radius R_a of the ring. Material: E
+    [Pa], nu, friction coefficient `mu` of all contacts. `cells` is the number of cells on half of
+    each fine zone. The model assumes plane strain and small displacements. Both loads are accurate
+    to 1e-3.
 
-    ValueError unless mu exceeds tan(alpha) without load and loads are positive (F_ax may be 0);
-    ArithmeticError if no equilibrium is found, for example if the axial load makes the clutch slip.
+    Raises ValueError unless mu exceeds tan(alpha) without load and the loads are positive (F_ax may
+    be 0). Raises ArithmeticError if no equilibrium is found, for example if the clutch slips
+    axially.
 
     >>> from meshes.freewheel import inner_cam_sector
     >>> clutch = {"R": 21e-3, "X": 14.9e-3, "r": 3e-3, "z": 10, "L": 12e-3, "r_b": 8e-3}
@@ -66,7 +68,7 @@ def solve_freewheel(
     3.02 deg, at 20 N m 3.19
     """
     if not (0 < T < math.inf and 0 <= F_ax < math.inf):
-        raise ValueError(f"needs T > 0 N m and F_ax >= 0 N, got {T:g} N m and {F_ax:g} N")
+        raise ValueError(f"loads must be T > 0 N m and F_ax >= 0 N, got {T:g} N m and {F_ax:g} N")
 
     def drawn(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
         zones: Any = ZONE * widths[0], ZONE * widths[1]
@@ -79,7 +81,7 @@ def solve_freewheel(
               mesh=drawn)  # fmt: skip
     steepest = math.tan(q.rigid_angle / 2)
     if not mu > steepest:
-        raise ValueError(f"mu is above tan(alpha) = {steepest:.4g} of the clutch, got {mu:g}")
+        raise ValueError(f"mu must be above tan(alpha) = {steepest:.4g} of the clutch, got {mu:g}")
     one = Pulled(q, L, T, F_ax, mu)
     start = at_torque(one, cells)
     there = sector(q, start, cells, mu, driven=False)

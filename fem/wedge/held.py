@@ -1,6 +1,6 @@
 """Wedged rollers under constant torque and successive axial loads, with the history of friction.
 
-The roller remains in place: if it creeps out by friction, the ring continues to rotate.
+The roller remains in its position: if it creeps because of friction, the ring continues to rotate.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ CORRECTIONS = 2  # of a place under another torque
 
 @dataclass(frozen=True)
 class Held:
-    """The clutch under its torque and axial forces; the unit of F_z is the friction left by F_t."""
+    """Clutch under its torque and axial forces; the unit of F_z is the friction left by F_t."""
 
     one: Pulled
     there: Sector
@@ -34,11 +34,14 @@ class Held:
 
     @property
     def unit(self) -> float:
-        """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
+        """Force F_z [N/m] that gives, together with F_t, the resultant mu N on the mesh."""
         return axial_unit(self.one, self.rest)
 
     def to(self, share: float, state: State) -> State:
-        """State under an axial load, starting from `state`; NotFoundError without equilibrium."""
+        """State under the axial load `share` x `unit`, continuing from `state`.
+
+        Raises NotFoundError without equilibrium.
+        """
         return creeping(self.there, state, axial_forces=self._rim(share * self.unit))
 
     def at_once(self, force: float) -> State:
@@ -46,7 +49,7 @@ class Held:
         return self.there.at(self.rest.drags, axial_forces=self._rim(force))
 
     def follow(self, shares: Sequence[float]) -> list[State]:
-        """The states under successive axial loads, starting at rest."""
+        """States under the successive axial loads `shares` x `unit`, beginning at rest."""
         states, state = [], self.rest
         for share in shares:
             state = self.to(share, state)
@@ -62,10 +65,10 @@ class Held:
         return np.diff(drags)
 
     def rows(self, shares: Sequence[float], states: Sequence[State]) -> Array:
-        """Share of the axial load and contact loads of each state (m, 9).
+        """Axial load and contact loads of each state (m, 9).
 
-        F_t/N and F_z/N of cam and ring, N and T relative to those at rest, the share of N at
-        slipping nodes, and the largest u_z [m].
+        The columns are the share of the axial load, F_t/N and F_z/N of cam and ring, N and T
+        relative to the values at rest, the share of N at slipping nodes, and the largest u_z [m].
         """
         N, found = Borne.by(self.rest).N.mean(), []
         for share, state in zip(shares, states, strict=True):
@@ -82,7 +85,7 @@ class Held:
 
 
 def under_torque(there: Pulled, near: Start, T: float, cells: int) -> Start:
-    """Position of the clutch under the torque of `there`, starting from that under `T` [N m]."""
+    """Position of the clutch under the torque of `there`, from the position under `T` [N m]."""
     if there.T == T:
         return near
     now = near.scaled((there.T / T) ** HARDER)

@@ -1,4 +1,4 @@
-"""One pitch of two races with a body between them, as a problem of contact in plane strain."""
+"""One pitch of two races with a body between them, as a contact problem in plane strain."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -18,10 +18,11 @@ def pitch_problem(
     races: tuple[str, str], turned: Sequence[str], supports: "Mapping[str, Support] | None" = None,
     along: "Along | None" = None,
 ) -> "ContactProblem":  # fmt: skip
-    """One of `z` equal pitches, whose `races` are cut at the boundaries "left" and "right".
+    """Contact problem of one of `z` equal pitches.
 
-    For the boundaries `turned`, the mean rotation is prescribed; other motions are free, so that
-    races can expand like rings. E [Pa] and nu apply to all bodies.
+    The `races` are cut at the boundaries "left" and "right". The mean rotation of the boundaries
+    `turned` is prescribed. Other motions are free, so that races can expand like rings. E [Pa] and
+    nu apply to all bodies.
     """
     # imported on use: reading a case loads no solver
     from fem.contact.problem import ContactProblem

@@ -1,4 +1,4 @@
-"""Rollers between flats and a ring under torque, pulled along the axis: their contact forces."""
+"""Rollers between flats and a ring under torque and axial load: their contact forces."""
 
 import math
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ PROBE = 0.3  # mu P'/G, the first step of the ring along z; it would be the defl
 
 @dataclass(frozen=True)
 class Pulled:
-    """A pitch of rollers of length `L`; torque, axial load of the whole clutch, common friction."""
+    """Pitch of rollers of length `L`, with torque and axial load of the clutch, and friction."""
 
     q: Pitch
     L: float
@@ -38,7 +38,7 @@ class Pulled:
 
     @property
     def lever(self) -> float:
-        """F_ax R/T."""
+        """Ratio F_ax R/T of axial load to torque."""
         return self.F_ax * self.q.race / self.T
 
 
@@ -61,7 +61,7 @@ class Borne:
 
     @classmethod
     def on_mesh(cls, state: State) -> Self:
-        """Forces by the normals of the mesh, for which Coulomb's law and moment balances hold."""
+        """Forces along the normals of the mesh, for which Coulomb's law and balances hold."""
         cam, ring = state.solution.touches
         return cls(
             N=np.array([cam.normal_force, ring.normal_force]),
@@ -71,20 +71,20 @@ class Borne:
 
     @property
     def tangent(self) -> float:
-        """F_t/N at the mean angle of both contacts, inclined to both sides of the bisector."""
+        """Ratio F_t/N at the mean angle of both contacts, on both sides of the bisector."""
         return math.tan(float(np.arctan(self.F_t / self.N).mean()))
 
     @property
     def required(self) -> Array:
-        """Resultant of the friction over N (2,)."""
+        """Resultant friction divided by N (2,)."""
         return np.asarray(np.hypot(self.F_t, self.F_z) / self.N)
 
 
 def lever_left(mu: float, place: Place) -> float:
-    """F_z/F_t that friction permits along the axis, at the angle of a position.
+    """Ratio F_z/F_t that friction permits along the axis, at the angle of a position.
 
-    The friction cone of the solver is about the normals of the mesh, at the angle of the initial
-    position. The torque belongs to the angle at rest, with the cam in its rotated position.
+    The friction cone of the solver refers to the normals of the mesh, at the angle of the initial
+    position. The torque belongs to the angle in equilibrium, with the cam in its rotated position.
     """
     return math.sqrt((mu / math.tan(place.psi / 2)) ** 2 - 1)
 
@@ -95,7 +95,7 @@ def slipping(state: State) -> Array:
 
 
 def held_along(q: Pitch, *, driven: bool) -> "Along":
-    """The cam is clamped along z, too, the ring's rim loaded or driven, rollers are free."""
+    """Supports along z: the cam is clamped, the ring's rim loaded or driven, rollers are free."""
     from fem.contact.along import Along
 
     rim = {q.names.race_held: 0.0} if driven else {}
@@ -103,19 +103,19 @@ def held_along(q: Pitch, *, driven: bool) -> "Along":
 
 
 def sector(q: Pitch, start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
-    """The pitch at a start with friction `mu`, its rim driven along z or free to be loaded."""
+    """Pitch at an initial position with friction `mu`; its rim is driven along z or loaded."""
     place = Place.overlapping(q, *start.d)
     return Sector(place, start.widths, cells, mu=mu, along=held_along(q, driven=driven))
 
 
 def ample(one: Pulled, place: Place) -> float:
-    """Friction well above that required by torque and axial load."""
+    """Friction coefficient well above the value that torque and axial load require."""
     return AMPLE * math.tan(place.psi / 2) * math.hypot(1.0, one.F_ax * one.q.race / one.T)
 
 
 @lru_cache(maxsize=8)
 def wedged(q: Pitch, L: float, T: float) -> Start:
-    """Approximate state of the clutch under its torque [N m], by coarse meshes."""
+    """Approximate state of the clutch under its torque [N m], on coarse meshes."""
     return loaded(
         q, guessed_inside(q, rigid_force(q, T) / L), lambda state: T / (state.torque * L),
         power=HARDER, near=NEAR, what="the torque",
@@ -131,13 +131,16 @@ def at_torque(one: Pulled, cells: int) -> Start:
 
 
 def pulled(one: Pulled, there: Sector, rest: State) -> State:
-    """The clutch at rest, then loaded on the ring's rim by F_ax/T of the torque that it has."""
+    """State of the clutch at rest, then loaded axially at the rim of the ring.
+
+    The axial load is F_ax/T times the torque of the solution.
+    """
     force = {one.q.names.race_held: one.F_ax / one.T * rest.torque / one.q.z}
     return there.at(rest.drags, axial_forces=force, after=rest.solution)
 
 
 def yielding(one: Pulled, there: Sector, stuck: State) -> float:
-    """Movement [m] of the ring along z up to the limit without slip."""
+    """Displacement [m] of the ring along z up to the friction limit, calculated without slip."""
     q, borne = one.q, Borne.on_mesh(stuck)
     N = borne.N.mean()
     u = PROBE * one.mu * N * 2 * (1 + q.nu) / q.E
@@ -148,10 +151,10 @@ def yielding(one: Pulled, there: Sector, stuck: State) -> float:
 
 
 def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
-    """State from `state` on with the roller in its place: the ring compensates its creep.
+    """State after `state` with the roller in its position: the ring compensates creep.
 
-    The ring continues to rotate, and N is constant. It rotates by `ahead` [m] at the start if this
-    rotation is known: then nodes that slip also slip in the last solution. NotFoundError if the
+    The ring continues to rotate, and N is constant. If its rotation is known, it is first rotated
+    by `ahead` [m]; then nodes that slip also slip in the last solution. Raises NotFoundError if the
     roller does not come to rest, or if a solution finds no equilibrium.
     """
     size = state.start.d_i + state.start.d_o

@@ -1,9 +1,9 @@
-"""One pitch of two round races with a strut wedged between them, at a rotation of the strut.
+"""One pitch of two round races with a strut wedged between them, at a given rotation of the strut.
 
 The strut touches the inner race with a spiral and the outer race with an arc; only these contacts
-support it. The races can expand like rings: only the mean rotations of the bore of the inner race
-and of the rim of the outer race are prescribed. All bodies are drawn in the compressed state, and
-the resulting overlaps are subtracted from the gaps.
+hold it. The races can expand like rings: only the mean rotations of the bore of the inner race and
+of the rim of the outer race are prescribed. All bodies are meshed in the compressed state, and the
+resulting overlaps are subtracted from the gaps.
 """
 
 import math
@@ -36,7 +36,7 @@ P = TypeVar("P", bound=Place)
 
 @dataclass(frozen=True)
 class Struts:
-    """z struts of width `b` [m] and their races, all of one material with E [Pa]."""
+    """Set of z struts of width `b` [m] and their races, all of one material with E [Pa]."""
 
     z: int
     b: float
@@ -45,7 +45,7 @@ class Struts:
 
 
 class Sector(Generic[P]):
-    """One pitch with the strut at a place, meshed for contacts of these half-widths [m]."""
+    """One pitch with the strut at `place`, meshed for the half-widths `widths` [m]."""
 
     def __init__(
         self, q: Struts, place: P, widths: tuple[float, float], cells: int, *, mu: float
@@ -58,10 +58,10 @@ class Sector(Generic[P]):
         )  # fmt: skip
 
     def rest(self, drags: Drags = (0.0, 0.0)) -> "State[P]":
-        """The state in which the strut neither leaves its azimuth nor rotates.
+        """Equilibrium state in which the strut neither leaves its azimuth nor rotates.
 
-        `drags` [m], the anticlockwise displacements of inner and outer race at the contacts, are
-        corrected until this is met.
+        `drags` [m] are the anticlockwise displacements of inner and outer race at the contacts;
+        they are corrected until the strut is at rest.
         """
         return at_rest(self.at, drags, State.unrest, body=BODY, most=MOST)
 
@@ -78,7 +78,7 @@ class Sector(Generic[P]):
 
 @dataclass(frozen=True)
 class State(Touching, Generic[P]):
-    """A pitch in equilibrium; forces of one strut per length [N/m], torque of all [N].
+    """Equilibrium of a pitch; forces of one strut per length [N/m], torque of all struts [N].
 
     Pairs are values of the inner and the outer contact.
     """
@@ -93,7 +93,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def motion(self) -> tuple[float, float, float]:
-        """Motion [m] of the strut along +x and outwards at its pole; its rotation [rad].
+        """Displacements [m] of the strut at its pole, along +x and outwards; its rotation [rad].
 
         The rotation is positive anticlockwise.
         """
@@ -103,7 +103,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """Movement of the strut at its contacts, and drags with which the races follow it."""
+        """Displacement of the strut at its contacts, and drags for which the races follow it."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above
@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Place of the strut, and the share of the races in its overlaps."""
+        """Position of the strut, with the share of the races in its overlaps."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )
@@ -120,23 +120,23 @@ class State(Touching, Generic[P]):
 
     @property
     def torque(self) -> float:
-        """Driving torque of the inner race's bore [N]."""
+        """Driving torque at the bore of the inner race, per length [N]."""
         return self.sector.q.z * self.solution.plane.mean_reaction(HELD[0])["r"]
 
     @property
     def held(self) -> float:
-        """Reaction of the outer race's rim [N]."""
+        """Reaction torque at the rim of the outer race, per length [N]."""
         return -self.sector.q.z * self.solution.plane.mean_reaction(HELD[1])["r"]
 
     @cached_property
     def T(self) -> tuple[float, float]:
-        """Tangential forces, relative to the axis."""
+        """Tangential forces of both contacts, in the circumferential direction."""
         inner, outer = self.solution.touches
         return -inner.moment() / self.start.OA, outer.moment() / self.start.OB
 
     @cached_property
     def N(self) -> tuple[float, float]:
-        """Normal forces, relative to the axis."""
+        """Normal forces of both contacts, in the radial direction."""
         inner, outer = (
             math.sqrt(math.hypot(*touch.force) ** 2 - T**2)
             for touch, T in zip(self.solution.touches, self.T, strict=True)
@@ -145,25 +145,25 @@ class State(Touching, Generic[P]):
 
     @property
     def angles(self) -> tuple[float, float]:
-        """atan(T/N) [rad]: nu and omega, by the forces."""
+        """Angles atan(T/N) [rad], nu and omega, calculated from the forces."""
         inner, outer = (math.atan2(T, N) for T, N in zip(self.T, self.N, strict=True))
         return inner, outer
 
     @property
     def race_mean(self) -> tuple[float, float]:
-        """Mean radial displacements [m] of the races' contact surfaces, positive outwards."""
+        """Mean radial displacements [m] of the contact surfaces of the races, positive outwards."""
         inner, outer = (self.solution.plane.mean_displacement(name, _outwards) for name in RACES)
         return inner, outer
 
     @property
     def race_at_contact(self) -> tuple[float, float]:
-        """Radial displacements [m] outwards of the races under the centre of pressure."""
+        """Radial displacements [m] of the races at the centres of pressure, positive outwards."""
         inner, outer = (self._race_at(i) for i in (0, 1))
         return inner, outer
 
     @property
     def acts_at(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Radius [m] and azimuth, clockwise from the pole's [rad], of the centres of pressure."""
+        """Radius [m] and azimuth [rad] of the centres of pressure, clockwise from the pole."""
         inner, outer = (_centre(touch) for touch in self.solution.touches)
         return inner, outer
 
@@ -187,7 +187,7 @@ def _outwards(x: Array) -> Array:
 
 
 def _shares(touch: "Touch") -> Array:
-    """Parts (n,) of the normal force at the integration points."""
+    """Shares (n,) of the normal force at the integration points."""
     load = touch.p * touch.weight
     return np.asarray(load / load.sum())
 
@@ -199,7 +199,7 @@ def _centre(touch: "Touch") -> tuple[float, float]:
 
 
 def race_pairs(place: Place, mu: float) -> "list[Pair]":
-    """The contacts with the inner and the outer race."""
+    """Contact pairs with the inner and the outer race."""
     from fem.contact.pairs import Pair
     from fem.contact.shapes import Circle, Spiral
 

@@ -9,9 +9,10 @@ if TYPE_CHECKING:
 class Place(Protocol):
     """Position of the strut, with its pole at the distance `D` [m] from the axis, and its outline.
 
-    `overlaps` of both contacts without loads; `bends` is the share of them that is drawn, H their
-    sum; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
-    direction and growth; `arc` has centre and radius; motion is evaluated at `core`.
+    `overlaps` are those of both contacts without loads; `bends` is the share of the overlaps that
+    is included in the mesh, H the sum of the overlaps. `OA` and `OB` are the radii at which forces
+    act. `spiral` contains pole, first radius, its direction and growth; `arc` contains centre and
+    radius. Motion is evaluated at `core`.
     """
 
     @property

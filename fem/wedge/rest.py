@@ -1,7 +1,9 @@
-"""A wedged body at rest: surrounding surfaces are rotated until it remains at its mesh position.
+"""Equilibrium of a wedged body in its mesh position.
 
-For small displacements, forces act at the positions of the mesh. If a body moved or rotated there
-until friction stopped it, its forces would act beside its contacts.
+Adjacent surfaces are rotated until the body is at rest in this position.
+
+For small displacements, forces act at the positions of the mesh. If a body moved or rotated from
+there until friction stopped it, its forces would act beside its contacts.
 """
 
 from collections.abc import Callable
@@ -23,7 +25,7 @@ CORE = 0.05  # relative to a body's size: where its motion is read
 
 
 class Solved(Protocol):
-    """A state of bodies in contact."""
+    """State of bodies in contact."""
 
     @property
     def solution(self) -> "ContactSolution": ...
@@ -33,7 +35,7 @@ S = TypeVar("S", bound=Solved)
 
 
 class Touching:
-    """A state of a body with an inner and an outer contact, as its `solution` has them."""
+    """State of a body with an inner and an outer contact, evaluated from its `solution`."""
 
     solution: "ContactSolution"
 
@@ -45,13 +47,13 @@ class Touching:
 
     @property
     def peaks(self) -> tuple[float, float]:
-        """Largest pressures [Pa]."""
+        """Largest pressures [Pa] of both contacts."""
         inner, outer = self.solution.touches
         return inner.peak, outer.peak
 
 
 class Unrest(NamedTuple):
-    """Movement [m] of a body, overlaps of the `size` [m], and drags that compensate it."""
+    """Displacement `moves` [m] of a body, total overlap `size` [m], and compensating drags."""
 
     moves: float
     size: float
@@ -62,10 +64,10 @@ def at_rest(
     at: Callable[[Drags], S], drags: Drags, unrest: Callable[[S], Unrest], *, body: str,
     most: int, still: float | None = None,
 ) -> S:  # fmt: skip
-    """State of rest of the `body`: the first of `most` with a motion below `still` of its size.
+    """Equilibrium state of the `body`: the first with a motion below `still` of its size.
 
     `at` solves with surfaces displaced by `drags`; each correction compensates the motion of the
-    body. NotFoundError if it does not come to rest.
+    body. Raises NotFoundError if the body does not come to rest in `most` steps.
     """
     limit = STILL if still is None else still
     for _ in range(most):
@@ -83,9 +85,10 @@ def at_rest(
 def core_motion(
     solution: "ContactSolution", centre: tuple[float, float], size: float
 ) -> tuple[Array, float]:
-    """Motion of a body of this `size` [m] about `centre`: displacements (2, 4) [m], rotation [rad].
+    """Displacements (2, 4) [m] and rotation [rad] of a body of this `size` [m] about `centre`.
 
-    They are those of points to the right, left, above and below; rotation is anticlockwise.
+    The displacements are those of points to the right, left, above and below. The rotation is
+    positive anticlockwise.
     """
     near = CORE * size
     points = np.array([[centre[0]], [centre[1]]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])

@@ -1,4 +1,4 @@
-"""Wedged rollers whose ring is driven along the axis to slip and beyond."""
+"""Wedged rollers whose ring is driven along the axis up to slip and beyond."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
-    """The clutch with ample friction: at rest under torque, and with the axial load as well."""
+    """States of the clutch with ample friction: under torque, and also under axial load."""
     mu = ample(one, Place.overlapping(one.q, *start.d))
     there = sector(one.q, start, cells, mu, driven=False)
     rest = there.rest(start.drags)
@@ -22,11 +22,11 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
 
 
 def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """Path of the ring, driven to `displacements` [m] along z at constant N, until it creeps.
+    """Path of the ring, displaced to `displacements` [m] along z at constant N, until it creeps.
 
     The columns (m, 8) are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N
-    and F_z/N of both contacts by the normals of the mesh, N of the ring and T relative to those at
-    rest.
+    and F_z/N of both contacts at the normals of the mesh, and N of the ring and T relative to the
+    values at rest.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:

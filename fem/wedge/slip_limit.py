@@ -1,4 +1,4 @@
-"""Limit of friction of a roller: over friction, over wedge angles, with axial load."""
+"""Friction limit of a roller: by friction coefficient, by wedge angle, and with axial load."""
 
 import math
 from collections.abc import Callable
@@ -27,9 +27,9 @@ DRIVEN = (1.5, 3.0)  # displacement of the ring along z for full slip, over the 
 
 
 class Limit:
-    """The clutch in its place under its torque, with other friction.
+    """Friction limit of the clutch at its position under torque, for various friction coefficients.
 
-    Slip is by Coulomb's law on the normals of the mesh: `tan` is of the mesh's angle.
+    Slip follows Coulomb's law at the normals of the mesh: `tan` is the tangent of the mesh angle.
     """
 
     def __init__(self, one: Pulled, start: Start, drags: tuple[float, float]) -> None:
@@ -42,19 +42,19 @@ class Limit:
         return slipping(self._under_torque(mu))
 
     def sticks(self, mu: float) -> bool:
-        """Whether loaded nodes of at least one contact stick: friction holds the roller."""
+        """True if loaded nodes of at least one contact stick, so that friction holds the roller."""
         return bool(self.slipping(mu).min() < 1 - STICKING_TOLERANCE)
 
     def _under_torque(self, mu: float) -> State:
         return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
 
     def shares(self) -> Array:
-        """mu/tan(alpha) and the slipping shares of N, (3, m)."""
+        """Ratios mu/tan(alpha) and the slipping shares of N (3, m)."""
         found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
         return np.array(found).T
 
     def of_torque(self) -> Array:
-        """Friction over tan(psi/2) (2,) for complete slip of both contacts: value, half-width."""
+        """Friction over tan(psi/2) (2,) at complete slip of both contacts: value, half-width."""
         steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
@@ -71,18 +71,19 @@ class Limit:
         return np.array([found, doubt + abs(found - second)])
 
     def _corrected(self, k: float) -> tuple[float, float]:
-        """Friction over Eq. 8 at which the load is the limit, from slip with `k`; uncertainty.
+        """Friction over Eq. 8 at which the load is the limit, and its uncertainty.
 
-        If all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
+        It is corrected from slip with the friction k. If all nodes slip, mu is F_t/N times sqrt(1 +
+        (F_ax R/T)²), and F_t/N hardly changes.
         """
         lever, doubt = self._lever(k * self.full)
         found = k * math.hypot(1.0, self.asked) / math.hypot(1.0, lever)
         return found, found * doubt * lever / (1 + lever**2)
 
     def bears(self, mu: float) -> bool:
-        """Whether friction `mu` holds the clutch under its torque and its axial load.
+        """True if friction `mu` holds the clutch under its torque and its axial load.
 
-        NotFoundError if the axial load is within the uncertainty of the limit.
+        Raises NotFoundError if the axial load is within the uncertainty of the limit.
         """
         if not self.sticks(mu):  # under the torque alone
             return False
@@ -90,22 +91,22 @@ class Limit:
         if abs(lever - self.asked) <= doubt:
             raise NotFoundError(
                 f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
-                "it is not decided whether the clutch holds"
+                "whether the clutch holds cannot be decided"
             )
         return lever > self.asked
 
     @property
     def asked(self) -> float:
-        """F_ax R/T."""
+        """Ratio F_ax R/T of axial load to torque."""
         return self.one.lever
 
     @property
     def full(self) -> float:
-        """Friction of Eq. 8 at the bisector's angle."""
+        """Friction of Eq. 8 at the angle of the bisector."""
         return math.hypot(1.0, self.asked) * self.tan
 
     def _lever(self, mu: float) -> tuple[float, float]:
-        """F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""
+        """Ratio F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""
         start = replace(self.start, drags=self.drags)
         drive = Drive.at(replace(self.one, mu=mu), start, COARSE)
         return drive.lever(Driven(drive.rest, 0.0))
@@ -124,13 +125,14 @@ def over_angles(
     one: Pulled, start: Start, stuck: State, *, N: float, unit: float,
     built: Callable[[float], Pitch],
 ) -> Array:  # fmt: skip
-    """Clutches that differ in X only, at equal overlap; one row (m, 7) for each possible clutch.
+    """Friction limits of clutches that differ in X only, at equal overlap.
 
-    `built` generates the pitch with flats at X [m]; ValueError if there is none. Rows contain
-    tan(alpha)/mu, the remaining part of `N` [N/m], F_t/(mu N) (0 if there is none), and F_t/(mu N)
-    and F_z/(mu N) of cam and ring after the ring was driven along z until all contacts slip. At its
-    angle, the clutch `stuck` deflects by `unit` [m] along z before it slips. Angles and forces
-    refer to the meshes, because slip depends on their normals.
+    The result has one row (m, 7) per clutch. `built` generates the pitch with flats at X [m]; it
+    raises ValueError if such a pitch is impossible, and the row is omitted. Rows contain
+    tan(alpha)/mu, the remaining share of `N` [N/m], F_t/(mu N) (0 if the roller is released), and
+    F_t/(mu N) and F_z/(mu N) of cam and ring after the ring was driven along z until all contacts
+    slip. At its angle, the clutch `stuck` deflects by `unit` [m] along z before it slips. Angles
+    and forces refer to the normals of the mesh, because slip depends on them.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu

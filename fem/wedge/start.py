@@ -1,7 +1,7 @@
-"""Position of a strut between its races from coarse meshes, as a start for the fine mesh.
+"""Position of a strut between its races from coarse meshes, as initial position for the fine mesh.
 
-Coarse meshes give the position of the strut and the widths of its contacts; states on finer meshes
-start there, all at the same rotation.
+Coarse meshes give the position of the strut and the widths of its contacts. States on finer meshes
+begin with these values, all at the same rotation of the strut.
 """
 
 import math
@@ -20,7 +20,7 @@ STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
 
 class TurnedPlace(Place, Protocol):
-    """A position with its rotation [rad], the angles of the strut [rad], and further positions."""
+    """Position at a given rotation [rad], with the angles of the strut [rad]."""
 
     @property
     def alpha(self) -> float: ...
@@ -34,7 +34,7 @@ P = TypeVar("P", bound=TurnedPlace)
 
 @dataclass(frozen=True)
 class Start(Generic[P]):
-    """Approximate state of struts: place, half-widths [m] and drags [m]."""
+    """Approximate state of struts: position, half-widths [m] and drags [m]."""
 
     struts: Struts
     place: P
@@ -43,11 +43,11 @@ class Start(Generic[P]):
 
     @classmethod
     def after(cls, state: State[P]) -> "Start[P]":
-        """Where `state` came to rest."""
+        """Approximate state from the equilibrium of `state`."""
         return cls(state.sector.q, state.place, state.widths, state.drags)
 
     def turned(self, alpha: float) -> "Start[P]":
-        """Approximate position at another rotation [rad]; lengths are scaled with deflections."""
+        """Approximate state at another rotation [rad]; lengths are scaled with the deflections."""
         place, share = self.place.turned(alpha)
         root = math.sqrt(share)
         return replace(
@@ -56,13 +56,16 @@ class Start(Generic[P]):
         )  # fmt: skip
 
     def state(self, cells: int, mu: float | None = None) -> State[P]:
-        """The state at rest; by default the strut sticks by friction."""
+        """Equilibrium state; by default, friction is sufficient for sticking."""
         if mu is None:
             mu = STICKS * math.tan(self.place.strut[0])
         return Sector(self.struts, self.place, self.widths, cells, mu=mu).rest(self.drags)
 
     def settled(self) -> tuple["Start[P]", State[P]]:
-        """Strut in equilibrium, and the last coarse state; NotFoundError without equilibrium."""
+        """Approximate state with the strut in equilibrium, and the last coarse state.
+
+        Raises NotFoundError without equilibrium.
+        """
         start = self
         for _ in range(MOST):
             state = start.state(COARSE)
@@ -71,4 +74,6 @@ class Start(Generic[P]):
             moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
             if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
-        raise NotFoundError(f"the sprag at {self.place.alpha:.4g} rad has no position")
+        raise NotFoundError(
+            f"no equilibrium position of the sprag was found at {self.place.alpha:.4g} rad"
+        )

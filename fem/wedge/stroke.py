@@ -1,4 +1,4 @@
-"""States of a strut through its stroke, interpolation between them, and widths of its contacts."""
+"""States of a strut through its stroke, with interpolation, and half-widths of its contacts."""
 
 import math
 from typing import TYPE_CHECKING
@@ -15,20 +15,21 @@ Array = NDArray[np.float64]
 
 
 class Stroke(Course):
-    """States of z struts with total torque T [N m]; N [N] and total deflection H [m] of one strut.
+    """States of z struts by normal force N [N] and total deflection H [m] of one strut.
 
-    `U` [J] is the energy of one pitch; splines over ln N interpolate between the states.
+    T [N m] is the total torque, `U` [J] the energy of one pitch. Splines over ln N interpolate
+    between the states.
     """
 
     z: int
 
     def turn_by_energy(self, T: Array) -> Array:
-        """Relative rotation of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
+        """Wind-up of the races [rad] at the torques T [N m]: the integral of n_s dU/T."""
         U, z = self.logarithm("U", "T"), self.z
         return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 
     def work(self, N: Array) -> Array:
-        """Work [J] of one strut up to normal forces N [N]: the integral of N dH."""
+        """Work [J] of one strut up to the normal forces N [N]: the integral of N dH."""
         H = self.logarithm("H", "N")
         return self.integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", np.log(N))
 
@@ -36,7 +37,8 @@ class Stroke(Course):
 def half_width(touch: "Touch") -> float:
     """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
 
-    That of the squares is twice as sensitive to the position of the contact edge in a cell.
+    The half-width from squared distances is twice as sensitive to the position of the contact edge
+    in a cell.
     """
     load = touch.p * touch.weight
     return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())

@@ -92,7 +92,7 @@ def test_the_force_at_an_angle_is_that_of_the_state_there(sense):
     course = Rolled(sense)
     for psi, N in zip(course.psi[1:-1], course.at_states["N"][1:-1], strict=True):
         assert course.force_at_angle(psi) == pytest.approx(N, rel=1e-9)
-    with pytest.raises(ArithmeticError, match="lies beyond the states"):
+    with pytest.raises(ArithmeticError, match="outside the range of the states"):
         course.force_at_angle(course.psi[-1] + 0.1 * sense)
 
 
@@ -146,5 +146,5 @@ def test_a_load_is_searched_by_states_that_share_their_overlap_as_they_rest(monk
     given = {"power": 0.5, "near": 0.02, "what": "the torque"}
     found = loaded(pitch(1), rest, lambda _: 1.01, **given)
     assert found.d == pytest.approx(rest.scaled(1.01**0.5).d, rel=1e-12)
-    with pytest.raises(NotFoundError, match=r"the torque is not reached: difference -50\.0%"):
+    with pytest.raises(NotFoundError, match=r"the torque was not reached: difference -50\.0%"):
         loaded(pitch(1), rest, lambda _: 0.5, **given)

@@ -51,7 +51,7 @@ def test_splines_over_so_few_states_have_the_course_and_its_summit(cup):
 
 def test_a_sweep_has_no_values_beyond_its_summit_or_below_its_states(cup):
     for T in (1.01 * cup.summit[1], 0.5 * cup.at_states["T"][0]):
-        with pytest.raises(ArithmeticError, match="beyond the states"):
+        with pytest.raises(ArithmeticError, match="outside the range of the states"):
             cup.at("N", T)
 
 
