@@ -1,6 +1,6 @@
-"""Bodies of revolution under loads that vary round the axis: one problem in (r, z) per harmonic.
+"""Bodies of revolution under loads that vary around the axis: one (r, z) problem per harmonic.
 
-Any consistent units; messages state SI units.
+All units must be consistent. Messages state SI units.
 """
 
 from fem.public import lazily

@@ -1,4 +1,4 @@
-"""The plane in which a mode of a body of revolution bends: both halves of its section."""
+"""Plane in which a mode of a body of revolution bends, with both halves of the section."""
 
 from typing import NamedTuple
 
@@ -15,8 +15,8 @@ CUT = 0.98  # relative to the volume, whose stress a picture's colours span
 class BendingPlane(NamedTuple):
     """Points (n, 2) along and across the axis, cells (m, 4), displacements (n, 2), stresses (m,).
 
-    The largest displacement component is 1. The axial stress of the cells is scaled by, and limited
-    to, the magnitude that a share CUT of the volume does not exceed.
+    The largest displacement component is 1. The axial stress of the cells is divided by the
+    magnitude that a share CUT of the volume does not exceed, and is limited to this magnitude.
     """
 
     points: Array
@@ -26,7 +26,7 @@ class BendingPlane(NamedTuple):
 
 
 def bending_plane(body: RotatingSolid, u: Array) -> BendingPlane:
-    """Of the amplitudes `u` (unknowns,) of the first harmonic, without stress peaks at corners."""
+    """Section in the bending plane for the amplitudes `u` (unknowns,) of the first harmonic."""
     cells, mesh = body.solid.cells, body.solid.mesh
     sigma = stress(cells.strain(u, 1), cells.lam[:, None], cells.mu[:, None])[..., 2]
     volume = cells.dx.sum(axis=1)

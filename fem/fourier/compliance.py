@@ -1,9 +1,9 @@
 """Compliance of the surface of a body of revolution under pressure, harmonic by harmonic.
 
-A cylindrical surface (rim or bore) carries tractions cos(n t) into the body, or sin(n t) around it,
-on one of several cells along z. The displacements in these directions, times cos(n t) or sin(n t),
-integrated over each cell and one radian, are G_n, a symmetric matrix. n G_n has a limit for large n
-and is smooth in ln n; therefore, only a few harmonics are solved.
+A cylindrical surface (rim or bore) carries tractions cos(n t) into the body, or sin(n t) around the
+axis, on one of several cells along z. The displacements in these directions, multiplied by cos(n t)
+or sin(n t) and integrated over each cell and one radian, are the symmetric matrix G_n. n G_n has a
+limit for large n and is smooth in ln n; therefore, only a few harmonics are solved.
 """
 
 from collections.abc import Iterator, Sequence
@@ -25,12 +25,12 @@ ENOUGH = 60.0  # harmonic times the narrowest cell's angle, beyond which the sum
 
 @dataclass(frozen=True)
 class SurfaceCompliance:
-    """`G` (orders, 2, cells, 2, cells) [length^4/force] of the harmonics `orders`.
+    """Compliance `G` (orders, 2, cells, 2, cells) [length^4/force] for the harmonics `orders`.
 
-    Its directions are into the body and around it. The cells lie between `stations` (cells + 1,) in
-    z on a surface with the `curvature` 1/R, negative for a bore. Loads are repeated at `places`
-    positions on the circumference; all harmonics are multiples of this number. `softness` is (1 -
-    nu^2)/E of the surface [1/stress].
+    Its directions are into the body and around the axis. The cells lie between `stations` (cells +
+    1,) in z on a surface with the `curvature` 1/R, negative for a bore. Loads are repeated at
+    `places` positions on the circumference; all harmonics are multiples of this number. `softness`
+    is (1 - nu^2)/E of the surface [1/stress].
     """
 
     curvature: float
@@ -42,22 +42,22 @@ class SurfaceCompliance:
 
     @property
     def radius(self) -> float:
-        """R [length]."""
+        """Radius R of the surface [length]."""
         return 1 / abs(self.curvature)
 
     def depth(self, s: Array) -> Array:
-        """Depth of the surface at the arc length `s`."""
+        """Depth of the surface below its tangent at the arc length `s`."""
         return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
 
     def between(self, across: Array, tilt: float) -> Array:
-        """Matrix (M, M, cells, cells) of a patch: mean displacements under pressure, times area.
+        """Matrix (M, M, cells, cells) of a patch: mean displacement times area per unit pressure.
 
-        Unknowns are pressures on |s| in M cells between the growing arc lengths `across` (M + 1,),
-        from 0. They act along the contact normal, which is inclined to the surface normal by `tilt`
-        s [rad] towards s = 0; displacements are components along the contact normal. Entry [k, l,
-        i, j] is the integral, over the cell (k, i) and its mirror image in s, of the displacement
-        under the pressure 1 on the cell (l, j), its image, and the repetitions of both at the other
-        positions.
+        Unknowns are pressures on |s| in M cells between the rising arc lengths `across` (M + 1,),
+        from 0. Pressures act along the contact normal, which is inclined to the surface normal by
+        `tilt` s [rad] towards s = 0; displacements are components along the contact normal. Entry
+        [k, l, i, j] is the integral of the displacement over the cell (k, i) and its mirror image
+        in s. The pressure 1 acts on the cell (l, j), its mirror image, and their repetitions at the
+        other positions.
         """
         angle = np.asarray(across, float) / self.radius
         M = angle.size - 1
@@ -72,7 +72,8 @@ class SurfaceCompliance:
     def _harmonics(self, finest: float) -> Iterator[tuple[Indices, Array]]:
         """Blocks of harmonics n (b,), and weights (b, orders) of the solved harmonics in G_n.
 
-        n G_n is the cubic in ln n through the four nearest harmonics, and constant after the last.
+        n G_n is a cubic in ln n through the four nearest solved harmonics, and constant after the
+        last.
         """
         yield np.zeros(1, int), np.eye(1, self.orders.size)
         for k in range(1, self.orders.size):
@@ -100,10 +101,10 @@ def _lagrange(knots: Array, x: Array) -> Array:
 def surface_flexibility(
     solid: FourierSolid, boundary: str, *, stations: Array, n: int = 0
 ) -> Array:
-    """G_n (2, cells, 2, cells) of one harmonic: directions inwards and around, cells in z.
+    """Compliance G_n (2, cells, 2, cells) for one harmonic: directions inwards and around the axis.
 
-    G_0 is the compliance under pressures that are constant around the axis. ValueError as for
-    `surface_compliance`.
+    The cells are along z. G_0 is the compliance under pressures that are constant around the axis.
+    For ValueError, see `surface_compliance`.
     """
     return _by_cells(n, solid.flexibility(n, _loaded(solid, boundary, stations)[2]))
 
@@ -111,10 +112,10 @@ def surface_flexibility(
 def _loaded(
     solid: FourierSolid, boundary: str, stations: Array
 ) -> tuple[list[Indices], float, Array]:
-    """Facets of the cells, curvature of the boundary, unit loads inwards and around on each."""
+    """Facets of each cell, curvature of the boundary, unit loads inwards and around the axis."""
     stations = np.asarray(stations, float)
     if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):
-        raise ValueError(f"stations must grow along z, two or more, got {stations}")
+        raise ValueError(f"stations must be two or more values rising along z, got {stations}")
     cells, curvature = _surface_cells(solid, boundary, stations)
     inwards, around = (-float(np.sign(curvature)), 0.0, 0.0), (0.0, 1.0, 0.0)
     loads = [_unit_loads(solid, cells, traction) for traction in (inwards, around)]
@@ -122,16 +123,16 @@ def _loaded(
 
 
 def _by_cells(n: int, work: Array) -> Array:
-    """G_n (2, cells, 2, cells) from the work of unit loads on each other's displacements."""
+    """Compliance G_n (2, cells, 2, cells) from the work of unit loads on displacements."""
     m = len(work) // 2
     return np.asarray(turn_of(n) * work).reshape(2, m, 2, m)
 
 
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
-    """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t) for the lean l = tilt t.
+    """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t).
 
-    These are cos^2 l and sin l cos l: the components of a pressure on the length cos l dt normal to
-    it. Cells and images are combined.
+    l = tilt t is the inclination. The factors approximate cos^2 l and sin l cos l: the components
+    of a pressure on the length cos l dt normal to it. Cells and their mirror images are combined.
     """
     t, m = angle[:, None], np.maximum(n, 1)
     sine, cosine = np.sin(n * t) / m, np.cos(n * t) / m
@@ -142,9 +143,10 @@ def _waves(angle: Array, n: Indices, tilt: float) -> Array:
 
 
 def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
-    """Multiples of `places` to be solved: 0, the lowest eight, then each about `growth` times more.
+    """Multiples of `places` to be solved: 0, the eight lowest, then a geometric series.
 
-    The last is the first to reach `highest`.
+    Each harmonic of the series is about `growth` times the previous harmonic. The last harmonic is
+    the first that reaches `highest`.
     """
     found = [0, *(places * k for k in range(1, LOW + 1))]
     while found[-1] < highest:
@@ -157,9 +159,9 @@ def surface_compliance(
 ) -> SurfaceCompliance:
     """Compliance of the cylindrical `boundary` of `solid` for cells between `stations` in z.
 
-    `orders` are the solved harmonics: 0 and growing multiples of `places`, such as `harmonics`
-    returns; the last represents all higher harmonics. ValueError if the boundary is no cylinder, or
-    if a station is no node.
+    `orders` are the solved harmonics: 0 and rising multiples of `places`, for example the result of
+    `harmonics`; the last harmonic represents all higher harmonics. Raises ValueError if the
+    boundary is not a cylinder, or if there is no node at a station.
     """
     orders = np.asarray(orders)
     if (
@@ -169,7 +171,7 @@ def surface_compliance(
         or orders.size <= CUBIC
     ):
         raise ValueError(
-            f"orders must be 0 and at least four growing multiples of places={places}, got {orders}"
+            f"orders must be 0 and at least four rising multiples of places={places}, got {orders}"
         )
     cells, curvature, f = _loaded(solid, boundary, stations)
     G = np.array([
@@ -184,18 +186,21 @@ def surface_compliance(
 def _surface_cells(
     solid: FourierSolid, boundary: str, stations: Array
 ) -> tuple[list[Indices], float]:
-    """Facets of each cell between `stations`, and the boundary's curvature."""
+    """Facets of each cell between `stations`, and curvature of the boundary."""
     facets = outer_facets(solid.mesh, boundary)
     r, z = solid.mesh.p[:, solid.mesh.facets[:, facets]]
     radius, close = float(r.max()), AT_STATION * max(float(np.ptp(z)), float(r.max()))
     if np.ptp(r) > close:
         raise ValueError(
-            f"the boundary {boundary!r} must be a cylinder, its radii run from {r.min():.10g} to "
+            f"the boundary {boundary!r} must be a cylinder, but its radii are {r.min():.10g} to "
             f"{radius:.10g}"
         )
     for station in stations:
         if abs(z - station).min() > close:
-            raise ValueError(f"the boundary {boundary!r} has no node at the station z={station:g}")
+            raise ValueError(
+                f"the boundary {boundary!r} must have a node at every station, but has none at "
+                f"z={station:g}"
+            )
     cell = np.searchsorted(stations, z.mean(axis=0)) - 1
     inside = solid.mesh.p[0, solid.mesh.t[:, solid.mesh.f2t[0, facets[0]]]].mean()
     curvature = np.sign(radius - inside) / radius
@@ -216,10 +221,13 @@ def _unit_loads(
 
 
 def _softness(solid: FourierSolid, cells: Sequence[Indices]) -> float:
-    """(1 - nu^2)/E of the solid behind the surface; ValueError if it has several materials."""
+    """Softness (1 - nu^2)/E of the solid at the surface.
+
+    Raises ValueError if the surface has several materials.
+    """
     behind = solid.mesh.f2t[0, np.concatenate(cells)]
     lam, mu = solid.cells.lam[behind], solid.cells.mu[behind]
     softness = (lam + 2 * mu) / (4 * mu * (lam + mu))
     if np.ptp(softness) > SAME * softness.max():
-        raise ValueError("the surface in contact must be of one material")
+        raise ValueError("the contact surface must have a single material")
     return float(softness[0])

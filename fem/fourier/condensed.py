@@ -1,7 +1,7 @@
-"""Harmonics of one body under loads on few unknowns, which are eliminated last.
+"""Harmonics of a body under loads on few unknowns, which are eliminated last.
 
-For n >= 2, all harmonics have the same free unknowns: one selection and one sparsity pattern are
-used for all.
+For n >= 2, all harmonics have the same free unknowns. A single selection and a single sparsity
+pattern are therefore used for all of them.
 """
 
 from dataclasses import dataclass
@@ -19,7 +19,8 @@ from fem.plane.discretisation import Array, Indices
 class Selected:
     """Parts `data` (3, entries) of the lower triangle of T' (K_0 + n K_1 + n^2 K_2) T.
 
-    T is a selection; zero entries are stored, so that all harmonics have the same places.
+    T is a selection of unknowns. Zero entries are stored, so that all harmonics have the same
+    pattern.
     """
 
     T: csr_array
@@ -29,7 +30,7 @@ class Selected:
 
     @classmethod
     def of(cls, parts: tuple[csr_array, csr_array, csr_array], T: csr_array) -> Self:
-        """The free part of three matrices with one pattern, such as the parts of a stiffness."""
+        """Free parts of three matrices with one pattern, such as the parts of a stiffness."""
         first = parts[0]
         number = np.arange(1.0, first.nnz + 1)
         chosen = tril(T.T @ csr_array((number, first.indices, first.indptr), first.shape) @ T)
@@ -39,7 +40,7 @@ class Selected:
         return cls(T, data, chosen.indices, chosen.indptr)
 
     def stiffness(self, n: int) -> csc_array:
-        """The lower triangle of the stiffness of harmonic `n`, for one radian."""
+        """Lower triangle of the stiffness of harmonic `n`, for one radian."""
         K_0, K_1, K_2 = self.data
         return csc_array(
             (K_0 + n * K_1 + n**2 * K_2, self.indices, self.indptr),
@@ -48,9 +49,10 @@ class Selected:
 
 
 def flexibility(factor: Cholesky, T: csr_array, f: Array) -> Array:
-    """The work f_i . u_j (k, k) of loads `f` (unknowns, k) on u_j = T q, by the factors of K.
+    """Work f_i . u_j (k, k) of the loads `f` (unknowns, k) on the displacements u_j.
 
-    With K = L L', only the last rows of L, from the first loaded unknown, are used.
+    u = T q is computed with the factors of K. With K = L L', only the last rows of L, from the
+    first loaded unknown, are used.
     """
     load = T.T @ f
     first = int(np.argmax(np.any(load, axis=1)))

@@ -1,8 +1,8 @@
 """Frictionless contact of two bodies of revolution with parallel axes, on a narrow patch.
 
-The patch is a grid of cells, across (arc length s from the line of centres) and along z. Each cell
+The patch is a grid of cells: across (arc length s from the line of centres) and along z. Each cell
 has a uniform pressure, symmetric in s. The mean gap of a cell is the gap of the undeformed surfaces
-plus the deflections of both bodies by finite elements (`SurfaceCompliance`): no half-space is used.
+plus the deflections of both bodies by finite elements (`SurfaceCompliance`), without a half-space.
 Both bodies carry the same load at each of their `places`; they are therefore in balance without
 supports.
 """
@@ -24,7 +24,7 @@ PATCHES: Recent[Array] = Recent(most=12, room=1e7)  # entries of their matrices,
 
 
 class NarrowPatchError(ValueError):
-    """The contact is as wide as its patch: a wider patch is needed."""
+    """The contact is as wide as its patch, so that a wider patch is required."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class PatchContact:
     """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
 
     `across` are distances from the plane through the axes, for points at the arc lengths s. `load`
-    and `approach` refer to the modelled length.
+    and `approach` belong to the modelled length.
     """
 
     across: Array
@@ -43,17 +43,17 @@ class PatchContact:
 
     @property
     def z(self) -> Array:
-        """Middles (cells,) of the cells along z."""
+        """Middle positions (cells,) of the cells along z."""
         return np.asarray((self.stations[1:] + self.stations[:-1]) / 2)
 
     @property
     def line_load(self) -> Array:
-        """Force per length (cells,)."""
+        """Force per unit length (cells,)."""
         return np.asarray(2 * np.diff(self.across) @ self.p)
 
     @property
     def ridge(self) -> Array:
-        """Pressure (cells,) at x = 0, by the parabola through the means of the first two cells."""
+        """Pressure (cells,) at x = 0, from a parabola through the means of the first two cells."""
         a, b, c = self.across[:3] ** 3 / 3
         h, k = np.diff(self.across[:3])
         first, second = (b - a) / h, (c - b) / k  # mean x^2
@@ -62,18 +62,18 @@ class PatchContact:
 
     @property
     def half_width(self) -> Array:
-        """Half width (cells,) of an elliptic pressure with the line load and its second moment."""
+        """Half-width (cells,) of an elliptic pressure with the same line load and second moment."""
         moment = 2 * np.diff(self.across**3) / 3 @ self.p
         q = np.where(self.line_load > 0, self.line_load, np.inf)
         return np.asarray(2 * np.sqrt(moment / q))
 
     def load_between(self, low: float, high: float) -> float:
-        """Force on low <= z <= high, the line load even in each cell."""
+        """Force on low <= z <= high, with a uniform line load in each cell."""
         ends = np.clip(self.stations, low, high)
         return float(self.line_load @ np.diff(ends))
 
     def ridge_at(self, z: float) -> float:
-        """Pressure at x = 0 and `z`, between the middles of cells."""
+        """Pressure at x = 0 and `z`, interpolated between the middle positions of cells."""
         return float(PchipInterpolator(self.z, self.ridge, extrapolate=True)(z))
 
 
@@ -84,11 +84,12 @@ def patch_contact(
     load: float,
     crown: Callable[[Array], Array] | None = None,
 ) -> PatchContact:
-    """The contact of `bodies` under `load` [force] on the modelled length.
+    """Contact of `bodies` under `load` [force] on the modelled length.
 
-    The undeformed gap is that of their circles, R - R cos(s/R) for a rim and minus this for a bore,
-    plus `crown` (z). ValueError if stations or places of the bodies differ, or if their surfaces do
-    not curve away from each other; NarrowPatchError if the contact is as wide as the patch.
+    The undeformed gap is that between their circles, R - R cos(s/R) for a rim and minus this for a
+    bore, plus `crown` (z). Raises ValueError if stations or places of the bodies differ, or if
+    their surfaces do not curve away from each other; NarrowPatchError if the contact is as wide as
+    the patch.
     """
     across = _check(bodies, across, load)
     stations = bodies[0].stations
@@ -102,7 +103,7 @@ def patch_contact(
         heights = _mean(stations, crown)
         if not np.all(np.isfinite(heights)):
             raise ValueError(
-                f"the crown is not finite on {stations[0]:g} <= z <= {stations[-1]:g} m"
+                f"the crown must be finite on {stations[0]:g} <= z <= {stations[-1]:g} m"
             )
         gap = gap + heights
     gap = np.broadcast_to(gap, (M, m))
@@ -113,13 +114,14 @@ def patch_contact(
     if np.any(p[-1] > 0):
         z = stations[int(np.argmax(p[-1]))]
         raise NarrowPatchError(
-            f"the contact is as wide as its patch, |s| <= {across[-1]:g} m, at z={z:g} m: widen it"
+            f"the contact is as wide as its patch, |s| <= {across[-1]:g} m, at z={z:g} m: "
+            "use a wider patch"
         )
     return PatchContact(x, stations, p, load, approach)
 
 
 def _between(body: SurfaceCompliance, across: Array, tilt: float) -> Array:
-    """`body.between`, which other crowns and other bodies against it share."""
+    """Result of `body.between`, stored for other crowns and other bodies."""
     key = (body.places, np.array([body.curvature, tilt]), across, body.orders, body.G)
     return PATCHES.get(key, lambda: body.between(across, tilt), lambda found: found.size)
 
@@ -132,21 +134,23 @@ def _check(
     if not 0 < load < np.inf:
         raise ValueError(f"the load must be positive and finite, got load={load:g} N")
     if across.ndim != 1 or across.size < 3 or across[0] != 0 or not np.all(np.diff(across) > 0):
-        raise ValueError(f"across grows from 0 over two cells or more, got {across}")
+        raise ValueError(f"across must rise from 0 over at least two cells, got {across}")
     if not across[-1] < min(body.radius for body in bodies):
         raise ValueError(f"the patch |s| <= {across[-1]:g} m must be narrower than both radii")
     if not first.curvature + second.curvature > 0:
         raise ValueError(
-            "the surfaces must curve away from each other, got the radii (a bore's negative) "
+            "the surfaces must curve away from each other, got the radii (negative for a bore) "
             f"{1 / first.curvature:g} m and {1 / second.curvature:g} m"
         )
     if first.places != second.places:
         raise ValueError(
-            f"both bodies need equally many loads, got {first.places}, {second.places}"
+            f"both bodies must have the same number of loads, got {first.places}, {second.places}"
         )
     same = first.stations.shape == second.stations.shape
     if not same or np.ptp(first.stations - second.stations) > SAME * np.ptp(first.stations):
-        raise ValueError("both bodies need the same stations along z, up to a common shift")
+        raise ValueError(
+            "both bodies must have the same stations along z, except for a common shift"
+        )
     return across
 
 

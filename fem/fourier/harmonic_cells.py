@@ -1,4 +1,4 @@
-"""Stiffness of all cells of a body of revolution whose displacements vary as a harmonic.
+"""Stiffness of all cells of a body of revolution for displacements that vary as a harmonic.
 
 With u = (U cos n t, V sin n t, W cos n t) along r, the angle t and z, amplitudes U, V, W of (r, z),
 the strains have the amplitudes
@@ -6,12 +6,13 @@ the strains have the amplitudes
     rr: U_r,          tt: (U + n V)/r,        zz: W_z,
     2 rt: V_r - (V + n U)/r,   2 tz: V_z - n W/r,   2 zr: U_z + W_r,
 
-and the weak form is, with c = 2 pi for n = 0 and pi else,
+and the weak form is, with c = 2 pi for n = 0 and pi otherwise,
 
     a(u, v) = c int (lambda tr eps(u) tr eps(v) + 2 mu eps(u) : eps(v)) r dr dz.
 
-The strains are linear in n; hence K = K_0 + n K_1 + n^2 K_2, with parts that are the same for all
-harmonics. The antisymmetric field (U sin n t, V cos n t, W sin n t) has the same strains for -n.
+The strains are linear in n. Therefore K = K_0 + n K_1 + n^2 K_2, with parts that are the same for
+all harmonics. The antisymmetric field (U sin n t, V cos n t, W sin n t) has the same strains for
+-n.
 """
 
 from collections.abc import Sequence
@@ -28,10 +29,10 @@ BLOCK = 256  # cells whose matrices fit the processor's cache together
 
 
 def strain_rows(around: Array, slope: Array) -> tuple[Array, Array]:
-    """B_0 and B_1 (..., 6, n, 3) of the strains (B_0 + n B_1) u: rr, tt, zz, 2rt, 2tz, 2zr.
+    """Matrices B_0 and B_1 (..., 6, n, 3) of the strains (B_0 + n B_1) u.
 
-    `around` (..., n) holds the shape functions over r, `slope` (..., 2, n) their r and z
-    derivatives.
+    The strains are rr, tt, zz, 2rt, 2tz, 2zr. `around` (..., n) contains the shape functions
+    divided by r, `slope` (..., 2, n) their derivatives by r and z.
     """
     N_r, N_z = slope[..., 0, :], slope[..., 1, :]
     U, V, W = range(3)
@@ -62,8 +63,8 @@ def stress(strain: Array, lam: Array, mu: Array) -> Array:
 class HarmonicCells:
     """Isotropic cells: `slope` and `around` of `strain_rows` at the quadrature points (m, q).
 
-    `dx` (m, q) are the points' weights times r; `dofs` (m, 3 n) the unknowns, `lam` and `mu` (m,)
-    Lamé's constants.
+    `dx` (m, q) are the weights of the points times r, `dofs` (m, 3 n) the unknowns, `lam` and `mu`
+    (m,) Lamé's constants.
     """
 
     slope: Array
@@ -76,7 +77,7 @@ class HarmonicCells:
 
     @classmethod
     def of(cls, basis: Basis, lam: Array, mu: Array) -> "HarmonicCells":
-        """The cells of `basis`, three components a node, at its quadrature points."""
+        """Cells of `basis` at its quadrature points; the basis has three components per node."""
         J, det = jacobians(basis.mesh, basis.X)
         inverse = np.array([[J[..., 1, 1], -J[..., 0, 1]], [-J[..., 1, 0], J[..., 0, 0]]]) / det
         N, slope = shapes(basis.elem.elem, basis.X)
@@ -88,9 +89,10 @@ class HarmonicCells:
         )  # fmt: skip
 
     def stiffness_parts(self, powers: Sequence[int] = (0, 1, 2)) -> tuple[csr_array, ...]:
-        """K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for one radian, with one sparsity pattern.
+        """Parts K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for one radian.
 
-        Only those of the given `powers` of n, if stated.
+        All parts have the same sparsity pattern. Only the parts of the given `powers` of n are
+        computed.
         """
         m, k = self.dofs.shape
         K = np.empty((len(powers), m, k, k))
@@ -102,7 +104,7 @@ class HarmonicCells:
         return tuple(coo_array((part.ravel(), at), shape).tocsr() for part in K)
 
     def _parts(self, block: slice, powers: Sequence[int]) -> list[Array]:
-        """The matrices (cells, 3 n, 3 n) of the cells in `block` for each of the `powers`."""
+        """Matrices (cells, 3 n, 3 n) of the cells in `block`, for each of the `powers`."""
         lam, mu = self.lam[block, None, None], self.mu[block, None, None]
         m, q, _, n = self.slope[block].shape
         left, right = [], []
@@ -118,7 +120,7 @@ class HarmonicCells:
         return found
 
     def strain(self, u: Array, n: int) -> Array:
-        """Amplitudes (m, q, 6) of the strains of `u` at the quadrature points, `n` signed."""
+        """Amplitudes (m, q, 6) of the strains of `u` at the quadrature points; `n` has a sign."""
         B_0, B_1 = strain_rows(self.around, self.slope)
         local = u[self.dofs].reshape(len(self.dofs), -1, 3)
         return np.asarray(np.einsum("mqsnc,mnc->mqs", B_0 + n * B_1, local, optimize=True))

@@ -8,9 +8,9 @@ from fem.plane.discretisation import Array
 
 
 def rigid_inertia(body: RotatingSolid) -> Array:
-    """Mass [kg], polar and diametral moment about z = 0 [kg m^2] (3,).
+    """Mass [kg], polar and diametral moment of inertia about z = 0 [kg m^2] (3,).
 
-    From rigid translation across the axis and tilt: v M v, and the gyroscopic w G w of the tilt.
+    They are v M v for rigid translation across the axis and for tilt, and w G w for the tilt.
     """
     twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
     across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T

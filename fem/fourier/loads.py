@@ -1,4 +1,4 @@
-"""Loads of one harmonic on named boundaries, as the forces that do work on its amplitudes."""
+"""Loads of a harmonic on named boundaries, as forces that are work-conjugate to its amplitudes."""
 
 from collections.abc import Callable, Mapping
 
@@ -19,21 +19,22 @@ def pull(v, w):
 
 
 def turn_of(n: int) -> float:
-    """Integral of cos^2(n t), or sin^2, over the circumference: 2 pi or pi [rad]."""
+    """Integral of cos^2(n t), or sin^2(n t), over the circumference: 2 pi or pi [rad]."""
     return 2 * np.pi if n == 0 else np.pi
 
 
 def surface_load(basis: Basis, tractions: Tractions, n: int) -> Array:
     """Forces (unknowns,) of the amplitudes (t_r, t_t, t_z) [stress] of `tractions`.
 
-    ValueError for unknown boundaries, boundaries on the axis, and values that are not finite.
+    Raises ValueError for unknown boundaries, boundaries on the axis, and values that are not
+    finite.
     """
     f = np.zeros(basis.N)
     for name, traction in tractions.items():
         facets = named_facets(basis.mesh, name)
         if not has_area(basis.mesh, facets):
             raise ValueError(
-                f"a load on {name!r} has no area to act on: it lies on the axis, r = 0"
+                f"boundary {name!r} has no area for a load, because it lies on the axis, r = 0"
             )
         side = facet_basis(basis, facets)
         x = np.asarray(side.global_coordinates())
@@ -43,6 +44,6 @@ def surface_load(basis: Basis, tractions: Tractions, n: int) -> Array:
                 f"the traction on {name!r} must have amplitudes along r, t and z, got {len(t)}"
             )
         if not np.all(np.isfinite(t)):
-            raise ValueError(f"the traction on {name!r} is not finite")
+            raise ValueError(f"the traction on {name!r} must be finite")
         f += pull.assemble(side, t=np.broadcast_to(t, (3, *x.shape[1:])).astype(float))
     return turn_of(n) * f

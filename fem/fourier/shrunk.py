@@ -1,4 +1,4 @@
-"""A ring shrunk on a shaft: the pressure between them, and its singularity at the ring's edge."""
+"""Ring shrunk on a shaft: pressure between ring and shaft, and its singularity at the edge."""
 
 from collections.abc import Sequence
 
@@ -13,16 +13,17 @@ from fem.plane.discretisation import Array
 def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
     """Pressure (cells,) between `stations` (cells + 1,) of two surfaces with unit interference.
 
-    Each body is given with the name of its surface; both deflect uniformly around the axis.
+    Each body is given with the name of its surface. Both bodies deflect uniformly around the axis.
     """
     G = sum(surface_flexibility(solid, name, stations=stations)[0, :, 0] for solid, name in bodies)
     return np.asarray(np.linalg.solve(G, np.diff(stations)), dtype=np.float64)
 
 
 def edge_slope(distance: Array, pressure: Array, at: float) -> float:
-    """Slope of ln p over ln r at the edge from pressures at distances r (n,), which fall.
+    """Exponent of p ~ r^slope at the edge, from pressures at decreasing distances r (n,).
 
-    The slope at r = `at` has r in it, of first order, which is extrapolated to nothing.
+    The slope of ln p over ln r at r = `at` has an error of first order in r, which is extrapolated
+    to zero.
 
     >>> r = np.geomspace(1.0, 1e-4, 50)
     >>> round(edge_slope(r, 3 * r**-0.25, 1e-3), 9)

@@ -1,4 +1,4 @@
-"""Bodies of revolution whose loads vary round the axis: one (r, z) problem for each harmonic.
+"""Bodies of revolution whose loads vary around the axis: one (r, z) problem per harmonic.
 
 FourierSolid(mesh, Elastic(E=210e9, nu=0.3), {"middle": "z"}).solve(
     {0: {"rim": (-p, 0, 0)}, 2: {"rim": (-p, 0, 0)}})       # p (1 + cos 2 t) on the rim
@@ -31,12 +31,12 @@ RESIDUAL_LIMIT = 1e-8  # relative to the load's forces, after the correction
 
 @dataclass(frozen=True)
 class FourierSolid:
-    """Linear elastic bodies on a `mesh` of their half-section: x the radius r >= 0, y the axis z.
+    """Linear elastic bodies on a `mesh` of their half-section: x is r >= 0, y is z.
 
-    `materials` is one material, or one for each body in `mesh.subdomains`; `supports` states for
-    each boundary the components "r", "t", "z" that vanish there in every harmonic. `degree` of the
-    displacements is 1 or 2, by default the degree of the mesh. ValueError for unknown names, and
-    for cells without material, with nu > 0.45, folded, or beyond the axis.
+    `materials` is one material, or one for each body in `mesh.subdomains`. `supports` states, for
+    each boundary, the components "r", "t", "z" that are zero in every harmonic. `degree` of the
+    displacements is 1 or 2, by default the degree of the mesh. Raises ValueError for unknown names,
+    and for cells without material, with nu > 0.45, folded, or across the axis.
     """
 
     mesh: Mesh2D
@@ -52,7 +52,7 @@ class FourierSolid:
 
     @cached_property
     def basis(self) -> Basis:
-        """Three amplitudes a node."""
+        """Basis with three amplitudes per node."""
         plane = vector_basis(self.mesh, self.degree, turn=True)
         return Basis(
             self.mesh, ElementVector(plane.elem.elem, AMPLITUDES), quadrature=plane.quadrature
@@ -60,24 +60,27 @@ class FourierSolid:
 
     @cached_property
     def cells(self) -> HarmonicCells:
-        """The cells with their moduli."""
+        """Cells with their moduli."""
         lam, mu, _ = moduli(self.mesh, self.materials, "axisymmetric")
         refuse(self.mesh, lam, mu, "harmonics of nearly incompressible bodies are not covered")
         return HarmonicCells.of(self.basis, lam, mu)
 
     @cached_property
     def _first(self) -> csr_array:
-        """K_0, the only part that the harmonic n = 0 needs."""
+        """Part K_0 of the stiffness, the only part that the harmonic n = 0 requires."""
         return self.cells.stiffness_parts((0,))[0]
 
     @cached_property
     def parts(self) -> tuple[csr_array, csr_array, csr_array]:
-        """K_0, K_1, K_2 of the stiffness for one radian."""
+        """Parts K_0, K_1, K_2 of the stiffness, for one radian."""
         second, third = self.cells.stiffness_parts((1, 2))
         return self._first, second, third
 
     def stiffness(self, signed: int) -> csr_array:
-        """The stiffness for one radian of n, negative if antisymmetric, without zero entries."""
+        """Stiffness of harmonic `signed`, for one radian, without zero entries.
+
+        A negative number denotes the antisymmetric harmonic.
+        """
         if signed:
             K_0, K_1, K_2 = self.parts
             return K_0 + signed * K_1 + signed**2 * K_2
@@ -87,26 +90,27 @@ class FourierSolid:
 
     @cached_property
     def place(self) -> Indices:
-        """Order of elimination (unknowns,)."""
+        """Position (unknowns,) of every unknown in the order of elimination."""
         return nested_dissection(self.basis)
 
     def harmonic(self, n: int, *, antisymmetric: bool = False) -> "Harmonic":
-        """The problem of (U cos n t, V sin n t, W cos n t), or (U sin, V cos, W sin), factorised.
+        """Factorised harmonic (U cos n t, V sin n t, W cos n t), or (U sin, V cos, W sin).
 
-        ValueError unless n is a whole number >= 0, and if a body can move rigidly.
+        Raises ValueError unless n is a whole number >= 0, and if a body can move rigidly.
         """
         return Harmonic.of(self, _whole(n), antisymmetric)
 
     def flexibility(self, n: int, f: Array) -> Array:
-        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their displacements.
+        """Work f_i . u_j (k, k) of the loads `f` (unknowns, k) on their displacements u_j.
 
-        For forces on few unknowns, such as pressures on one surface: these unknowns are eliminated
-        last, and all others are only factorised. Symmetric harmonics; errors as for `harmonic`.
+        It is intended for forces on few unknowns, such as pressures on one surface: these unknowns
+        are eliminated last, and all others are only factorised. The harmonics are symmetric; errors
+        are those of `harmonic`.
         """
         return next(self.flexibilities((n,), f))
 
     def flexibilities(self, orders: Iterable[int], f: Array) -> Iterator[Array]:
-        """`flexibility` of each of the harmonics `orders`, for the same loads `f`."""
+        """Results of `flexibility` for each of the harmonics `orders`, for the same loads `f`."""
         place = np.where(np.any(f, axis=1), self.basis.N, 0) + self.place
         higher: Selected | None = None
         factor: Cholesky | None = None
@@ -127,13 +131,13 @@ class FourierSolid:
             yield flexibility(factor, higher.T, f)
 
     def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
-        """The sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
+        """Sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
         return FourierSolution(tuple(self.harmonic(n).solve(own) for n, own in tractions.items()))
 
 
 @dataclass(frozen=True)
 class Harmonic:
-    """One factorised harmonic of `solid`: u = T q, K the stiffness of the whole turn."""
+    """One factorised harmonic of `solid`: u = T q, with K for the full circumference."""
 
     solid: FourierSolid
     n: int
@@ -146,7 +150,7 @@ class Harmonic:
     def of(
         cls, solid: FourierSolid, n: int, antisymmetric: bool, place: Indices | None = None
     ) -> "Harmonic":
-        """Assemble and factorise, in the order of `place` (unknowns,) or of the solid."""
+        """Assemble and factorise in the order `place` (unknowns,), or in the order of the solid."""
         place = solid.place if place is None else place
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)
@@ -154,7 +158,10 @@ class Harmonic:
         return cls(solid, n, antisymmetric, T, K, Cholesky(K))
 
     def solve(self, tractions: Tractions) -> HarmonicSolution:
-        """Amplitudes (t_r, t_t, t_z) [stress] of tractions by boundary, numbers or f(x)."""
+        """Solution under tractions with amplitudes (t_r, t_t, t_z) [stress], by boundary.
+
+        The amplitudes are numbers or functions f(x).
+        """
         f = surface_load(self.solid.basis, tractions, self.n)
         u = self.displacements(f)
         return HarmonicSolution(
@@ -162,9 +169,9 @@ class Harmonic:
         )
 
     def displacements(self, f: Array) -> Array:
-        """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), with one correction.
+        """Amplitudes (unknowns, ...) under the forces `f` (unknowns, ...), with one correction.
 
-        ArithmeticError if the residual of the balance exceeds 1e-8 of the forces.
+        Raises ArithmeticError if the residual exceeds 1e-8 of the forces.
         """
         load = self.T.T @ f
         q = self.factor.solve(load)
@@ -172,8 +179,8 @@ class Harmonic:
         missed = abs(load - self.K @ q).max(initial=0.0)
         if not missed <= RESIDUAL_LIMIT * abs(load).max(initial=0.0):
             raise ArithmeticError(
-                f"harmonic {self.n}: the linear solve misses {missed:.1e} of forces up to "
-                f"{abs(load).max():.1e}"
+                f"harmonic {self.n}: the residual of the linear solver is {missed:.1e}, too "
+                f"large for forces up to {abs(load).max():.1e}"
             )
         return np.asarray(self.T @ q)
 

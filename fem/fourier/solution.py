@@ -1,6 +1,6 @@
-"""Solved harmonics of a body of revolution, and their sum at points and angles.
+"""Solutions of harmonics of a body of revolution, and their sum at points and angles.
 
-Stress rows are rr, tt, zz, rt, tz, zr. Energies and forces refer to the full turn.
+Stress rows are rr, tt, zz, rt, tz, zr. Energies and forces belong to the full circumference.
 """
 
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class HarmonicSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Half the integral of stress times strain [force x length]."""
+        """Strain energy: half the integral of stress times strain [force x length]."""
         strain = self.cells.strain(self.u, self._signed)
         sigma = stress(strain, self.cells.lam[:, None], self.cells.mu[:, None])
         density = (sigma * strain).sum(axis=-1)
@@ -39,13 +39,14 @@ class HarmonicSolution:
 
     @property
     def work(self) -> float:
-        """Forces times displacements, f . u [force x length]: twice the strain energy."""
+        """Work of the forces, f . u [force x length]: twice the strain energy."""
         return float(self.f @ self.u)
 
     def amplitudes_at(self, points: Array) -> tuple[Array, Array]:
         """Amplitudes of displacement (3, m) and stress (6, m) at `points` (2, m): (r, z).
 
-        On the axis u_r/r and its like are derivatives. ValueError names a point outside the mesh.
+        On the axis, ratios such as u_r/r are replaced by derivatives. Raises ValueError for a point
+        outside the mesh.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
@@ -70,7 +71,8 @@ class HarmonicSolution:
         """Forces of the supports of `boundary` along the rigid motions of this harmonic.
 
         n = 0: the axial force (antisymmetric: the torque). n = 1: the force along x and the moment
-        about y (antisymmetric: along y, about x). Nothing from n = 2 on, which has no resultant.
+        about y (antisymmetric: along y, about x). For n >= 2 the result is empty, because there is
+        no resultant.
         """
         dofs = boundary_dofs(self.basis, boundary).ravel()
         internal = turn_of(self.n) * self.cells.internal_forces(self.u, self._signed)
@@ -85,7 +87,7 @@ class HarmonicSolution:
 
 @dataclass(frozen=True)
 class FourierSolution:
-    """The sum of several harmonics."""
+    """Sum of several harmonics."""
 
     parts: tuple[HarmonicSolution, ...]
 
@@ -95,9 +97,9 @@ class FourierSolution:
         return sum(part.strain_energy for part in self.parts)
 
     def at(self, points: Array, angle: Array) -> tuple[Array, Array]:
-        """Displacement (3, m) along r, t, z and stress (6, m) at `points` (2, m), `angle` [rad].
+        """Displacement (3, m) along r, t, z and stress (6, m) at `points` (2, m) and `angle` [rad].
 
-        One angle serves all points.
+        `angle` is one value for all points, or one value for each point.
         """
         angle = np.broadcast_to(np.asarray(angle, float), points.shape[1:])
         u = np.zeros((3, points.shape[1]))

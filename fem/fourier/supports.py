@@ -1,7 +1,8 @@
-"""Supports of the amplitudes of a harmonic: supports by name, the axis, and the check of the rest.
+"""Supports of the amplitudes of a harmonic: by name, on the axis, and check of rigid motions.
 
-At r = 0, a displacement must not depend on the angle: n = 0 permits only W there (antisymmetric:
-nothing), n = 1 permits U = -V (antisymmetric: U = V), higher harmonics vanish.
+At r = 0, a displacement must not depend on the angle. Therefore n = 0 permits only W at the axis
+(antisymmetric: nothing), n = 1 permits U = -V (antisymmetric: U = V), and higher harmonics are
+zero.
 """
 
 from collections.abc import Mapping
@@ -40,16 +41,16 @@ def boundary_dofs(basis: Basis, name: str) -> Indices:
 
 
 def check_components(supports: Mapping[str, str]) -> None:
-    """ValueError unless every support names components out of r, t and z."""
+    """Raise ValueError unless every support names components out of r, t and z."""
     for name, components in supports.items():
         if not components or set(components) - set(COMPONENTS):
-            raise ValueError(f"support {name!r}: components are r, t, z, got {components!r}")
+            raise ValueError(f"support {name!r}: components must be r, t or z, got {components!r}")
 
 
 def free_unknowns(
     basis: Basis, supports: Mapping[str, str], n: int, antisymmetric: bool, place: Indices
 ) -> csr_array:
-    """T (unknowns, free) of u = T q; q follows the order `place` (unknowns,) of elimination."""
+    """Matrix T (unknowns, free) of u = T q; q has the order `place` (unknowns,) of elimination."""
     fixed = np.zeros(basis.N, bool)
     for name, components in supports.items():
         dofs = boundary_dofs(basis, name)
@@ -78,11 +79,11 @@ def free_unknowns(
 
 
 def rigid_motions(basis: Basis, n: int, antisymmetric: bool) -> Array:
-    """Amplitudes (unknowns, k) of the k rigid motions in harmonic n, k = 0 from n = 2 on.
+    """Amplitudes (unknowns, k) of the k rigid motions in harmonic n; k = 0 for n >= 2.
 
     n = 0: a shift along z, or (antisymmetric) a rotation by 1/length about z. n = 1: a shift along
-    x and the rotation (z, 0, -x) about y; antisymmetric: along y and the rotation (0, -z, y) about
-    x.
+    x and the rotation (z, 0, -x) about y; antisymmetric: a shift along y and the rotation (0, -z,
+    y) about x.
     """
     U, V, W = node_dofs(basis)
     r, z = basis.doflocs[:, U]
@@ -99,7 +100,7 @@ def rigid_motions(basis: Basis, n: int, antisymmetric: bool) -> Array:
 
 
 def check_held(basis: Basis, T: csr_array, n: int, antisymmetric: bool) -> None:
-    """ValueError with the body and its rigid motion in harmonic `n`, if it can move rigidly."""
+    """Raise ValueError if a body can move rigidly in harmonic `n`."""
     motions = rigid_motions(basis, n, antisymmetric)
     if not motions.shape[1]:
         return

@@ -1,4 +1,4 @@
-"""Pressures that only push: p >= 0, gap >= 0, p . gap = 0, under a given total load."""
+"""Non-negative contact pressures: p >= 0, gap >= 0, p . gap = 0, under a given total load."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,9 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
     """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
 
     A p + area (gap - approach) is 0 if p > 0, otherwise positive; area . p = load. `A` (n, n) is
-    symmetric and positive definite. All cells start in contact; cells in tension are removed and
-    overlapping cells are added until none remains. ArithmeticError if this does not end.
+    symmetric and positive definite. Initially all cells are in contact. Cells in tension are
+    removed and overlapping cells are added until neither occurs. Raises ArithmeticError if this
+    does not end.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):
@@ -31,6 +32,6 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
             return np.maximum(p, 0.0), float(approach)
         touching = (touching & ~pulls) | overlaps
     raise ArithmeticError(
-        f"the contact did not settle in {MAX_CHANGES} changes: {pulls.sum()} cells pull, "
-        f"{overlaps.sum()} overlap"
+        f"the contact did not converge in {MAX_CHANGES} changes: {pulls.sum()} cells are in "
+        f"tension, {overlaps.sum()} cells overlap"
     )

@@ -1,15 +1,15 @@
-"""Whirling of elastic bodies of revolution that rotate about their axis, each at a separate speed.
+"""Whirling of elastic bodies of revolution that rotate about their axis, each at its speed.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
 
-Harmonic n with amplitudes u = (U, V, W) at the speed W and the angular frequency w; w > 0 is a
-forward wave, in the sense of W > 0:
+The equations are those of harmonic n with amplitudes u = (U, V, W) at the speed W and the angular
+frequency w. w > 0 is a forward wave, in the sense of W > 0:
 
     K u + w W G u - w^2 M u = 0,    and with  y = w u    diag(K, M) x = w [[-W G, M], [M, 0]] x.
 
-The second form is symmetric and positive definite on its left side, and needs only the factors of K
-at any speed; Lanczos' method finds the largest 1/w of both signs.
+The second form is symmetric, with a positive definite left side. It requires only the factors of K
+at any speed. Lanczos' method finds the largest 1/w of both signs.
 """
 
 from collections.abc import Mapping
@@ -47,8 +47,8 @@ class WhirlModes:
     """Angular frequencies (count,) of forward and backward waves at `speed`, ascending.
 
     `forward_shapes` and `backward_shapes` (unknowns, count) contain amplitudes (U, V, W) of unit
-    modal mass. `splitting` (count,) is the forward minus the backward frequency, with as many
-    accurate digits as a frequency, however small.
+    modal mass. `splitting` (count,) is the forward minus the backward frequency. Its relative
+    accuracy is that of a frequency, also for small differences.
     """
 
     speed: float
@@ -61,11 +61,11 @@ class WhirlModes:
 
 @dataclass(frozen=True)
 class RotatingSolid:
-    """The bodies of `solid` with the density `rho`, at `ratio` times the speed of the rotor.
+    """Bodies of `solid` with the density `rho`, rotating at `ratio` times the speed of the rotor.
 
     Density and ratio are one value for all bodies, or one for each body of the mesh. Springs and
-    discs belong to harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
-    discs with other harmonics, and bodies that can move rigidly.
+    discs belong to harmonic n = 1. Raises ValueError for a density that is not positive, n < 1,
+    springs or discs with other harmonics, and bodies that can move rigidly.
     """
 
     solid: FourierSolid
@@ -77,22 +77,22 @@ class RotatingSolid:
 
     def __post_init__(self) -> None:
         if self.n != int(self.n) or self.n < 1:
-            raise ValueError(f"waves around the axis have a harmonic n >= 1, got n={self.n}")
+            raise ValueError(f"waves around the axis require a harmonic n >= 1, got n={self.n}")
         if self.n != 1 and (self.springs or self.discs):
-            raise ValueError(f"springs and discs act on harmonic 1, got n={self.n}")
+            raise ValueError(f"springs and discs require harmonic n = 1, got n={self.n}")
         if np.any(by_body(self.solid.basis, self.rho, "density") <= 0):
-            raise ValueError(f"a density must be positive, got rho={self.rho}")
+            raise ValueError(f"density must be positive, got rho={self.rho}")
         by_body(self.solid.basis, self.ratio, "ratio of speeds")
 
     @cached_property
     def T(self) -> csr_array:
-        """Displacements u = T q, q the free unknowns in their order of elimination."""
+        """Matrix T of u = T q, with the free unknowns q in their order of elimination."""
         solid = self.solid
         return free_unknowns(solid.basis, solid.supports, self.n, False, solid.place)
 
     @cached_property
     def K(self) -> csr_array:
-        """Stiffness (free, free), springs included."""
+        """Stiffness (free, free), including springs."""
         K_0, K_1, K_2 = self.solid.parts
         K = turn_of(self.n) * (self.T.T @ (K_0 + self.n * K_1 + self.n**2 * K_2) @ self.T)
         pulls = pulls_of(self.solid.basis, self.T, self.springs)
@@ -101,7 +101,7 @@ class RotatingSolid:
 
     @cached_property
     def M(self) -> csr_array:
-        """Mass (free, free), discs included."""
+        """Mass (free, free), including discs."""
         density = by_body(self.solid.basis, self.rho, "density")
         return self._inertia(density, np.eye(3)) + inertias(
             self.solid.basis, self.T, self.discs, lambda disc: (disc.mass, disc.diametral)
@@ -109,7 +109,7 @@ class RotatingSolid:
 
     @cached_property
     def G(self) -> csr_array:
-        """Gyroscopic matrix (free, free) of the rotor's unit speed."""
+        """Gyroscopic matrix (free, free) for unit speed of the rotor."""
         density = by_body(self.solid.basis, self.rho, "density")
         ratio = by_body(self.solid.basis, self.ratio, "ratio of speeds")
         return self._inertia(density * ratio, gyroscopic_form(self.n)) + inertias(
@@ -118,17 +118,17 @@ class RotatingSolid:
 
     @cached_property
     def factor(self) -> Cholesky:
-        """Factors of K, which serve all speeds."""
+        """Factors of K, which are used at all speeds."""
         return Cholesky(self.K)
 
     def modes(self, speed: float, count: int = 4) -> WhirlModes:
-        """The `count` lowest forward and backward modes at `speed` [rad/time].
+        """Lowest `count` forward and backward modes at `speed` [rad/time].
 
-        ArithmeticError if the residual of a mode exceeds 1e-5 of its elastic forces.
+        Raises ArithmeticError if the residual of a mode exceeds 1e-5 of its elastic forces.
         """
         K, M, size = self.K, self.M, self.K.shape[0]
         if not np.isfinite(speed) or not 1 <= count < size // 2:
-            raise ValueError(f"modes need a finite speed and count >= 1, got {speed:g}, {count}")
+            raise ValueError(f"modes require a finite speed and count >= 1, got {speed:g}, {count}")
         G = self.G if speed else csr_array((size, size))
 
         last = np.zeros(size)
@@ -161,11 +161,11 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
+        """Lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
 
-        Fewer than `count` if gyroscopic forces prevent some modes from having a critical speed: of
-        (e^2 M - e G) u = K u/W^2, only positive roots are speeds. A negative `excitation` gives
-        backward modes.
+        There are fewer than `count` if gyroscopic forces prevent some modes from having a critical
+        speed: only positive roots of (e^2 M - e G) u = K u/W^2 are speeds. A negative `excitation`
+        gives backward modes.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)
@@ -181,7 +181,7 @@ class RotatingSolid:
         return speeds[order], np.asarray(self.T @ q[:, order])
 
     def motion(self, boundary: str, shapes: Array) -> Array:
-        """Mean displacement across and tilt (2, ...) of `boundary` in `shapes` (unknowns, ...)."""
+        """Mean lateral displacement and tilt (2, ...) of `boundary` in `shapes` (unknowns, ...)."""
         return np.asarray(mean_motion(self.solid.basis, boundary).T @ shapes)
 
     def _inertia(self, density: Array, form: Array) -> csr_array:
@@ -189,12 +189,12 @@ class RotatingSolid:
         return csr_array(self.T.T @ whole @ self.T)
 
     def _check(self, w: Array, q: Array, residual: Array) -> None:
-        """ArithmeticError if the residual of modes of unit mass exceeds its limit."""
+        """Raise ArithmeticError if the residual of modes of unit mass exceeds its limit."""
         missed = abs((residual * self.factor.solve(residual)).sum(axis=0))
         error = np.sqrt(missed / ((q * (self.K @ q)).sum(axis=0) + w**2))
         if not np.all(error < RESIDUAL_LIMIT):
             raise ArithmeticError(
-                f"modes of harmonic {self.n} violate equilibrium by {error.max():.1e}"
+                f"modes of harmonic {self.n} have too large a residual, {error.max():.1e}"
             )
 
 
@@ -203,12 +203,12 @@ def _operator(apply, size: int) -> LinearOperator:
 
 
 def _start(size: int) -> Array:
-    """A start vector with components of all modes, the same in every run."""
+    """Initial vector with components of all modes, identical in every run."""
     return np.random.default_rng(SEED).standard_normal(size)
 
 
 def _sorted(w: Array, shapes: Array) -> tuple[Whirl, Whirl]:
-    """Forward and backward whirl, each by rising frequency."""
+    """Forward and backward whirl, each by ascending frequency."""
     ahead = np.flatnonzero(w > 0)
     behind = np.flatnonzero(w < 0)
     ahead, behind = ahead[np.argsort(w[ahead])], behind[np.argsort(-w[behind])]

@@ -1,4 +1,4 @@
-"""Check that supports and springs together hold a body of revolution against rigid motions."""
+"""Check that supports and springs together prevent rigid motions of a body of revolution."""
 
 from collections.abc import Sequence
 
@@ -12,7 +12,7 @@ from fem.plane.discretisation import Array
 
 
 def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Array]) -> None:
-    """ValueError if no force resists a rigid motion of the bodies in harmonic n.
+    """Raise ValueError if no force resists a rigid motion of the bodies in harmonic n.
 
     u = T q are the supported displacements; `pulls` (free,) are functionals of q, one for each
     spring.
@@ -30,8 +30,8 @@ def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Arr
     free = int(np.count_nonzero(s < FREE))
     if free:
         raise ValueError(
-            f"harmonic {n}: {free} rigid motions are left to the bodies, across or tilting: hold "
-            "them by supports or springs"
+            f"harmonic {n}: the bodies can still make {free} rigid motions, across the axis or "
+            "tilting: prevent them by supports or springs"
         )
 
 

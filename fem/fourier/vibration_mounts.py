@@ -1,4 +1,4 @@
-"""Springs and rigid discs on the mean motions of a body's boundaries, in harmonic 1."""
+"""Springs and rigid discs on the mean motions of boundaries of a body, in harmonic 1."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from fem.plane.discretisation import Array
 class Mount:
     """Isotropic spring on the mean motion of `boundary`, to the ground or to the boundary `to`.
 
-    `k` acts across [force/length], `k_tilt` against tilting [force x length/rad].
+    `k` acts across the axis [force/length], `k_tilt` against tilting [force x length/rad].
     """
 
     boundary: str
@@ -26,15 +26,15 @@ class Mount:
     def __post_init__(self) -> None:
         for name, value in (("k", self.k), ("k_tilt", self.k_tilt)):
             if not 0 <= value < np.inf:
-                raise ValueError(f"a spring's stiffness must not be negative, got {name}={value:g}")
+                raise ValueError(f"spring stiffness must not be negative, got {name}={value:g}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class RigidDisc:
-    """A rigid disc whose centre follows the mean motion of `boundary`.
+    """Rigid disc whose centre follows the mean motion of `boundary`.
 
-    `polar` and `diametral` are its moments of inertia [mass x length^2], `ratio` its speed over the
-    rotor's.
+    `polar` and `diametral` are its moments of inertia [mass x length^2]; `ratio` is the ratio of
+    its speed to the speed of the rotor.
     """
 
     boundary: str
@@ -46,13 +46,13 @@ class RigidDisc:
     def __post_init__(self) -> None:
         if min(self.mass, self.polar, self.diametral) < 0 or self.polar > 2 * self.diametral:
             raise ValueError(
-                "a disc needs mass >= 0 and 0 <= polar <= 2 diametral, got "
+                "a disc must have mass >= 0 and 0 <= polar <= 2 diametral, got "
                 f"mass={self.mass:g}, polar={self.polar:g}, diametral={self.diametral:g}"
             )
 
 
 def pulls_of(basis: Basis, T: csr_array, mounts: Sequence[Mount]) -> list[Array]:
-    """Functionals (free,) of q in u = T q whose squares are the springs' energies, twice."""
+    """Functionals (free,) of q in u = T q whose squares are twice the energies of the springs."""
     found = []
     for mount in mounts:
         c = mean_motion(basis, mount.boundary)
@@ -71,14 +71,14 @@ def inertias(
     discs: Sequence[RigidDisc],
     of: Callable[[RigidDisc], tuple[float, float]],
 ) -> csr_array:
-    """The sum (free, free) of `of` over all discs, against moving across and tilting."""
+    """Sum (free, free) over all discs of the inertias `of` against lateral motion and tilt."""
     motions = [c for d in discs for c in np.asarray(T.T @ mean_motion(basis, d.boundary)).T]
     weights = np.array([of(disc) for disc in discs]).ravel()
     return squares(motions, weights, T.shape[1])
 
 
 def squares(rows: Sequence[Array], weights: Array, size: int) -> csr_array:
-    """Sum (size, size) of the weighted outer products of rows."""
+    """Sum (size, size) of the weighted outer products of `rows`."""
     if not len(rows):
         return csr_array((size, size))
     C = csr_array(np.array(rows))

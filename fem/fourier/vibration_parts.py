@@ -1,13 +1,14 @@
 """Inertia and gyroscopic forces of a rotating body of revolution, and motions of its boundaries.
 
-A body turns about its axis at the speed W. With fixed axes a displacement of amplitudes
-u = (U, -iV, W) exp i(n t - w s), t the angle and s the time, is carried along: the rate of a
-particle's is D = -iw + W (d/dt + J), J turning (u_r, u_t) into (-u_t, u_r), hence
+A body rotates about its axis at the speed W. With fixed axes, a displacement with the amplitudes u
+= (U, -iV, W) exp i(n t - w s), where t is the angle and s the time, is carried along by the
+rotation. The rate of a particle's displacement is D = -iw + W (d/dt + J), where J rotates (u_r,
+u_t) into (-u_t, u_r). Therefore
 
     D = -i (w - W (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
     -D^2 = w^2 - 2 w W (n + P) + W^2 (n + P)^2.
 
-The first two terms are M and G below. The third is omitted together with the stiffness by the
+The first two terms are M and G below. The third term is omitted, and so is the stiffness due to the
 centrifugal stress; both cancel for a rigid rotation.
 """
 
@@ -29,7 +30,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
     """Value of each cell (cells,); `values` is one for all cells, or one for each body.
 
-    ValueError for unknown bodies, cells without a value, and values that are not finite.
+    Raises ValueError for unknown bodies, cells without a value, and values that are not finite.
     """
     mesh = basis.mesh
     if not isinstance(values, Mapping):
@@ -40,16 +41,18 @@ def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Arr
             found[named_cells(mesh, name)] = value
     if not np.all(np.isfinite(found)):
         bare = np.count_nonzero(~np.isfinite(found))
-        raise ValueError(f"{bare} of {mesh.nelements} cells have no finite {what}")
+        raise ValueError(
+            f"every cell needs a value, but {bare} of {mesh.nelements} cells have no finite {what}"
+        )
     return found
 
 
 def mass_matrix(
     cells: HarmonicCells, basis: Basis, n: int, density: Array, form: Array
 ) -> csr_array:
-    """The integral of density u . form u over the circumference, `form` (3, 3) on (U, V, W).
+    """Integral of density u . form u over the circumference, with `form` (3, 3) on (U, V, W).
 
-    `density` (cells,) in mass/length^3, or that times a speed.
+    `density` (cells,) is in mass/length^3, or is density times a speed.
     """
     N, _ = shapes(basis.elem.elem, basis.X)
     weight = turn_of(n) * density[:, None] * cells.dx
@@ -63,20 +66,20 @@ def mass_matrix(
 
 
 def gyroscopic_form(n: int) -> Array:
-    """The form 2 (n + P) whose integral with density times speed is the gyroscopic matrix."""
+    """Form 2 (n + P) whose integral with density times speed is the gyroscopic matrix."""
     return 2 * (n * np.eye(3) + SWAP)
 
 
 def mean_motion(basis: Basis, boundary: str) -> Array:
     """Functionals (unknowns, 2) of harmonic 1: lateral shift and tilt of `boundary`.
 
-    They are those of the rigid motion about the centre of the boundary that is nearest to u, in the
+    They belong to the rigid motion about the centre of the boundary that is nearest to u in the
     mean square over its area: a displacement along x and a rotation about y [rad], from the
-    amplitudes (U, V, W). ValueError for an unknown boundary, or a boundary on the axis.
+    amplitudes (U, V, W). Raises ValueError for an unknown boundary, or a boundary on the axis.
     """
     facets = named_facets(basis.mesh, boundary)
     if not has_area(basis.mesh, facets):
-        raise ValueError(f"the boundary {boundary!r} lies on the axis: it has no mean motion")
+        raise ValueError(f"the boundary {boundary!r} has no mean motion, because it is on the axis")
     side = facet_basis(basis, facets)
     r, z = np.asarray(side.global_coordinates())
     area = side.dx * r

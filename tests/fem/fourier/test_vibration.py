@@ -142,7 +142,7 @@ def test_modes_are_of_unit_mass_and_their_residual_is_checked(monkeypatch):
         return w, x + 1e-3 * abs(x).max() * np.cos(np.arange(x.size)).reshape(x.shape)
 
     monkeypatch.setattr(vibration, "eigsh", rough)
-    with pytest.raises(ArithmeticError, match="violate equilibrium"):
+    with pytest.raises(ArithmeticError, match="modes of harmonic 1 have too large"):
         body.modes(100.0, 2)
 
 
@@ -160,14 +160,16 @@ def tube_with(rho=RHO, springs=RIM, **more):
         (lambda: tube_with(rho={"cup": 1.0}), "no body 'cup'"),
         (lambda: tube_with(ratio=np.nan), "no finite ratio"),
         (lambda: tube_with(n=0), "n >= 1"),
-        (lambda: tube_with(n=2), "harmonic 1"),
+        (lambda: tube_with(n=2), "springs and discs require harmonic n = 1"),
         (lambda: Mount(boundary="rim", k=-1.0), "not be negative, got k=-1"),
         (lambda: RigidDisc(boundary="rim", mass=1.0, polar=1.0, diametral=0.4),
          "polar <= 2 diametral"),
-        (lambda: mean_motion(solid(tube(r_i=0.0)).basis, "axis"), "lies on the axis"),
+        (lambda: mean_motion(solid(tube(r_i=0.0)).basis, "axis"),
+         "the boundary 'axis' has no mean motion"),
         (lambda: held().modes(np.inf), "finite speed"),
-        (lambda: tube_with(springs=()).K, "rigid motions are left"),
-        (lambda: tube_with(springs=(Mount(boundary="start", k=1e6),)).K, "rigid motions are left"),
+        (lambda: tube_with(springs=()).K, "harmonic 1: the bodies can still make"),
+        (lambda: tube_with(springs=(Mount(boundary="start", k=1e6),)).K,
+         "harmonic 1: the bodies can still make"),
     ],
 )  # fmt: skip
 def test_what_makes_no_sense_is_refused(make, message):
