@@ -45,7 +45,7 @@ BUDGET = CaseBudget(
 )
 MISSING = CaseBudget(
     case="ring-lame", title="Lamé",
-    missing="not measured for this code: freewheel deep budget:ring-lame does it",
+    missing="not measured for the present code: run `freewheel deep budget:ring-lame`",
 )  # fmt: skip
 
 
@@ -119,7 +119,7 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decompo
     assert left(BUDGET) == ""
     for words in (
         notes, "measured 2026-11-23",
-        "Not measured for this code: freewheel deep budget:ring-lame does it.",
+        "Not measured for the present code: run `freewheel deep budget:ring-lame`.",
     ):  # fmt: skip
         assert words in text
     assert text.count("chart waterfall") == 1

@@ -46,7 +46,7 @@ KNOWN = Validity(
 )  # fmt: skip
 MISSING = Validity(
     case="polyhedral-ring", title="Polyhedral ring", subject="Polyhedral rings",
-    missing="not measured for this code: freewheel deep validity:polyhedral-ring does it",
+    missing="not measured for the present code: run `freewheel deep validity:polyhedral-ring`",
     others=("K of the paper",),
 )  # fmt: skip
 
@@ -64,7 +64,9 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
         assert words in text
     assert text.count("all that was measured") == 1  # one line for all three limits
     text = section(replace(one, validity=(MISSING,)), "validity")
-    assert "Not measured for this code: freewheel deep validity:polyhedral-ring does it." in text
+    assert (
+        "Not measured for the present code: run `freewheel deep validity:polyhedral-ring`." in text
+    )
     assert "holds" not in text.replace("thresholds", "")
     assert "K of the paper" not in text
     over = REGION.over.replace("_", "")

@@ -92,7 +92,7 @@ def test_measuring_goes_on_where_it_was_and_a_record_stays_where_processes_die(
     for file in (tmp_path / "cache").glob("store.sqlite*"):
         file.unlink()
     assert not measuring.BUDGET.measure_missing([made.CASE], Dying(), again=True)
-    assert re.search(r"not stored: \d+ reruns have no answer", capsys.readouterr().out)
+    assert re.search(r"not stored: \d+ reruns were not completed", capsys.readouterr().out)
     assert kept.RECORDS.stored(made.CASE.id) == before
 
 
@@ -107,7 +107,7 @@ def test_a_record_of_other_code_or_of_another_statement_does_not_count(measured_
     shown = of_case(plan, made.RESULT)
     kept._hash.cache_clear()
     assert shown.missing == (
-        "not measured for this code: freewheel deep budget:made-up-leaf does it"
+        "not measured for the present code: run `freewheel deep budget:made-up-leaf`"
     )
     assert shown.rows == ()
 

@@ -66,7 +66,7 @@ def test_an_unknown_measurement_is_named_with_the_known(folder):
     with pytest.raises(ValueError, match=r"'spring-dep', did you mean spring-deep\? there are "):
         deep.run_deep(["spring-dep"], jobs=1)
     for name in ("validity:other", "validity:"):
-        with pytest.raises(InputError, match=f"{name.rstrip(':')}: no such measurement"):
+        with pytest.raises(InputError, match=f"{name.rstrip(':')}: unknown study"):
             deep.run_deep(["spring-deep", name], jobs=1)
     assert not folder.exists()  # found before anything is measured
 

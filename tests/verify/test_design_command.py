@@ -66,7 +66,7 @@ def test_the_chosen_spring_passes_check_and_is_one_of_the_front(tmp_path, capsys
     assert float(line["k1 [N/mm]"]) == pytest.approx(values["k1"] / 1e3, rel=1e-4)  # axial strain
     assert float(line["U_A [mm]"]) == pytest.approx(values["U_A"] * 1e3, rel=1e-4)
     assert run(["design", str(task(tmp_path)), "--choose=99"]) == 2
-    assert re.search(r"--choose: the front has members 1 to \d+, got ", capsys.readouterr().err)
+    assert re.search(r"--choose must be a member, 1 to \d+, got ", capsys.readouterr().err)
 
 
 def test_an_impossible_task_ends_with_1_states_what_to_relax_and_clears_the_old_spring(
@@ -160,4 +160,4 @@ def test_a_curve_that_ends_without_an_equilibrium_is_no_verdict_on_the_spring():
     assert verdict(v) == "no equilibrium found beyond 7.9 mm"
     assert verdict(made(curve=ENDS, delta=NAN, U_w=7.5e-3)).startswith("no equilibrium")
     # a spring that never reaches F_w on a whole curve is rejected
-    assert verdict(made(delta=NAN)) == "beyond ±3 %"
+    assert verdict(made(delta=NAN)) == "|e_r| beyond 3 %"

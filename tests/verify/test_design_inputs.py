@@ -53,21 +53,25 @@ def test_ranges_lists_and_single_values_are_read():
 
 
 WRONG = [
-    (spring, {"L_w": None}, "needs either L_w or U_w, neither is given"),
-    (spring, {"L_w": "30 mm"}, "needs L_w < wedge, got L_w = 30 mm, wedge = 27 mm"),
-    (spring, {"k_band": None}, "b_tolerance and k_band belong together, k_band is missing"),
-    (spring, {"width_factor": 1.2}, "width_factor = 1.2 is more than 1/(1 - ν²) = 1.0989"),
-    (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range is "first : last : number"'),
-    (spring, {"b": []}, "inputs.b: the list is empty"),
-    (spring, {"n": "4 : 9 : 3"}, "needs whole numbers"),
-    (spring, {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
+    (spring, {"L_w": None}, "exactly one of L_w and U_w must be given, neither is given"),
+    (spring, {"L_w": "30 mm"}, "L_w must be less than wedge, got L_w = 30 mm, wedge = 27 mm"),
+    (spring, {"k_band": None}, "b_tolerance and k_band must be given together: k_band is missing"),
+    (spring, {"width_factor": 1.2}, "width_factor = 1.2 must not exceed 1/(1 - ν²) = 1.0989"),
+    (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range must be "first : last : number"'),
+    (spring, {"b": []}, "inputs.b: the list must contain at least one value"),
+    (spring, {"n": "4 : 9 : 3"}, "contains fractions, must be whole numbers"),
+    (
+        spring,
+        {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"},
+        "candidates, the maximum is 300",
+    ),
     (crown, {"K_1_range": "5 : 1"}, "K_1_range: the ends of a range must ascend, got 5 to 1"),
     (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
-    (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range is "low : high"'),
-    (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, at most 12 are taken"),
-    (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: is more than half of the smallest drop"),
-    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: is K_2 ± 0.422, more than the smallest"),
-    (crown, {"t_y": "5 mm"}, "a crown begins on the sprag: t_y < l/2, got t_y = 5 mm, l = 9 mm"),
+    (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range must be "low : high"'),
+    (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, the maximum is 12"),
+    (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: must not exceed half of the smallest drop"),
+    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: changes K_2 by 0.422, must be less than"),
+    (crown, {"t_y": "5 mm"}, "t_y < l/2 is required, or no crown is left, got t_y = 5 mm"),
 ]
 
 
@@ -81,7 +85,7 @@ def test_wrong_input_is_refused_in_one_line(read, changes, words):
 def test_what_design_cannot_do_ends_with_2_and_one_line(tmp_path, capsys):
     path = tmp_path / "mine.toml"
     for text, words in (
-        ('case = "ring-lame"\n[inputs]\n', "design takes design-spring, design-sprag or sprag-"),
+        ('case = "ring-lame"\n[inputs]\n', "case must be design-spring, design-sprag or sprag-"),
         (whole(crown_template()), "--choose: a crown has one optimum"),
     ):
         path.write_text(text, encoding="utf-8")
@@ -98,13 +102,13 @@ def test_a_file_of_the_case_is_a_task_at_its_torque_without_tolerance(tmp_path):
     assert found.torques == (31.0,)
     assert (found.wishes.t_z, found.wishes.t_y) == (0.0, 0.0)
     path.write_text(f"{text}\nt_z = '1 µm'\n", encoding="utf-8")
-    with pytest.raises(InputError, match=r'inputs\.t_z: belongs to case = "design-sprag"'):
+    with pytest.raises(InputError, match=r'inputs\.t_z: only valid with case = "design-sprag"'):
         crowns.load(path)
 
 
 def test_a_clutch_that_slips_or_rolls_over_is_named_with_its_torque():
-    assert "under T = 25 N m it slips: " in crowns.unable(crown(mu_s=0.05, mu_c=0.05))
-    assert "under T = 120 N m it rolls over: " in crowns.unable(crown(torques=["120 N m"]))
+    assert "under T = 25 N m the clutch slips: " in crowns.unable(crown(mu_s=0.05, mu_c=0.05))
+    assert "under T = 120 N m the clutch rolls over: " in crowns.unable(crown(torques=["120 N m"]))
     assert crowns.unable(crown()) == ""
 
 

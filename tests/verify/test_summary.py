@@ -49,6 +49,6 @@ def test_verdicts_and_changes_are_those_of_a_whole_run():
     papers = [{"key": one, "title": "t", "authors": f"A {one}", "year": 2020} for one in
               dict.fromkeys(v.paper for v in kept())]  # fmt: skip
     text = summary(of(ROW, papers=tuple(papers), verdicts=kept()), status=1,
-                   changes=["verdict of P Eq. 1: unsafe; exact on record"])  # fmt: skip
+                   changes=["verdict of P Eq. 1: unsafe; exact in the record"])  # fmt: skip
     assert "### Verdicts of the formulas\n\n| formulas of | exact |" in text
-    assert "\n- verdict of P Eq. 1: unsafe; exact on record\n" in text
+    assert "\n- verdict of P Eq. 1: unsafe; exact in the record\n" in text

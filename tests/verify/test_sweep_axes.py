@@ -36,17 +36,21 @@ def test_an_axis_is_read_and_has_its_input():
 
 def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
     for read, text, said in (
-        (axis, "a=1mm:2mm", "needs NAME=a:b:n"),
-        (axis, "a=1mm:2mm:1", "n is a whole number from 2 to 1000, got '1'"),
-        (axis, "a=2mm:2mm:3", "a value appears twice"),
-        (axis, "a=-1mm:2mm:3:log", "equal ratios need values above zero"),
-        (axis, "=1mm:2mm:2", "the input's name is missing"),
+        (axis, "a=1mm:2mm", "write NAME=a:b:n"),
+        (axis, "a=1mm:2mm:1", "n must be an integer from 2 to 1000, got '1'"),
+        (axis, "a=2mm:2mm:3", "all values must be different"),
+        (axis, "a=-1mm:2mm:3:log", "with log, both ends must be positive"),
+        (axis, "=1mm:2mm:2", "the name of the input is missing"),
         (axis, "kind=1:2:2", "kind is a word"),
-        (axis, "supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
-        (tolerance, "n=±1", "n is a whole number and has no tolerance"),
-        (tolerance, "b=±0mm", "a tolerance must be above zero"),
-        (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
-        (tolerance, "h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
+        (axis, "supports[3].k=1:2kN/m:2", "the file contains no supports[3]"),
+        (tolerance, "n=±1", "n is a whole number and cannot have a tolerance"),
+        (tolerance, "b=±0mm", "the tolerance must be positive and finite"),
+        (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a percentage of b, as "5 %"'),
+        (
+            tolerance,
+            "h=±0.2",
+            "the tolerance reaches an invalid value: inputs.h = 1.1: must be at most 1",
+        ),
     ):
         option = "--vary" if read is axis else "--tolerance"
         with pytest.raises(InputError, match=rf"^{option} ") as error:
@@ -75,7 +79,7 @@ def test_a_grid_has_all_combinations_and_a_star_one_input_off_its_middle():
     star = grid(CASE, "plate", Plate(), chosen(), ["a=4:6mm:2", "b=1:3mm:2"], star=True)
     rows = [[4e-3, 2e-3], [6e-3, 2e-3], [4e-3, 1e-3], [4e-3, 3e-3]]
     assert star.points == pytest.approx(np.array(rows))
-    with pytest.raises(InputError, match="q has no value"):
+    with pytest.raises(InputError, match="q: the file must give a value"):
         grid(CASE, "plate", Shaft(), chosen(), ["q=1:2mm:2"], star=True)
 
 
@@ -90,8 +94,8 @@ def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
     assert (a != b).all()
     for count, tolerances, said in (
         ("sobol:12", ["a=±1mm"], "N must be a power of two from 8"),
-        ("sobol", ["a=±1mm"], "--sample is sobol:N"),
-        ("sobol:8", ["a=±1mm", "a=±2mm"], "a is given twice"),
+        ("sobol", ["a=±1mm"], "--sample must be sobol:N"),
+        ("sobol:8", ["a=±1mm", "a=±2mm"], "a must be given only once"),
     ):
         with pytest.raises(InputError, match=said):
             sample(CASE, "plate", Plate(), chosen(), count, tolerances)

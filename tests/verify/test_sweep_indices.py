@@ -59,11 +59,11 @@ def test_intervals_contain_the_true_index_about_as_often_as_stated():
 def test_what_does_not_vary_beyond_its_bars_has_no_indices():
     plan, (x, _) = planned(64)
     of = found(plan, 0.03, fe=np.linspace(1, 2, len(plan.points)))
-    assert (of.error.why, of.error.indices) == ("does not vary", ())
+    assert (of.error.why, of.error.indices) == ("the quantity does not vary", ())
     assert of.fe.indices
     u = 0.01 / math.sqrt(3)  # the standard deviation of 0.01 x
     drowned = found(plan, 0.01 * x, 2 * 1.01 * u).error
-    assert drowned.why == "varies no more than the finite elements are uncertain"
+    assert drowned.why == "the variation is within the uncertainty of finite elements"
     assert drowned.noise == pytest.approx(1.01**2, rel=0.02)
     heard = found(plan, 0.01 * x, 2 * 0.5 * u)
     assert heard.error.indices
@@ -83,10 +83,13 @@ def test_rows_with_an_unsolved_point_drop_out_and_are_counted():
     assert values(of.error) == list(first)
     plan, (x, _) = planned(8)
     x[2] = np.nan
-    assert found(plan, x).error.why == "7 complete rows of the sample are too few, it takes 8"
+    assert (
+        found(plan, x).error.why
+        == "only 7 rows of the sample are complete, at least 8 are required"
+    )
     nothing = found(plan, np.nan)
     assert (nothing.rows, nothing.error.n) == (0, 0)
-    assert nothing.error.why == nothing.fe.why == "no point has an answer"
+    assert nothing.error.why == nothing.fe.why == "no point is solved"
     assert [(w.inside, w.unsolved) for w in nothing.within] == [(0, 16)] * 3
 
 

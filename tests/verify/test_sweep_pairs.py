@@ -59,9 +59,13 @@ def test_rows_are_chosen_by_parts_of_their_names_or_a_whole_one():
         assert tuple(p.name for p in selected(of, only)) == expected
     many = case(*(identity(name=f"row {k}") for k in range(7)))
     for some, only, words in (
-        (of, ("force", "torque"), "--only torque: no row of made-up-plate has this name: K;"),
-        (of, ("the maen",), r"has this name: near it are K in the mean$"),
-        (many, ("torque",), "this name: row 0; row 1; row 2; row 3; row 4 and 2 more"),
+        (
+            of,
+            ("force", "torque"),
+            "--only torque: no row of made-up-plate contains this text: K;",
+        ),
+        (of, ("the maen",), r"contains this text: near it are K in the mean$"),
+        (many, ("torque",), "this text: row 0; row 1; row 2; row 3; row 4 and 2 more"),
         (case(), (), "has no row that compares a formula"),
     ):
         with pytest.raises(InputError, match=words):

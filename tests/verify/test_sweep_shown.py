@@ -49,8 +49,8 @@ def test_a_grid_states_where_the_formula_holds_and_what_breaks_it():
         "stiffness  +8.00 ± 0.20 %  12 %  50 %  100 %  8, 2",
         "stiffness",
         "  within 2 %: a 1 mm, n 2..3 (all); 2 of 16 points",
-        "    not at the values of the file; from a 1 mm, n 2, first exceeded for a above",
-        "        1.8 mm (between 1 and 2 mm), where the error bar crosses the limit",
+        "    not met at the file values; from a 1 mm, n 2, first exceeded for a above 1.8",
+        "        mm (between 1 and 2 mm), where the error bar crosses the limit",
         "  within 5 %: a 1..4 mm, n 2..3 (all); 8 of 16 points",
         "    first exceeded for a above 4.8 mm (between 4 and 5 mm), where the error bar",
         "        crosses the limit",
@@ -85,7 +85,7 @@ def test_points_are_in_their_units_and_counted_with_their_reasons():
     assert tables.statuses(three) == ("solved", "refused", "failed", "solved")
     assert tables.reasons(three) == ("", *reasons)
     assert printed(three)[:3] == [
-        "2 of 4 points solved, 1 refused, 1 failed, 1 of them not in every row",
+        "2 of 4 points solved, 1 refused, 1 failed, 1 solved points lack some rows",
         "  1 point: a = -1 mm: must be greater than 0 mm",
         f"  1 point: {FAILED}",
     ]
@@ -128,7 +128,7 @@ def test_a_sample_has_its_scatter_and_its_indices_the_largest_first():
     lines = printed(of)
     assert lines[0] == "4,096 of 4,096 points solved"
     assert lines[4].startswith("  FE 2 ± 0 N/mm; 2.5 % 2, 50 % 2, 97.5 % 2")
-    assert lines[5] == "    no indices: does not vary"
+    assert lines[5] == "    no indices: the quantity does not vary"
     assert lines[6].startswith("  error 5.0 ± 1.8 %; 2.5 % 1.8, 50 % 5.0, 97.5 % 8.2")
     assert lines[7].startswith("    b  S1 0.90 (0.8")
     assert lines[8].startswith("    a  S1 0.10 (0.0")
@@ -140,7 +140,7 @@ def test_a_sample_has_its_scatter_and_its_indices_the_largest_first():
         for name in ("a", "b")
     ]
     assert float(lines[0]["mean"]) == pytest.approx(2.1, rel=1e-5)  # 2 N/mm and 5 %
-    assert (lines[2]["S1"], lines[2]["why none"]) == ("", "does not vary")
+    assert (lines[2]["S1"], lines[2]["why none"]) == ("", "the quantity does not vary")
     of_a = lines[4]
     assert float(of_a["mean"]) == pytest.approx(5, abs=0.01)
     assert float(of_a["standard deviation"]) == pytest.approx(np.sqrt(10 / 3), rel=0.01)
@@ -164,7 +164,7 @@ def test_a_sample_states_what_its_indices_leave_out():
     doubt = "    doubtful: 27 % of the variance may be the uncertainty of the finite elements"
     assert doubt in lines
     lines = printed(outcome(plan, course(plan, 0.01 * x, 0.02)))
-    assert lines[-1] == "    no indices: varies no more than the finite elements are uncertain"
+    assert lines[-1] == "    no indices: the variation is within the uncertainty of finite elements"
     x[[1, 18]] = NAN
     lines = printed(outcome(plan, course(plan, 0.01 * x)))
     assert "stiffness (2 rows of the sample left out: not solved)" in lines
@@ -194,7 +194,7 @@ def test_equal_limits_are_one_line():
         ("a=1:4mm:4", [NAN, NAN, 0, 0], 0,
          "    no answer beyond a = 3 mm: 2 mm is not solved (does not converge)"),
         ("a=4:5mm:2 b=2:3mm:2", [0, 0, 0, 0.3], 0,
-         "    no single input exceeds the limit, only several inputs together"),
+         "    no single input exceeds the limit, only several inputs together do"),
     ):  # fmt: skip
         plan = planned(*vary.split())
         assert printed(outcome(plan, course(plan, error, U)))[-1] == last

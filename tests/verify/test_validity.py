@@ -78,8 +78,8 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
     assert grid.problems == ("4 × level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
-        "beyond 5 % already at the default inputs; from the middle of the box, "
-        "larger a takes it beyond 5 % between 2 and 3 mm (about 2.8)"
+        "error beyond 5 % already at the default inputs; from the middle of the box, "
+        "larger a: error exceeds 5 % between 2 and 3 mm (about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
@@ -92,10 +92,10 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     for error_at_1, U, counts, words in (
         (0.04, 0.02, (1, 0, 1, 0),
-         "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar crosses it"),
-        (0.08, 0.01, (1, 1, 0, 0), "smaller b takes it beyond 5 % between 1 and 2 mm (about 1.5)"),
+         "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar crosses the limit"),
+        (0.08, 0.01, (1, 1, 0, 0), "smaller b: error exceeds 5 % between 1 and 2 mm (about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
-         "no solved point is beyond 5 %; no answer at b = 1 mm"),
+         "no solved point is beyond 5 %; not solved at b = 1 mm"),
     ):  # fmt: skip
         found = region(plan, course(plan, [error_at_1, 0.01], [U, 0.001]))
         middle = found.limits[1]
@@ -112,7 +112,7 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     assert found.limits[1].words == "a alone 1 to 4 mm; b alone at 2 mm"
     errors = [0.2 if v[0] == 1e-3 else NAN if v[0] == 5e-3 else 0.01 for v in plan.points]
     found = region(plan, course(plan, errors, [1e-4] * 5))  # no answer hides no break
-    assert found.breaks == "smaller a takes it beyond 5 % between 1 and 2 mm (about 1.8)"
+    assert found.breaks == "smaller a: error exceeds 5 % between 1 and 2 mm (about 1.8)"
 
 
 def test_the_row_of_the_run_gives_the_error_at_the_inputs_of_the_case(folder, known):
@@ -160,7 +160,7 @@ def test_a_measurement_is_made_once_and_again_where_it_no_longer_stands(folder, 
     for stored in (folder.parent / "cache").glob("store.sqlite*"):
         stored.unlink()
     assert not VALIDITY.measure_missing([PLATE], Dying(), again=True)
-    assert "points have no answer" in capsys.readouterr().out
+    assert "points were not completed" in capsys.readouterr().out
     assert file.read_text("utf-8") == before
 
 
@@ -178,7 +178,9 @@ def test_a_record_is_that_of_its_code_inputs_scans_and_comparisons(folder, known
         assert kept.measured(replace(PLATE, **changed)) is None
     monkeypatch.setattr(source_code, "source_of", lambda _function: "other")
     found = of_case(PLATE, result())
-    assert found.missing.startswith("not measured for this code: freewheel deep validity:made-up")
+    assert found.missing.startswith(
+        "not measured for the present code: run `freewheel deep validity:made-up"
+    )
     assert not found.cards
 
 

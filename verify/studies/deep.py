@@ -13,10 +13,10 @@ STUDIES = {study.name: study for study in (DEEP_CASES, VALIDITY, BUDGET)}
 
 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
-    """Run the named studies not yet measured for the present code, by default all of them.
+    """Run the named studies that have no record for the present code; by default all of them.
 
     "validity" and "validity:CASE" measure ranges of validity, "budget" and "budget:CASE" the causes
-    of differences; other names are those of deep cases. Returns 0 if everything was measured, 1 if
+    of differences. Other names are those of deep cases. Returns 0 if everything was measured, 1 if
     a part failed.
     """
     where = Where(jobs)

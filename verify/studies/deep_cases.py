@@ -1,4 +1,4 @@
-"""The study of deep cases: their levels are solved like those of any case, and stored together."""
+"""Study of deep cases: their levels are solved as those of other cases, and stored together."""
 
 from collections.abc import Sequence
 
@@ -14,34 +14,37 @@ from verify.studies.study import Study
 
 
 class DeepCases(Study):
-    """Measurements that are named as their cases, which no other study has."""
+    """Study with one record for each deep case, named by the id of the case."""
 
     def title(self, case: Case) -> str:
-        """The id of the case."""
+        """Name of the record on the command line: the id of the case."""
         return case.id
 
     def chosen(self, names: Sequence[str]) -> list[Case]:
-        """The cases with these ids; ValueError that names ids similar to an unknown one."""
+        """Cases with the ids `names`.
+
+        Raises ValueError, which lists similar ids, if an id is unknown.
+        """
         try:
             return [registry.find(name, self.cases()) for name in names]
         except ValueError as error:
             if unknown := [name for name in names if name in registry.ids(registry.CASES)]:
                 one = unknown[0]
                 raise ValueError(
-                    f"{one}: name what is measured of it, validity:{one} or budget:{one}"
+                    f"{one}: the study is missing, give validity:{one} or budget:{one}"
                 ) from None
             raise ValueError(f"{error}, validity[:CASE], budget[:CASE]") from None
 
 
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
-    """Solve all levels of the cases that are not in the cache, and store complete cases."""
+    """Solve all levels of the cases that are not in the cache, and store the complete cases."""
     results = solve([Job(case, case.inputs(), drawn=False) for case in cases], where, True)
     good = [_store(case, result) for case, result in zip(cases, results, strict=True)]
     return all(good)
 
 
 def _store(case: Case, result: CaseResult) -> bool:
-    """Store a case if all of its levels exist, and print a line."""
+    """Store a case and print a line; False if a row failed or a level is missing."""
     bad = [row.reason for row in result.rows if row.status is Status.FAIL]
     folder = cache.default_folder()
     parts = [cache.load(folder, case, case.inputs(), level) for level in case.levels]

@@ -1,1 +1,1 @@
-"""Verdicts of formulas: may a formula be used, in which range, and on which side does it err."""
+"""Verdicts on formulas: whether, and in which range, a formula may be used, and its safe side."""

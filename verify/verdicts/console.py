@@ -1,4 +1,4 @@
-"""Verdicts of record as lines of the commands."""
+"""Recorded verdicts as lines that the commands print."""
 
 import re
 from dataclasses import dataclass
@@ -17,19 +17,19 @@ _NAMED = re.compile(
 
 @dataclass(frozen=True)
 class Placed:
-    """A verdict, and the position of a user's inputs in its ranges of comparison."""
+    """A verdict, and the position of a user's inputs relative to its compared ranges."""
 
     verdict: FormulaVerdict
     place: Place
 
     @property
     def line(self) -> tuple[str, ...]:
-        """Equation, verdict, its sentence and the position of the inputs."""
+        """Cells with the equation, its verdict, the first clause, and the place of the inputs."""
         one = self.verdict
         return f"{one.source}, {_short(one)}", one.verdict.value, _brief(one), self.place.words
 
     def record(self) -> dict[str, str]:
-        """Record for other programs."""
+        """Verdict and position of the inputs as a dictionary for other programs."""
         one = self.verdict
         return {
             "id": one.id, "verdict": one.verdict.value, "words": one.words, "safe": one.safe.value,
@@ -38,7 +38,7 @@ class Placed:
 
 
 def named(words: str) -> tuple[FormulaVerdict, ...]:
-    """The forms of the equation that words name, "Belcin Eq. 20"; empty if they name none."""
+    """Verdicts on all forms of an equation named as "Belcin Eq. 20"; empty for an unknown name."""
     match = _NAMED.fullmatch(" ".join(words.lower().split()))
     if match is None:
         return ()
@@ -50,7 +50,7 @@ def named(words: str) -> tuple[FormulaVerdict, ...]:
 
 
 def explained(one: FormulaVerdict) -> list[str]:
-    """A verdict with its evidence, one line each."""
+    """Lines that explain a verdict with its evidence."""
     head = f"{one.source}, {one.name}, {one.form}: {one.what}"
     parts = [
         ("verdict", one.verdict.value), ("in words", one.words), ("model", one.model),
@@ -75,7 +75,7 @@ def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
 
 
 def _straight(one: VerdictRange) -> str:
-    """Largest deviation of errors between points from a straight line."""
+    """Text on the accuracy of linear interpolation between the points; empty if unknown."""
     if one.interpolation is None:
         return ""
     return f"; between points the error is within {percent(one.interpolation)} of a straight line"
@@ -90,7 +90,7 @@ def _design(one: FormulaVerdict) -> list[tuple[str, str]]:
 
 
 def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
-    """The verdict of each formula of a case, in the form to use, and the position of the inputs."""
+    """Verdict on each formula of a case, in the form to use, with the position of the inputs."""
     return tuple(
         Placed(one, place(one, case.id, inputs)) for one in of_case(case)
         if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG
@@ -98,7 +98,7 @@ def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
 
 
 def in_list(case: Case) -> str:
-    """The equations of a case by their verdict: "unsafe: Eq. 6; exact: Eq. 8"."""
+    """Text with the equations of a case, grouped by verdict: "unsafe: Eq. 6; exact: Eq. 8"."""
     names: dict[Verdict, list[str]] = {}
     for one in of_case(case):
         names.setdefault(one.verdict, []).append(_short(one))

@@ -1,7 +1,7 @@
-"""Declarations of each formula: its evidence, its safe side, its errata; never its verdict.
+"""Declarations of each formula: evidence, safe side and errata, but not the verdict.
 
-One TOML file for each paper. `part` names rows whose reference is the part itself, elastic and
-whole; `model` rows whose reference shares the formula's idealisation.
+There is one TOML file for each paper. `part` lists rows whose reference is the complete elastic
+part. `model` lists rows whose reference makes the same idealisation as the formula.
 """
 
 import tomllib
@@ -20,12 +20,13 @@ RowId = Annotated[str, StringConstraints(pattern=r"^[a-z0-9-]+/.+$")]
 
 
 class Formula(Entry):
-    """A numbered equation in one form, or a design rule that has a name in place of a number.
+    """A numbered equation in one form, or a design rule, which has a name instead of a number.
 
-    `errata` change the number of this form, `notation` lists those that do not. A definition names
-    what it `defines`; a formula that cannot be verified names the `missing` datum. `caution` names
-    a failure that no error of the formula shows, and the row that does; `readings` are rows whose
-    formulas use other readings of the paper's open points.
+    `errata` lists the errata that change the result of this form, `notation` the other errata.
+    `defines` is set for a definition and states the defined quantity. `missing` is set for a
+    formula that cannot be verified and states the missing datum. `caution` describes a failure that
+    the error of the formula does not reveal, and `caution_row` is the row that reveals it.
+    `readings` lists rows that use other interpretations of points that the paper leaves open.
     """
 
     equation: int = Field(default=0, ge=0)
@@ -48,12 +49,12 @@ class Formula(Entry):
 
     @property
     def rows(self) -> tuple[str, ...]:
-        """All rows that it rests on."""
+        """All rows that are evidence of the formula."""
         return self.part + self.model
 
     @property
     def name(self) -> str:
-        """The equation's number, or the rule's name."""
+        """Number of the equation as text, or name of the rule."""
         return f"Eq. {self.equation}" if self.equation else self.rule
 
     @model_validator(mode="after")
@@ -65,29 +66,32 @@ class Formula(Entry):
         if sum(kinds) != 1:
             raise ValueError(f"{where}: give one of defines, missing, or evidence (rows, errata)")
         if self.rows and self.safe is not Safe.NEITHER and not self.safe_reason:
-            raise ValueError(f"{where}: say why the safe side is safe in safe_reason")
+            raise ValueError(f"{where}: safe_reason must state why the safe side is safe")
         if bool(self.caution) != bool(self.caution_row):
             raise ValueError(f"{where}: give caution and caution_row together")
         if self.errata and not self.rows and not self.limited_by:
-            raise ValueError(f"{where}: say in limited_by what is wrong")
+            raise ValueError(f"{where}: limited_by must state the fault that the errata correct")
         if self.errata and self.form is Form.CORRECTED:
-            raise ValueError(f"{where}: errata belong to the printed form")
+            raise ValueError(f"{where}: only the printed form can have errata")
         return self
 
 
 class Declarations(Entry):
-    """All formulas of one paper."""
+    """All declared formulas of one paper."""
 
     formulas: tuple[Formula, ...]
 
     def of(self, number: int) -> tuple[Formula, ...]:
-        """The forms of one numbered equation."""
+        """All declared forms of one numbered equation."""
         return tuple(f for f in self.formulas if f.equation == number)
 
 
 @cache
 def declared() -> dict[str, Declarations]:
-    """The declarations by the key of their paper; ValueError if they are not complete."""
+    """Declarations by the key of their paper.
+
+    Raises ValueError if the declarations of a paper are incomplete.
+    """
     found = {}
     for paper in papers():
         text = (HERE / f"{paper.key}.toml").read_text("utf-8")
@@ -97,7 +101,7 @@ def declared() -> dict[str, Declarations]:
 
 
 def cases_by_paper() -> dict[str, tuple[str, ...]]:
-    """The cases whose rows the formulas of each paper name, by the key of the paper."""
+    """Cases whose rows the declarations of each paper name, by the key of the paper."""
     return {
         key: tuple(dict.fromkeys(
             row.partition("/")[0] for f in one.formulas
@@ -108,36 +112,40 @@ def cases_by_paper() -> dict[str, tuple[str, ...]]:
 
 
 def _check(paper: Paper, declarations: Declarations) -> None:
-    """Each equation has a verdict; a misprinted equation also has one for its corrected form."""
+    """Raise ValueError if an equation is not declared completely.
+
+    Each equation must have a declaration. An equation with a misprint must also have one for its
+    corrected form.
+    """
     known = {erratum.id for erratum in paper.errata}
     for formula in declarations.formulas:
         if unknown := [e for e in formula.errata + formula.notation if e not in known]:
-            raise ValueError(f"{paper.key}, {formula.name}: there is no erratum {unknown[0]}")
+            raise ValueError(f"{paper.key}, {formula.name}: unknown erratum {unknown[0]}")
     for equation in paper.equations:
         if rule := _broken(declarations.of(equation.number)):
             raise ValueError(f"{paper.key}, Eq. {equation.number}: {rule}")
 
 
 def _broken(forms: tuple[Formula, ...]) -> str:
-    """Broken rule of the forms of one equation; empty if none is broken."""
+    """Violated rule of the declared forms of one equation; empty if there is none."""
     kinds = [f.form for f in forms]
     if kinds not in ([Form.PRINTED], [Form.PRINTED, Form.CORRECTED]):
-        return "declare it as printed, once"
+        return "declare the printed form exactly once, and the corrected form at most once"
     if forms[0].errata and len(forms) == 1:
-        return "an erratum changes its number: declare the corrected form too"
+        return "an erratum changes the result: declare the corrected form too"
     if len(forms) > 1 and not (forms[0].errata or forms[0].missing):
-        return "nothing in it needs a correction"
+        return "no corrected form is allowed: the printed form has no errata and no missing datum"
     return ""
 
 
 def errata_of(paper: str, formula: Formula) -> tuple[Erratum, ...]:
-    """The errata that change the number of a printed form."""
+    """Errata that change the result of a printed form."""
     ledger = next(p for p in papers() if p.key == paper)
     return tuple(e for e in ledger.errata if e.id in formula.errata)
 
 
 def rows_of_corrected(paper: str, formula: Formula) -> tuple[str, ...]:
-    """The rows of the corrected form of a printed equation that has errata."""
+    """Rows of the corrected form of a printed equation that has errata."""
     if not formula.errata:
         return ()
     forms = declared()[paper].of(formula.equation) if formula.equation else ()
@@ -146,7 +154,7 @@ def rows_of_corrected(paper: str, formula: Formula) -> tuple[str, ...]:
 
 @cache
 def safe_sides() -> dict[str, Safe]:
-    """The safe side of each row that is evidence of a formula with one."""
+    """Safe side of each row that is evidence of a formula with a safe side."""
     return {
         row: formula.safe
         for paper in declared().values()

@@ -1,6 +1,7 @@
-"""Design ranges: over which values of the inputs engineers use a formula, and by which source.
+"""Design ranges: ranges of inputs in which engineers use a formula, with sources.
 
-`ranges.toml` holds them. A verdict over a range needs a study of each of them from end to end.
+`ranges.toml` contains the design ranges. A verdict over a range requires a study of each design
+range over its complete length.
 """
 
 import tomllib
@@ -26,9 +27,10 @@ SAME = 1e-9  # relative: ends of ranges that differ by less are equal
 
 
 class Declared(Entry):
-    """The ends of a design range, "T=6.5N m,52N m", and its source.
+    """A design range with its source; `ends` is a text such as "T=6.5N m,52N m".
 
-    `per` makes it dimensionless, as `ratio`: powers of the default inputs that it is divided by.
+    `ratio` names the dimensionless form of the input. Its divisor is a product of powers of the
+    default inputs; `per` contains the exponents.
     """
 
     case: str
@@ -39,19 +41,22 @@ class Declared(Entry):
 
 
 class Table(Entry):
-    """All of them."""
+    """All entries of `ranges.toml`."""
 
     ranges: tuple[Declared, ...]
 
 
 @cache
 def declared() -> tuple[Declared, ...]:
-    """The entries of the file; ValueError if one is not complete."""
+    """Entries of `ranges.toml`.
+
+    Raises ValueError if an entry is incomplete.
+    """
     return Table.model_validate(tomllib.loads(FILE.read_text("utf-8"))).ranges
 
 
 def design(cases: Sequence[str], studies: Sequence[Study]) -> tuple[DesignRange, ...]:
-    """The design ranges of cases, and whether the solved points of studies span them."""
+    """Design ranges of `cases`, and whether the solved points of `studies` span them."""
     return tuple(_one(entry, studies) for entry in declared() if entry.case in cases)
 
 
@@ -72,12 +77,15 @@ def _one(entry: Declared, studies: Sequence[Study]) -> DesignRange:
 
 
 def axis_of(entry: Declared) -> Axis:
-    """The two ends as an axis of the default inputs; InputError if there is no such input."""
+    """Both ends of a design range as an axis of the default inputs.
+
+    Raises InputError if the case has no such input.
+    """
     return axis(find(entry.case).inputs(), entry.ends)
 
 
 def side(case: str, of: Axis, low: float, high: float) -> Side:
-    """A range [SI] of an input, with its dimensionless ends where these are declared."""
+    """A range [SI] of an input, with dimensionless ends if a ratio is declared."""
     scale = ratio_of(case, of.name)
     found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.in_unit(low),
                  high=of.in_unit(high))  # fmt: skip
@@ -88,7 +96,7 @@ def side(case: str, of: Axis, low: float, high: float) -> Side:
 
 
 def ratio_of(case: str, name: str) -> Declared | None:
-    """The entry that makes an input dimensionless, if one does."""
+    """The entry that declares a ratio for an input, or None."""
     return next(
         (e for e in declared() if e.case == case and e.ratio and e.ends.startswith(f"{name}=")),
         None,
@@ -96,6 +104,6 @@ def ratio_of(case: str, name: str) -> Declared | None:
 
 
 def divisor(entry: Declared) -> float:
-    """The divisor of the input, from the default inputs of the case [SI]."""
+    """Divisor [SI] of the declared ratio, from the default inputs of the case."""
     inputs: Inputs = find(entry.case).inputs()
     return float(prod(getattr(inputs, name) ** power for name, power in entry.per.items()))

@@ -1,4 +1,4 @@
-"""Evidence of a formula's verdict: errors of judged rows, and of the studies of the same rows."""
+"""Evidence for a verdict: errors of judged rows, and of the studies of the same comparisons."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ COMPARING = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.ASYMPTOTIC)  # rows that ca
 
 
 class NoEvidenceError(ValueError):
-    """A row that a verdict needs has failed, was not run, or carries no judged error."""
+    """A row that a verdict requires failed, was not solved, or has no judged error."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Evidence:
 
     @property
     def points(self) -> tuple[Point, ...]:
-        """All errors: of the rows, then of the solved points of the studies."""
+        """All errors: those of the rows, then those of the solved points of the studies."""
         solved = (
             Point(float(e), float(U), is_paper=False)
             for _, course in self.studies
@@ -43,63 +43,70 @@ class Evidence:
 
     @property
     def cases(self) -> tuple[str, ...]:
-        """The cases of its rows."""
+        """Ids of the cases of the rows."""
         return tuple(dict.fromkeys(row.case for row in self.rows))
 
     @property
     def unsolved(self) -> int:
-        """Points of studies without an answer."""
+        """Number of unsolved points in the studies."""
         return sum(
             int((~np.isfinite(course.error + course.U_error)).sum()) for _, course in self.studies
         )
 
     @property
     def is_studied(self) -> bool:
-        """Whether each case was compared at other than its default inputs, all with an answer."""
+        """Whether each case was studied at inputs other than the default, all points solved."""
         studied = {plan.case.id for plan, _ in self.studies if len(plan.points) > 1}
         return not self.unsolved and set(self.cases) <= studied
 
 
 def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:
-    """The evidence that the rows of these ids give; NoEvidenceError names the missing evidence."""
+    """Evidence from the rows with the given ids.
+
+    Raises NoEvidenceError, which names the missing evidence.
+    """
     found = tuple(_judged(row_id, rows) for row_id in ids)
     return Evidence(found, tuple(study for row in found for study in _studies(row)))
 
 
 def point_of(row: Row) -> Point:
-    """The error of a row and its expanded uncertainty, relative; NoEvidenceError without one."""
+    """Relative error of a row with its expanded uncertainty.
+
+    Raises NoEvidenceError if the row has no such error.
+    """
     found = offset(row)
     if found is None or row.difference is None or not row.scale or row.tolerance is None:
         raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
     if not math.isfinite(found + row.tolerance):
-        raise NoEvidenceError(f"{row.id} has an error that is not a finite number")
+        raise NoEvidenceError(f"the error of {row.id} is not a finite number")
     return Point(found / row.scale, row.tolerance / row.scale)
 
 
 def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) -> Row:
-    """The row of this id; NoEvidenceError unless it passed, or was measured and is SHOWN.
+    """Row with the given id, which passed, or has a measured error and the status SHOWN.
 
-    A row that states a contradiction of the paper (NOTE) is enough for a caution.
+    With `may_be_note`, a row that states a contradiction in the paper (NOTE) is also accepted.
+    Raises NoEvidenceError for any other row.
     """
     if row_id not in rows:
-        raise NoEvidenceError(f"{row_id} is no row of this run")
+        raise NoEvidenceError(f"this run contains no row {row_id}")
     row = rows[row_id]
     stands = row.status is Status.PASS or (may_be_note and row.status is Status.NOTE)
     if not stands and not _is_measured(row, rows):
-        raise NoEvidenceError(f"{row_id} is {row.status.value}")
+        raise NoEvidenceError(f"{row_id} has the status {row.status.value}")
     return row
 
 
 def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
     row = require(row_id, rows)
     if row.kind not in COMPARING:
-        raise NoEvidenceError(f"{row_id} compares no formula with a reference ({row.kind.value})")
+        raise NoEvidenceError(f"{row_id} does not compare formula and reference ({row.kind.value})")
     point_of(row)
     return row
 
 
 def _is_measured(row: Row, rows: Mapping[str, Row]) -> bool:
-    """Whether a model error that nobody predicts was measured on meshes that converge."""
+    """Whether the row measured an unpredicted model error on meshes that converge."""
     beside = rows.get(f"{row.id}{BESIDE}")
     converges = beside is not None and beside.status is Status.PASS
     return row.status is Status.SHOWN and row.kind is Kind.APPROXIMATION and converges
@@ -116,7 +123,7 @@ def _studies(row: Row) -> list[Study]:
 
 
 def joined(studies: Sequence[Study]) -> list[Study]:
-    """Studies over the same points as one, with the largest error of all at each point."""
+    """Studies, with those over the same points joined: the largest error at each point."""
     found: dict[tuple[str, str], Study] = {}
     for plan, course in studies:
         key = (plan.case.id, str((plan.names, plan.points.tolist())))
@@ -125,7 +132,7 @@ def joined(studies: Sequence[Study]) -> list[Study]:
 
 
 def _worse(one: Course, other: Course) -> Course:
-    """At each point the error of larger size, an unsolved one before any other."""
+    """Result with the larger error at each point; an unsolved point counts as largest."""
     size, next_size = (abs(c.error) + c.U_error for c in (one, other))
     takes_other = np.isnan(next_size) | (next_size > size)
     return replace(

@@ -1,4 +1,4 @@
-"""The verdicts of all formulas, computed from the rows of a run, stored studies and errata."""
+"""Verdicts on all formulas, computed from the rows of a run, stored studies and errata."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -16,7 +16,7 @@ from verify.verdicts.words import SMALLEST, sentence
 
 
 def verdicts(rows: Sequence[Row], key: str = "") -> tuple[FormulaVerdict, ...]:
-    """The verdict of each declared formula of a paper, or of all in the order of the papers."""
+    """Verdict on each declared formula of one paper, or of all papers in their order."""
     known = {row.id: row for row in rows}
     return tuple(
         _verdict(paper.key, paper.cited, formula, known, rows_of_corrected(paper.key, formula))
@@ -29,7 +29,7 @@ def _verdict(
     paper: str, source: str, formula: Formula, rows: Mapping[str, Row],
     corrected: Sequence[str] = (),
 ) -> FormulaVerdict:  # fmt: skip
-    """The verdict of a formula; `corrected` are ids of the rows of its corrected form."""
+    """Verdict on a formula; `corrected` contains the ids of the rows of its corrected form."""
     head = FormulaVerdict(
         id=f"{paper}/{formula.name}, {formula.form}", paper=paper, source=source,
         name=formula.name, form=formula.form, what=formula.what,
@@ -62,13 +62,16 @@ def _verdict(
 def _of(
     paper: str, formula: Formula, part: Evidence, model: Evidence, changed: float | None
 ) -> Verdict:
-    """The verdict of evidence that stands; NoEvidenceError if there is none."""
+    """Verdict from evidence that is complete.
+
+    Raises NoEvidenceError if there is no evidence.
+    """
     rows = (*part.rows, *model.rows)
     if formula.errata:
         _require_shown(paper, formula, [point_of(row) for row in rows], changed)
         return Verdict.WRONG
     if not rows:
-        raise NoEvidenceError("no row is declared to judge it")
+        raise NoEvidenceError("no row is declared as evidence")
     if not part.rows and all(_is_sharp_identity(row) for row in rows):
         return Verdict.EXACT
     judged_on = part if part.rows else model
@@ -87,7 +90,11 @@ def _is_sharp_identity(row: Row) -> bool:
 def _require_shown(
     paper: str, formula: Formula, points: Sequence[Point], changed: float | None
 ) -> None:
-    """An erratum changes the number: beside the corrected form, beyond its bar, or in a test."""
+    """Raise NoEvidenceError if errata have no demonstrated effect.
+
+    The effect is demonstrated by a change from the corrected form, by an error that exceeds its
+    uncertainty, or by a test.
+    """
     has_error = any(abs(p.error) > p.U for p in points)
     if points and not (has_error if changed is None else abs(changed) > SMALLEST):
         raise NoEvidenceError(f"errata {', '.join(formula.errata)}: the printed form has no error")
@@ -97,7 +104,7 @@ def _require_shown(
 
 
 def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
-    """With the errors, the ranges and the strength of the evidence."""
+    """The verdict with the errors, the ranges and the strength of its evidence."""
     if not found.rows:
         return head
     points = found.points
@@ -116,7 +123,7 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
 
 
 def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
-    """Of a row's error: its size, but of an unsafe formula first that on the unsafe side."""
+    """Sorting key of a row: its error on the unsafe side for an unsafe formula, then its size."""
     is_unsafe = head.verdict is Verdict.UNSAFE
     return on_unsafe_side([point], head.safe) if is_unsafe else 0.0, point.size
 
@@ -131,7 +138,7 @@ def _design(found: Evidence) -> tuple[DesignRange, ...]:
 
 
 def _spread(rows: Sequence[Row]) -> str:
-    """The range of values over the readings that a paper leaves open."""
+    """Range of the values that the interpretations left open by a paper give, as text."""
     values = [row.analytic for row in rows if row.analytic is not None]
     if not values:
         return ""
@@ -141,7 +148,7 @@ def _spread(rows: Sequence[Row]) -> str:
 
 
 def _model(found: Evidence) -> str:
-    """Accuracy with which the formula solves its idealisation."""
+    """Accuracy with which the formula solves its idealisation, as text."""
     if not found.rows:
         return ""
     points = [point_of(row) for row in found.rows]

@@ -1,6 +1,7 @@
-"""Inputs that change no error of a formula: a part with other values of them was compared, too.
+"""Inputs on which the error of a formula does not depend.
 
-`independent.toml` declares them with their reasons.
+Such inputs may have any value in a comparison with a user's part. `independent.toml` declares them
+with reasons.
 """
 
 import tomllib
@@ -14,7 +15,7 @@ FILE = Path(__file__).parent / "independent.toml"
 
 
 class Declared(Entry):
-    """Inputs of a case on which the errors of `rows` do not depend; of all rows without names."""
+    """Inputs of a case on which the errors of `rows` do not depend; no names mean all rows."""
 
     case: str
     rows: tuple[Words, ...] = ()
@@ -23,19 +24,22 @@ class Declared(Entry):
 
 
 class Table(Entry):
-    """All of them."""
+    """All entries of `independent.toml`."""
 
     independent: tuple[Declared, ...]
 
 
 @cache
 def declared() -> tuple[Declared, ...]:
-    """The entries of the file; ValueError where one is not complete."""
+    """Entries of `independent.toml`.
+
+    Raises ValueError if an entry is incomplete.
+    """
     return Table.model_validate(tomllib.loads(FILE.read_text("utf-8"))).independent
 
 
 def independent(found: FormulaVerdict, case: str) -> frozenset[str]:
-    """The inputs of a case on which no error of the formula there depends."""
+    """Names of the inputs of a case on which no error of the formula in this case depends."""
     rows = (row.partition("/") for row in found.rows + found.model_rows)
     of_rows = [_of_row(case, quantity) for of, _, quantity in rows if of == case]
     return frozenset.intersection(*of_rows) if of_rows else frozenset()

@@ -1,4 +1,4 @@
-"""The change of a value by a misprint alone, without the error of the formula."""
+"""Change of a value by a misprint alone, without the error of the formula."""
 
 import math
 from collections.abc import Iterable
@@ -9,9 +9,10 @@ SAME = 1e-9  # relative: references that differ by less are one
 
 
 def misprint(printed: Iterable[Row], corrected: Iterable[Row]) -> float | None:
-    """The largest relative change from a corrected to a printed value of the same reference.
+    """Largest relative change from a corrected to a printed value with the same reference.
 
-    None if no row of the corrected form has the reference of a row of the printed one.
+    The result is None if no row of the corrected form has the reference of a row of the printed
+    form.
     """
     corrected = tuple(corrected)
     changes = [

@@ -1,4 +1,4 @@
-"""The verdict of a formula over the points of a user's sweep, by the rule of `rule`."""
+"""Verdict on a formula over the points of a user's sweep, by the general rule."""
 
 import math
 from typing import Any
@@ -18,7 +18,7 @@ SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
 
 
 def safe_side(plan: Plan, course: Course) -> Safe:
-    """Safe side of an estimate: as declared for the row's formula, else as its case states it."""
+    """Safe side of a compared quantity: as declared for its formula, or as stated by the case."""
     declared = safe_sides().get(f"{plan.case.id}/{course.pair.name}")
     if declared is not None:
         return declared
@@ -28,7 +28,7 @@ def safe_side(plan: Plan, course: Course) -> Safe:
 
 
 def verdict_in_words(plan: Plan, course: Course) -> str:
-    """Verdict, largest error on either side and the safe side; empty if nothing is compared."""
+    """Text with the verdict, the largest errors and the safe side; empty if nothing is compared."""
     known = np.isfinite(course.error + course.U_error)
     if not known.any():
         return ""
@@ -46,7 +46,7 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
 
 
 def _nominal(plan: Plan) -> int | None:
-    """The row with the nominal inputs; None if no point of the sweep has them."""
+    """Number of the point with the nominal inputs; None if the sweep does not contain them."""
     found = nominal_point(plan)
     if found is None:
         return None

@@ -1,4 +1,4 @@
-"""A user's inputs beside the ends of studies."""
+"""Comparison of a user's inputs with the ranges of studies."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -13,14 +13,14 @@ SAME = 1e-9  # relative: inputs that differ by less are equal
 
 @dataclass(frozen=True)
 class Part:
-    """Values of a user's inputs in display units and the default values, by name."""
+    """Values of a user's inputs in display units, and the default values, by name."""
 
     values: Mapping[str, object]
     default: Mapping[str, object]
 
     @classmethod
     def of(cls, inputs: Inputs, free: frozenset[str]) -> Self:
-        """The values of inputs without those that are `free`, which change no error."""
+        """Values of the inputs, except inputs in `free`, which change no error."""
         mine, default = (
             {one.name: one.value for one in given.display() if one.name not in free}
             for given in (inputs, type(inputs)())
@@ -28,32 +28,37 @@ class Part:
         return cls(mine, default)
 
     def changed(self, found: VerdictRange | None = None) -> list[str]:
-        """The inputs that differ from the centre of a study: its constant inputs, else default."""
+        """Names of the inputs that differ from the centre of a study.
+
+        The centre consists of the constant inputs of the study, and of the default values of all
+        other inputs. Without a study, it consists of the default values.
+        """
         held = {side.name: side.low for side in (found.held if found else ())}
         centre = {**self.default, **held}
         return [name for name, value in self.values.items() if not _equal(value, centre.get(name))]
 
     def is_varied(self, found: VerdictRange) -> bool:
-        """Whether a study varies the inputs that differ from its centre, all of them at once."""
+        """Whether a study varies, simultaneously, all inputs that differ from its centre."""
         changed = self.changed(found)
         varied = {side.name for side in found.studied}
         return set(changed) <= varied and not (found.is_star and len(changed) > 1)
 
     def placed(self, found: VerdictRange) -> list[str]:
-        """The inputs that must lie between ends: of a line of a star one, else all varied ones.
+        """Names of the inputs that must lie in the ranges of a study.
 
-        The default of an input that a study varies may lie beyond the ends of the study.
+        For a star, this is the changed input, if any. Otherwise, these are all varied inputs. The
+        default of a varied input may lie outside the range of the study.
         """
         changed = self.changed(found)
         return changed if found.is_star and changed else [side.name for side in found.studied]
 
     def is_within(self, found: VerdictRange, sides: Sequence[Side]) -> bool:
-        """Whether the inputs lie between the ends of `sides`: all of a study, or within a limit."""
+        """Whether the inputs lie in the ranges `sides`, those of a study or within a limit."""
         ends = {side.name: side for side in sides}
         return all(name in ends and self.is_inside(ends[name]) for name in self.placed(found))
 
     def is_inside(self, side: Side) -> bool:
-        """Whether an input lies between these ends."""
+        """Whether the input lies in the range `side`."""
         value = self.values[side.name]
         if not isinstance(value, int | float):
             return False

@@ -1,4 +1,4 @@
-"""Position of a user's inputs relative to the ranges that a verdict compared."""
+"""Position of a user's inputs relative to the compared ranges of a verdict."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -18,7 +18,7 @@ WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdic
 
 
 class Where(StrEnum):
-    """Whether a formula was compared at such inputs, and is within a limit there."""
+    """Position of inputs: compared and within a limit, compared and beyond it, or not compared."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"
@@ -28,14 +28,14 @@ class Where(StrEnum):
 
 @dataclass(frozen=True)
 class Place:
-    """Position of the inputs, and a sentence that states it."""
+    """Position of the inputs, and a text that states it."""
 
     where: Where
     words: str
 
 
 def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
-    """Position of a case's inputs relative to the ranges of a verdict."""
+    """Position of the inputs of a case relative to the compared ranges of a verdict."""
     if found.verdict in WITHOUT_RANGE:
         return Place(Where.NONE, "")
     if case not in found.cases:
@@ -52,7 +52,7 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
         return Place(Where.NOT_COMPARED, _together(part, ranges, symbols))
     compared = [r for r in apply if part.is_within(r, r.studied)]
     if not compared:
-        return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, part)}")
+        return Place(Where.NOT_COMPARED, f"outside the compared range: {_beyond(apply, part)}")
     for limit in dict.fromkeys(r.limit for r in compared):
         of_limit = [r for r in compared if r.limit == limit]
         if all(part.is_within(r, r.box) for r in of_limit):
@@ -61,7 +61,7 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
 
 
 def _without(found: VerdictRange, free: frozenset[str]) -> VerdictRange:
-    """A range without the inputs that change no error."""
+    """A range without the inputs in `free`, which change no error."""
     box, studied, held = (
         tuple(side for side in sides if side.name not in free)
         for sides in (found.box, found.studied, found.held)
@@ -74,14 +74,17 @@ def _limit(one: VerdictRange) -> float:
 
 
 def _at_default(found: FormulaVerdict, case: str) -> Where:
-    """Outside if the largest error at default inputs is of this case and beyond all classes."""
+    """OUTSIDE if the error at the default inputs of this case exceeds the widest accuracy class.
+
+    Otherwise INSIDE. Only the case with the largest error can be outside.
+    """
     size = abs(found.error or 0.0) + (found.U or 0.0)
     is_here = found.worst_row.partition("/")[0] == case
     return Where.OUTSIDE if is_here and size > CLASSES[-1] else Where.INSIDE
 
 
 def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, str]) -> str:
-    """The changed inputs that no study varies or has at this value, else all of them."""
+    """Text on changed inputs without a study: those that no study contains, or all of them."""
     changed = part.changed()
     known = {side.name for r in ranges for side in r.studied}
     known |= {side.name for r in ranges for side in r.held if part.is_inside(side)}
@@ -92,7 +95,7 @@ def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, 
 
 
 def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:
-    """The studied range of the first input that lies in none of them, and the constant inputs."""
+    """Text with the compared range of the first input outside it, and the constant inputs."""
     sides = [side for r in ranges for side in r.studied]
     for name in dict.fromkeys(side.name for side in sides):
         of_name = [side for side in sides if side.name == name]
@@ -102,10 +105,11 @@ def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:
 
 
 def _outside(ranges: Sequence[VerdictRange], part: Part) -> str:
-    """The sides of the ranges within the largest limit that the inputs exceed.
+    """Text with the ranges within the largest limit that do not contain the inputs.
 
-    The range of a study is the largest one without an error beyond the limit: errors outside of it
-    can be within the limit, and are if the range of another study contains the inputs.
+    The range of a study is the largest range without an error beyond the limit. Errors outside of
+    it can be within the limit. They are within it if the range of another study contains the
+    inputs.
     """
     limit = percent(ranges[0].limit)
     sides = [
@@ -126,12 +130,12 @@ def _named(symbols: list[str]) -> str:
 
 
 def _at(ranges: Sequence[VerdictRange]) -> str:
-    """The constant inputs, if all of the studies have the same: " at z = 8"."""
+    """Text of the constant inputs, " at z = 8", if all studies have the same; otherwise empty."""
     found = {constant(r) for r in ranges}
     return f" at {found.pop()}" if len(found) == 1 and "" not in found else ""
 
 
 def _spans(sides: list[Side]) -> str:
-    """The range of one input over all studies: "T 6.5 to 52 N m"."""
+    """Text of the range of one input over all studies: "T 6.5 to 52 N m"."""
     low, high = min(side.low for side in sides), max(side.high for side in sides)
     return side_in_words(replace(sides[0], low=low, high=high, ratio=""))

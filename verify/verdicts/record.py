@@ -1,6 +1,7 @@
-"""The verdicts of record, from the last full run that a maintainer accepted.
+"""Recorded verdicts, from the last complete run that a maintainer accepted.
 
-`check`, `list` and `explain` read them, for a verdict rests on all cases and takes minutes.
+The commands `check`, `list` and `explain` read this record, because a verdict depends on all cases
+and takes minutes to compute.
 """
 
 import json
@@ -27,7 +28,7 @@ SMALLEST_ERROR = 1e-5  # errors below it depend on rounding, so that they are no
 
 @cache
 def kept() -> tuple[FormulaVerdict, ...]:
-    """The verdicts of record; empty if there are none."""
+    """The recorded verdicts; empty if there is no record."""
     try:
         text = FILE.read_bytes()
     except OSError:
@@ -36,29 +37,35 @@ def kept() -> tuple[FormulaVerdict, ...]:
 
 
 def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
-    """Make these the verdicts of record, a line each; OSError."""
+    """Write the record of verdicts, one verdict per line.
+
+    Raises OSError if the file cannot be written.
+    """
     lines = [json.dumps(_short(asdict(one)), ensure_ascii=False) for one in verdicts]
     text = "[\n" + ",\n".join(lines) + "\n]\n"
     write_whole(file, lambda target: target.write(text.encode()))
 
 
 def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
-    """A line for each formula whose verdict, class, safe side, ranges or errors differ from it."""
+    """Lines about formulas whose verdict differs from the recorded one.
+
+    The verdict, the accuracy class, the safe side, the ranges and the errors are compared.
+    """
     before = {one.id: one for one in kept()}
     lines = []
     for one in verdicts:
         was = before.pop(one.id, None)
         if was is None:
-            lines.append(f"verdict of {one.id}: {one.words}; not on record")
+            lines.append(f"verdict of {one.id}: {one.words}; not in the record")
         elif (was.verdict, was.within) != (one.verdict, one.within):
-            lines.append(f"verdict of {one.id}: {one.words}; {was.words} on record")
+            lines.append(f"verdict of {one.id}: {one.words}; {was.words} in the record")
         elif was.safe is not one.safe:
-            lines.append(f"verdict of {one.id}: its safe side is not that of record")
+            lines.append(f"verdict of {one.id}: the safe side differs from the record")
         elif (was.ranges, was.design) != (one.ranges, one.design):
-            lines.append(f"verdict of {one.id}: its ranges are not those of record")
+            lines.append(f"verdict of {one.id}: the ranges differ from the record")
         elif any(_differs(getattr(was, name), getattr(one, name)) for name in ERRORS):
-            lines.append(f"verdict of {one.id}: its errors are not those of record")
-    return lines + [f"verdict of {name}: on record only" for name in before]
+            lines.append(f"verdict of {one.id}: the errors differ from the record")
+    return lines + [f"verdict of {name}: only in the record" for name in before]
 
 
 def _differs(was: float | None, now: float | None) -> bool:
@@ -68,7 +75,7 @@ def _differs(was: float | None, now: float | None) -> bool:
 
 
 def of_case(case: Case) -> tuple[FormulaVerdict, ...]:
-    """The verdicts of record of the equations that a case has, or that rest on its rows."""
+    """Recorded verdicts on the equations that a case contains, or that depend on its rows."""
     names = {f"Eq. {number}" for number in equations(case)}
     return tuple(
         one for one in kept()
@@ -77,14 +84,14 @@ def of_case(case: Case) -> tuple[FormulaVerdict, ...]:
 
 
 def equations(case: Case) -> frozenset[int]:
-    """The numbered equations of its paper that the quantities of a case state."""
+    """Numbers of the equations of the paper that the quantities of a case name."""
     declared: Sequence[Any] = getattr(case.inputs, "quantities", tuple)()
     texts = [f"Eqs. {q.equation}" for q in declared if q.equation]
     return frozenset().union(*map(numbers, texts))
 
 
 def _short(value: Any) -> Any:
-    """Numbers with DIGITS significant digits, so that a record is the same on every machine."""
+    """`value` with numbers rounded to DIGITS digits, so that records agree between machines."""
     if isinstance(value, float):
         return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None
     if isinstance(value, dict):

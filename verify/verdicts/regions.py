@@ -1,4 +1,4 @@
-"""Within which ranges of the inputs a formula keeps each limit, by the stored studies."""
+"""Ranges of the inputs in which a formula is within each limit, from the stored studies."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ DIGITS = 1  # significant, of an estimate
 
 
 def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
-    """The ranges in which all rows keep each limit, for each study."""
+    """Ranges in which all compared rows are within each limit, for each study."""
     return tuple(
         VerdictRange(
             case=plan.case.id, limit=one.limit, words=box_words(one, star=plan.star),
@@ -42,10 +42,11 @@ def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
 
 
 def interpolation(plan: Plan, course: Course) -> float | None:
-    """Largest deviation of an error from a line between its neighbours on an axis.
+    """Largest deviation of an error from linear interpolation between its neighbours on an axis.
 
-    At the points of a study this overestimates what interpolation between them leaves out, some
-    four times where the error is smooth. None if no point has two solved neighbours.
+    At the points of a study, this overestimates the error of interpolation between the points, by a
+    factor of about four where the error is smooth. The result is None if no point has two solved
+    neighbours.
     """
     largest = [
         float(np.max(off))
@@ -57,7 +58,7 @@ def interpolation(plan: Plan, course: Course) -> float | None:
 
 
 def _rows(plan: Plan) -> Sequence[int]:
-    """A point on each line of the study: the middle of a star, all of a grid."""
+    """One point on each line of the study: the centre of a star, or all points of a grid."""
     return range(1) if plan.star else range(len(plan.points))
 
 

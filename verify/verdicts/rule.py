@@ -1,4 +1,4 @@
-"""The rule that makes a verdict of errors; docs/verdicts.md derives it."""
+"""Rule that gives a verdict from errors; docs/verdicts.md explains it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ SAFE_SIDE_TOLERANCE = 0.02  # largest error on the unsafe side of a conservative
 
 @dataclass(frozen=True)
 class Point:
-    """A relative error, formula over reference less one, with its expanded uncertainty."""
+    """A relative error, formula/reference - 1, with its expanded uncertainty."""
 
     error: float
     U: float
@@ -20,36 +20,37 @@ class Point:
 
     @property
     def size(self) -> float:
-        """The largest error that the bar allows, on either side."""
+        """Largest error that the uncertainty allows, as an absolute value."""
         return abs(self.error) + self.U
 
 
 def above(points: Sequence[Point]) -> float:
-    """The largest error above the reference, bars included; 0 where there is none."""
+    """Largest error above the reference, including uncertainty; 0 if there is none."""
     return max(0.0, *(p.error + p.U for p in points))
 
 
 def below(points: Sequence[Point]) -> float:
-    """The largest error below the reference as a positive number, bars included."""
+    """Largest error below the reference as a positive number, including uncertainty."""
     return max(0.0, *(p.U - p.error for p in points))
 
 
 def on_unsafe_side(points: Sequence[Point], safe: Safe) -> float:
-    """The largest error on the unsafe side, which is both sides where neither is safe."""
+    """Largest error on the unsafe side; if neither side is safe, the larger of both sides."""
     high, low = above(points), below(points)
     return {Safe.ABOVE: low, Safe.BELOW: high, Safe.NEITHER: max(high, low)}[safe]
 
 
 def accuracy(points: Sequence[Point]) -> float | None:
-    """The least accuracy class that holds all points, bars included; None beyond the last."""
+    """Smallest accuracy class that contains all errors with uncertainties; None beyond the last."""
     largest = max(p.size for p in points)
     return next((limit for limit in CLASSES if largest <= limit), None)
 
 
 def judged(points: Sequence[Point], safe: Safe, *, has_range: bool) -> Verdict:
-    """The verdict of a formula whose errors are known; at least one point.
+    """Verdict on a formula with known errors at one or more points.
 
-    `has_range` states whether a study compares other than the default inputs, all of them solved.
+    `has_range` states whether inputs other than the default are compared and all these points are
+    solved.
     """
     if accuracy(points) is not None:
         return Verdict.ACCURATE if has_range else Verdict.PART

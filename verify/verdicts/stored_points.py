@@ -1,4 +1,4 @@
-"""Stored studies point by point, as a report shows them at a user's inputs."""
+"""Stored studies point by point, which a report evaluates at a user's inputs."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -31,7 +31,7 @@ OF_ANY_SIZE = ("1", "deg", "MPa")
 
 
 def studies(results: Sequence[CaseResult]) -> tuple[StoredStudy, ...]:
-    """The stored studies of the suite's cases in a run, in their order."""
+    """Stored studies of the cases of the suite in a run, in the order of the cases."""
     suite = ids(CASES)
     found = []
     for result in results:
@@ -73,7 +73,7 @@ def _axis(plan: Plan, axis: Axis) -> StudyAxis:
 
 
 def _with_ratio(head: StudyAxis, entry: Declared, own: Inputs) -> StudyAxis:
-    """The axis as the dimensionless quantity that is declared for it."""
+    """Axis converted to the dimensionless ratio that is declared for the input."""
     shown = {one.name: one for one in own.display()}
     per = tuple(
         ScaleInput(name=name, symbol=shown[name].symbol, unit=shown[name].unit,
@@ -99,7 +99,7 @@ def _formula(plan: Plan, course: Course, kept: Sequence[int], row: Row | None) -
 
 
 def _safe(plan: Plan, course: Course) -> Safe:
-    """The safe side that the case states of the quantity, or else a formula that rests on it."""
+    """Safe side of the quantity as stated by the case or by a formula that rests on this row."""
     stated = safe_side(plan, course)
     name = f"{plan.case.id}/{course.pair.name}"
     of_formulas = (

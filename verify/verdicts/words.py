@@ -1,4 +1,4 @@
-"""A verdict as one sentence."""
+"""Text of a verdict in one sentence."""
 
 import re
 
@@ -13,7 +13,7 @@ SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 
 
 def sentence(found: FormulaVerdict) -> str:
-    """Most important statement for an engineer: accuracy or error, its range and its side."""
+    """Sentence with the accuracy or the error of a formula, its range, and its safe side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
     parts = (
         _head(found), "" if has_better else SHARED, found.caution,
@@ -48,7 +48,7 @@ def _head(found: FormulaVerdict) -> str:
 
 
 def _unsafe(found: FormulaVerdict) -> str:
-    """Error of the formula on the unsafe side, over all points; both sides where none is safe."""
+    """Text of the largest error on the unsafe side over all points; both sides if none is safe."""
     if found.safe is Safe.NEITHER:
         both = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
         return f"; {both}" if both else ""
@@ -61,18 +61,18 @@ def _unsafe(found: FormulaVerdict) -> str:
 
 
 def _is_star(one: VerdictRange) -> bool:
-    """Whether a study changed several inputs, no two of them at once: corners may be worse."""
+    """Whether a study varied several inputs one at a time; combinations may have larger errors."""
     return one.is_star and len(one.studied) > 1
 
 
 def _one_at_a_time(found: FormulaVerdict) -> bool:
-    """Whether all studies of several inputs are such."""
+    """Whether all studies of several inputs varied them one at a time."""
     several = [one for one in found.ranges if len(one.studied) > 1]
     return bool(several) and all(map(_is_star, several))
 
 
 def _wrong(found: FormulaVerdict) -> str:
-    """Effect of the misprint, by itself and together with the error of the formula."""
+    """Text of the effect of a misprint, alone and together with the error of the formula."""
     if found.error is None:
         return f"wrong as printed: {found.limited_by}"
     largest = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
@@ -99,7 +99,7 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    """Varied inputs, study by study; if points have no answer, the ranges with errors alone."""
+    """Text of the varied ranges of all studies; with unsolved points, of ranges with errors."""
     if found.unsolved:
         return "; ".join(dict.fromkeys(_range(one) for one in _widest(found) if one.inside))
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)
@@ -117,7 +117,7 @@ def _error(found: FormulaVerdict) -> str:
 
 
 def _default(found: FormulaVerdict) -> str:
-    """The default inputs, of the case of the largest error where several give evidence."""
+    """The text "at the default inputs", with the case if several cases are evidence."""
     judged = found.rows if found.is_of_part else found.model_rows
     cases = {row.partition("/")[0] for row in judged}
     of = f" of {found.worst_row.partition('/')[0]}" if len(cases) > 1 else ""
@@ -125,7 +125,7 @@ def _default(found: FormulaVerdict) -> str:
 
 
 def sides(high: float, low: float) -> str:
-    """The largest errors above and below, the larger one first: "up to 34 % below"."""
+    """Text of the largest errors above and below, the larger one first: "up to 34 % below"."""
     both = sorted([(high, "above"), (low, "below")], reverse=True)
     return " and ".join(f"up to {percent(size)} {side}" for size, side in both if size >= SMALLEST)
 
@@ -159,17 +159,17 @@ def _part(found: FormulaVerdict) -> str:
 
 
 def _widest(found: FormulaVerdict) -> list[VerdictRange]:
-    """The range of each study within the largest limit."""
+    """Range of each study within the largest limit."""
     return [one for one in found.ranges if one.limit == found.ranges[-1].limit]
 
 
 def _is_outside(found: FormulaVerdict) -> bool:
-    """Whether the error at the default inputs is beyond the widest class of accuracy."""
+    """Whether the error at the default inputs exceeds the widest accuracy class."""
     return found.error is not None and abs(found.error) + (found.U or 0.0) > CLASSES[-1]
 
 
 def _range(one: VerdictRange) -> str:
-    """The range of one study within a limit, its inputs also as dimensionless quantities."""
+    """Text of the range of one study within a limit, with dimensionless ratios."""
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
     held = f" at {constant(one)}" if constant(one) else ""
@@ -177,12 +177,12 @@ def _range(one: VerdictRange) -> str:
 
 
 def constant(one: VerdictRange) -> str:
-    """The inputs that a study held at other than default values: "z = 8"; empty without any."""
+    """Text of the constant inputs that differ from the default, "z = 8", or an empty text."""
     return one.over.partition(", at ")[2]
 
 
 def side_in_words(one: Side) -> str:
-    """A range with its unit, and as a dimensionless quantity where one is declared."""
+    """Text of a range with its unit, and with its dimensionless ratio if one is declared."""
     ends = f"{one.symbol} {_span(one.low, one.high)}{'' if one.unit == '1' else f' {one.unit}'}"
     return f"{ends} ({one.ratio} {_span(*one.ratio_ends)})" if one.ratio else ends
 

@@ -29,11 +29,14 @@ def verdict(declared, *rows, corrected=()):
 
 def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
     for changes, says in (
-        ({"status": Status.FAIL}, "ring-lame/x is FAIL"),
-        ({"status": Status.CALIBRATED}, "ring-lame/x is CALIBRATED"),
-        ({"status": Status.NOTE}, "ring-lame/x is NOTE"),  # enough for a caution alone
-        ({"status": Status.SHOWN}, "ring-lame/x is SHOWN"),  # no meshes that converge beside it
-        ({"kind": Kind.FACT}, "compares no formula with a reference"),
+        ({"status": Status.FAIL}, "ring-lame/x has the status FAIL"),
+        ({"status": Status.CALIBRATED}, "ring-lame/x has the status CALIBRATED"),
+        ({"status": Status.NOTE}, "ring-lame/x has the status NOTE"),  # enough for a caution alone
+        (
+            {"status": Status.SHOWN},
+            "ring-lame/x has the status SHOWN",
+        ),  # no meshes that converge beside it
+        ({"kind": Kind.FACT}, "does not compare formula and reference"),
         ({"tolerance": None}, "no error with an uncertainty"),
     ):
         got = verdict(formula(), row("x", 0.001, **changes))
@@ -52,7 +55,7 @@ def test_an_error_is_formula_less_reference_also_where_a_row_states_reference_le
 def test_what_is_no_declaration_is_refused():
     for changes, says in (
         ({"part": ()}, "give one of defines, missing, or evidence"),
-        ({"form": Form.CORRECTED} | MISPRINT, "errata belong to the printed form"),
+        ({"form": Form.CORRECTED} | MISPRINT, "only the printed form can have errata"),
         ({"caution": "but it buckles"}, "give caution and caution_row together"),
     ):
         with pytest.raises(ValueError, match=says):
@@ -101,7 +104,7 @@ def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
     contradiction = row("c", 0.0, kind=Kind.FACT, status=Status.NOTE)
     assert verdict(warned, row("x", 0.001), contradiction).verdict is Verdict.PART
     failed = row("c", 0.0, kind=Kind.FACT, status=Status.FAIL)
-    assert verdict(warned, row("x", 0.001), failed).words == "ring-lame/c is FAIL"
+    assert verdict(warned, row("x", 0.001), failed).words == "ring-lame/c has the status FAIL"
     unknown = formula(part=(), missing="no data", **CAUTION)
     assert verdict(unknown, stands).words == "no data; but it buckles"
     assert verdict(unknown).verdict is Verdict.NONE

@@ -70,7 +70,7 @@ def test_a_study_that_varies_an_input_away_from_its_default_does_not_hold_at_the
     for T, where in ((12.5, Where.INSIDE), (18.0, Where.INSIDE), (25.0, Where.NOT_COMPARED)):
         found = place(one, "sprag-wedge", sprag(T=T, z=8, nu_0=math.radians(2.5)))
         assert found.where is where, T
-    assert found.words == "beyond what was compared: T 12.5 to 22 N m at ν_0 = 2.5 deg, n_s = 8"
+    assert found.words == "outside the compared range: T 12.5 to 22 N m at ν_0 = 2.5 deg, n_s = 8"
 
 
 def test_the_centre_of_a_star_with_constant_inputs_can_be_beyond_a_limit():
@@ -92,9 +92,9 @@ def test_the_smallest_limit_that_all_studies_keep_is_stated():
         ((five, replace(two, limit=0.05)), 20e-3, "inside a range with errors within 5 %, outside "
          "that of another study: r_i 5 to 10 mm"),
         ((study(studied=(R_I,)),), 20e-3, "no compared error is within 5 %"),
-        ((two,), 25e-3, "beyond what was compared: r_i 5 to 24 mm"),
-        ((study(R_I, NU),), 25e-3, "beyond what was compared: r_i 5 to 24 mm"),
-        ((study(NU, R_I),), 25e-3, "beyond what was compared: r_i 5 to 24 mm"),
+        ((two,), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
+        ((study(R_I, NU),), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
+        ((study(NU, R_I),), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
     ):  # fmt: skip
         assert placed(*ranges, inputs={"r_i": r_i}).words == says
 

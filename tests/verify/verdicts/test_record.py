@@ -38,33 +38,35 @@ def test_a_verdict_that_is_not_the_one_of_record_is_named():
     assert record.moved(kept) == []
     one = next(one for one in kept if one.verdict is Verdict.PART)
     assert changed(one, verdict=Verdict.ACCURATE, words="accurate") == [
-        f"verdict of {one.id}: accurate; {one.words} on record"
+        f"verdict of {one.id}: accurate; {one.words} in the record"
     ]
     one = next(one for one in kept if one.ranges)
     assert changed(one, ranges=(replace(one.ranges[0], words="all"),)) == [
-        f"verdict of {one.id}: its ranges are not those of record"
+        f"verdict of {one.id}: the ranges differ from the record"
     ]
     one = next(one for one in kept if one.safe is Safe.BELOW and one.error)
     assert changed(one, safe=Safe.ABOVE) == [
-        f"verdict of {one.id}: its safe side is not that of record"
+        f"verdict of {one.id}: the safe side differs from the record"
     ]
     for name in ("error", "above", "below"):
         one = next(one for one in kept if getattr(one, name))
         for change, lines in ((1.005, 0), (1.02, 1)):
             assert len(changed(one, **{name: change * getattr(one, name)})) == lines
         assert changed(one, **{name: None}) == [
-            f"verdict of {one.id}: its errors are not those of record"
+            f"verdict of {one.id}: the errors differ from the record"
         ]
     one = next(one for one in kept if one.within)
-    assert changed(one, within=0.5) == [f"verdict of {one.id}: {one.words}; {one.words} on record"]
+    assert changed(one, within=0.5) == [
+        f"verdict of {one.id}: {one.words}; {one.words} in the record"
+    ]
     one = next(one for one in kept if one.design)
     spanned = replace(one.design[0], spanned=not one.design[0].spanned)
     assert changed(one, design=(spanned, *one.design[1:])) == [
-        f"verdict of {one.id}: its ranges are not those of record"
+        f"verdict of {one.id}: the ranges differ from the record"
     ]
     one = replace(one, id="new")
-    assert record.moved((*kept, one)) == [f"verdict of new: {one.words}; not on record"]
-    assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
+    assert record.moved((*kept, one)) == [f"verdict of new: {one.words}; not in the record"]
+    assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: only in the record"]
 
 
 def test_ranges_of_record_are_those_of_the_stored_studies():

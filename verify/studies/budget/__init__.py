@@ -1,1 +1,1 @@
-"""Error budgets: reruns of a comparison without one cause of its difference."""
+"""Error budgets: reruns of a comparison without single causes of its difference."""

@@ -1,8 +1,8 @@
-"""The arithmetic of a budget: contribution of each cause, remainder, and their uncertainty.
+"""Arithmetic of a budget: contribution of each cause, remainder, and their uncertainty.
 
 The error of a row is m = (formula - FE)/scale, for most rows formula/FE - 1. The contribution of a
-cause is c = m - m', where m' is the error without this cause alone. The remainder is m minus all
-contributions.
+cause is c = m - m', where m' is the error if only this cause is removed. The remainder is m minus
+the sum of all contributions.
 """
 
 import math
@@ -17,9 +17,10 @@ LARGE = 0.2  # of the total: from there on two causes are removed together as we
 
 @dataclass(frozen=True)
 class Part:
-    """Contribution of a cause, and its numerical uncertainty (half-width), both relative.
+    """Contribution of a cause to the relative error, and its numerical uncertainty (half-width).
 
-    `note` gives the reason if there is no number. A cause `shared` by both sides is not included.
+    `note` gives the reason if there is no number. A cause that is `shared` by formula and finite
+    elements is not subtracted.
     """
 
     name: str
@@ -30,13 +31,13 @@ class Part:
 
     @property
     def counts(self) -> bool:
-        """Whether it is subtracted from the total."""
+        """Whether the contribution is subtracted from the total error."""
         return self.contribution is not None and not self.shared
 
 
 @dataclass(frozen=True)
 class Joint:
-    """Joint effect of two causes removed together, less the sum of their single effects."""
+    """Joint effect of two causes removed together, minus the sum of their single effects."""
 
     names: tuple[str, str]
     value: float | None
@@ -45,7 +46,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Balance:
-    """A row's total error, its parts, and the remainder with its half-width."""
+    """Total error of a row, its contributions, and the remainder with its half-width `u`."""
 
     total: float
     parts: tuple[Part, ...]
@@ -54,7 +55,7 @@ class Balance:
 
     @property
     def large(self) -> tuple[str, ...]:
-        """Names of the causes that contribute more than LARGE of the total each."""
+        """Names of the causes of which each contributes more than LARGE of the total."""
         return tuple(
             part.name for part in self.parts
             if part.counts and abs(part.contribution or 0.0) > LARGE * abs(self.total)
@@ -62,7 +63,7 @@ class Balance:
 
 
 def balance(total: float, parts: Sequence[Part]) -> Balance:
-    """The remainder of `total` with the uncertainties of all parts that count."""
+    """Budget of the error `total`: contributions, remainder, and its uncertainty."""
     mine = [part for part in parts if part.counts]
     left = total - math.fsum(part.contribution or 0.0 for part in mine)
     return Balance(total, tuple(parts), left, math.hypot(*(part.u or 0.0 for part in mine)))
@@ -71,11 +72,11 @@ def balance(total: float, parts: Sequence[Part]) -> Balance:
 def removed(
     name: str, pairs: Sequence[tuple[float, float]], *, finest: float, shared: bool
 ) -> Part:
-    """Contribution of a cause, from errors (with it, without it) on meshes, coarse to fine.
+    """Contribution of a cause, from errors (with it, without it) on meshes from coarse to fine.
 
-    It is evaluated on the finest mesh; its uncertainty is the difference between the two finest
-    meshes. With one mesh only, it is the difference of the error there from that on the `finest`
-    mesh of the case.
+    The contribution is that on the finest of these meshes. Its uncertainty is its change between
+    the two finest meshes. If there is one mesh only, the uncertainty is the difference between the
+    error on this mesh and the error `finest` on the finest mesh of the case.
     """
     found = [with_it - without for with_it, without in pairs]
     if not found or not all(map(math.isfinite, found)):
@@ -85,9 +86,10 @@ def removed(
 
 
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
-    """Change by a mesh beyond the finest; the remaining error, by the order, is the uncertainty.
+    """Contribution of the discretisation: change of the error to a mesh beyond the finest mesh.
 
-    `h` are both mesh sizes, `order` the order of the series or NaN.
+    The uncertainty is the error that remains on this mesh by the order of convergence. `h` contains
+    both mesh sizes. `order` is the order of the series or NaN.
     """
     change = finest - beyond
     if not math.isfinite(change):
@@ -99,7 +101,10 @@ def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order
 
 
 def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: float) -> Part:
-    """Change by refinement to zero cell size, by the order of the three finest meshes."""
+    """Contribution of the discretisation by extrapolation to zero cell size.
+
+    The extrapolation uses the order of convergence of the three finest meshes.
+    """
     if not all(map(math.isfinite, errors[-3:])):
         return Part(name, None, None, note="values on the finest mesh alone")
     if not math.isfinite(order):
@@ -110,7 +115,7 @@ def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: 
 
 
 def observed(h: Sequence[float], v: Sequence[float], formal: float | None, scale: float) -> float:
-    """Order of convergence of values on three meshes, at most the formal order; NaN if none."""
+    """Order of convergence of `v` on three meshes, at most the formal order; NaN if none."""
     if len(v) < 3 or not all(map(math.isfinite, v)) or not scale > 0:
         return math.nan
     grid = grid_convergence(h, v, formal=formal, scale=scale)

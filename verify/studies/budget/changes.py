@@ -1,4 +1,4 @@
-"""Finite elements of a case with stated changes only."""
+"""Changes of constants and arguments in the finite elements of a case for the time of a rerun."""
 
 import functools
 import importlib
@@ -12,11 +12,11 @@ from verify.judging.budget_statement import Argument, Change, Constant
 
 @contextmanager
 def changed(changes: Sequence[Change]) -> Iterator[None]:
-    """Apply `changes` while the body runs; afterwards, the previous state is restored in any event.
+    """Apply `changes` while the body is executed; always restore the previous state afterwards.
 
-    Code that imports functions while it runs, as the `fem` functions of cases do, gets the changed
-    ones. LookupError if a name is not there, RuntimeError if what should be called with
-    other arguments was not called.
+    Code that imports functions while it is executed, as the `fem` functions of cases do, obtains
+    the changed functions. Raises LookupError if a name does not exist, and RuntimeError if a
+    function that was to be called with other arguments was not called.
     """
     calls: dict[str, int] = {}
     forget_memoised()  # otherwise an earlier result would replace the changed one
@@ -31,7 +31,7 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
         yield
     for target, count in calls.items():
         if not count:
-            raise RuntimeError(f"{target} was not called: nothing was changed")
+            raise RuntimeError(f"{target} was not called: the change had no effect")
 
 
 @contextmanager
@@ -50,7 +50,7 @@ def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
 
 
 def _like(original: Any, counted: Callable[..., Any]) -> Any:
-    """Replacement of `original`: the replacement of a class is a class with the same instances."""
+    """Replacement of `original` that counts its calls; a class is replaced by a subclass."""
     if not isinstance(original, type):
         return functools.partial(counted, original)
 
@@ -66,7 +66,7 @@ def _like(original: Any, counted: Callable[..., Any]) -> Any:
 def _other_value(change: Constant) -> Iterator[None]:
     module, name, original = _found(change.target)
     if isinstance(original, bool) or not isinstance(original, int | float):
-        raise LookupError(f"{change.target} is not a number")
+        raise LookupError(f"{change.target} must be a number to be changed by a factor")
     setattr(module, name, type(original)(original * change.factor))
     try:
         yield
@@ -80,4 +80,4 @@ def _found(target: str) -> tuple[Any, str, Any]:
         module = importlib.import_module(module_name)
         return module, name, getattr(module, name)
     except (ImportError, AttributeError) as error:
-        raise LookupError(f"{target}: does not exist and cannot be changed") from error
+        raise LookupError(f"{target} does not exist and cannot be changed") from error

@@ -1,4 +1,4 @@
-"""Values that a row compares for one solution: formula, finite elements, and their scale."""
+"""Values that a row compares in one solution: formula, finite elements, and their scale."""
 
 import math
 from dataclasses import dataclass, replace
@@ -16,7 +16,7 @@ ALIKE = (4.0, 2.0, 1.0)  # mesh sizes of one solution, if a claim needs three
 
 @dataclass(frozen=True)
 class Values:
-    """Both values and the divisor of their difference [SI], NaN for a missing value."""
+    """Compared values and the divisor of their difference [SI]; missing values are NaN."""
 
     formula: float
     fe: float
@@ -25,7 +25,7 @@ class Values:
 
     @property
     def error(self) -> float:
-        """(formula - FE)/scale."""
+        """Error (formula - FE)/scale, NaN without a scale."""
         return (self.formula - self.fe) / self.scale if self.scale else math.nan
 
 
@@ -33,7 +33,10 @@ NONE = Values(math.nan, math.nan, math.nan)
 
 
 def values(pair: Pair, inputs: Any, found: Solution) -> Values:
-    """The values of a row, of a claim that derives others by the row that it makes."""
+    """Compared values of a row in one solution.
+
+    If the claim derives other values, they are taken from the row that the claim gives.
+    """
     if found.problem:
         return NONE
     if not pair.plain:

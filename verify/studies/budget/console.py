@@ -1,4 +1,4 @@
-"""The budgets of a run: the measured causes of each case and the tolerances of its rows."""
+"""Budgets of a run: measured causes of the differences of each case, and row tolerances."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -21,17 +21,17 @@ from verify.studies.budget.plan import Plan
 from verify.studies.budget.store import measured
 
 LARGE, LEFT = 1e-3, 0.25  # least difference to be explained, and the share that may remain
-STALE = "not measured for this code: freewheel deep budget:{} does it"
+STALE = "not measured for the present code: run `freewheel deep budget:{}`"
 
 
 def of_result(result: CaseResult) -> CaseBudget | None:
-    """Error budget of a case of the suite; None if no row of it has one."""
+    """Error budget of a case of the suite; None if none of its rows has a budget."""
     plan = plan_of(result.id)
     return of_case(plan, result) if plan.rows else None
 
 
 def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
-    """The budgets of one case, from its record."""
+    """Budgets of all rows of a case, from its stored record."""
     found = measured(plan)
     if found is None:
         return CaseBudget(
@@ -50,7 +50,10 @@ def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
 
 
 def headline(plan: Plan, rows: Sequence[Found]) -> str:
-    """The row that is drawn: the named row, otherwise the first approximation, otherwise none."""
+    """Name of the row that is drawn; empty if there is none.
+
+    This is the row named in the plan or, by default, the first approximation.
+    """
     if plan.says.headline:
         return plan.says.headline
     first = (one for one in rows if one.pair.kind is Kind.APPROXIMATION)

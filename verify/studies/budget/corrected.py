@@ -1,7 +1,7 @@
-"""The budgets of rows whose formula is itself a cause: a corrected formula replaces it.
+"""Budgets of rows whose formula is itself a cause and is replaced by a corrected formula.
 
-The corrected formula first replaces the formula of the row. All other causes are then removed from
-the remaining error: the remainder of the row is that of the corrected formula.
+First, the corrected formula replaces the formula of the row. Then all other causes are removed from
+the remaining error. The remainder of the row is that of the corrected formula.
 """
 
 import math
@@ -17,7 +17,7 @@ from verify.studies.sweep.pairs import Pair
 
 
 def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
-    """Budgets of every row that has a value on the finest mesh and by the formulas."""
+    """Budgets of all rows that have values of formula and finite elements on the finest mesh."""
     says = {pair.name: plan.says.correction(pair.name) for pair in plan.rows}
     twins = tuple(_twin(pair, says[pair.name]) for pair in plan.rows)
     mine = {pair.name: pair for pair in plan.rows}
@@ -29,7 +29,7 @@ def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
 
 
 def _twin(pair: Pair, by: Corrected | None) -> Pair:
-    """The same row with the corrected formula's value."""
+    """The row with the value of the corrected formula instead of that of the formula."""
     if by is None:
         return pair
     claim = replace(pair.claim, analytic=by.key)  # type: ignore[call-arg]
@@ -39,7 +39,7 @@ def _twin(pair: Pair, by: Corrected | None) -> Pair:
 def _printed(
     pair: Pair, twin: RowBudget, by: Corrected, plan: Plan, solutions: Solutions
 ) -> RowBudget:
-    """The budget of the row from that of the corrected row: both formulas, same finite elements."""
+    """Budget of a row from that of the corrected row; the correction is the first contribution."""
     step = Step(plan.case.id, (AS_IT_IS,), plan.case.levels[-1])
     total = values(pair, inputs_of(plan, step), solutions[step]).error
     change = total - twin.balance.total

@@ -1,4 +1,4 @@
-"""The budgets of a case's rows from its solutions."""
+"""Budgets of the rows of a case, computed from its solutions."""
 
 import math
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ DIRECT = "no solver tolerance to change: u_it of the row"
 
 @dataclass(frozen=True)
 class RowBudget:
-    """The budget of one row; `joints` are of causes that are large."""
+    """Budget of one row; `joints` contains the joint effects of pairs of large causes."""
 
     pair: Pair
     balance: Balance
@@ -28,7 +28,7 @@ class RowBudget:
 
 
 def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
-    """Budgets of every row that has a value on the finest mesh and by the formulas."""
+    """Budgets of all rows that have values of formula and finite elements on the finest mesh."""
     reader = _Reader(plan, solutions)
     found = []
     for pair in plan.rows:
@@ -45,17 +45,17 @@ class _Reader:
     solutions: Solutions
 
     def at(self, pair: Pair, causes: tuple[str, ...], level: int) -> float:
-        """The row's error with the causes removed; NaN if that was not solved."""
+        """Error of the row with `causes` removed; NaN if this was not solved."""
         return self.values(pair, causes, level).error
 
     def values(self, pair: Pair, causes: tuple[str, ...], level: int) -> Values:
-        """Both values of the row with the causes removed."""
+        """Compared values of the row with `causes` removed."""
         step = Step(self.plan.case.id, causes, level)
         found = self.solutions.get(step)
         return values(pair, inputs_of(self.plan, step), found) if found else NONE
 
     def why(self, causes: tuple[str, ...], level: int) -> str:
-        """Reason why the value does not exist."""
+        """Reason why the value with `causes` removed does not exist."""
         found = self.solutions.get(Step(self.plan.case.id, causes, level))
         return "not run" if found is None else found.problem or "no such value without it"
 
@@ -110,7 +110,7 @@ class _Reader:
         return Part(f"{Cause.ITERATION}: {note}", 0.0, u, note=note)
 
     def joints(self, pair: Pair, known: Balance) -> tuple[Joint, ...]:
-        """Excess of the joint contribution of pairs of large causes over the sum of both."""
+        """For pairs of large causes, the joint effect minus the sum of both single effects."""
         reruns = self.plan.reruns
         names = [name for name in known.large if name in reruns and not reruns[name].after]
         return tuple(self._joint(pair, both) for both in combinations(names, 2))

@@ -1,4 +1,4 @@
-"""Causes of any case's finite elements, and the stopping tolerances of their solvers."""
+"""Causes that exist in the finite elements of any case, and stopping tolerances of the solvers."""
 
 from verify.core import source_code
 from verify.core.case import Case
@@ -29,12 +29,12 @@ INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 
 def reached(case: Case) -> frozenset[str]:
-    """Modules that the case's finite elements reach, including the case's module."""
+    """Names of the modules that the finite elements of a case use, including the case's module."""
     return frozenset(source_code.modules_of(case.reference)) | {case.reference.__module__}
 
 
 def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
-    """The tolerances of the solvers that a case uses, each multiplied by `factor`."""
+    """Changes that multiply the tolerances of the solvers used by a case by `factor`."""
     modules = reached(case)
     return tuple(
         Constant(target, factor) for target in TOLERANCES if target.partition(":")[0] in modules
@@ -42,7 +42,7 @@ def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
 
 
 def without(case: Case) -> tuple[Without, ...]:
-    """Causes that nothing a case reaches has."""
+    """Causes that do not exist in the finite elements of a case, with reasons."""
     modules = reached(case)
     found = []
     if not any(name in modules for name in CONTACT):
@@ -53,7 +53,7 @@ def without(case: Case) -> tuple[Without, ...]:
 
 
 def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
-    """Contacts with an exact law, integrated at more points; none if there is no such contact."""
+    """Rerun with an exact contact law and more integration points; empty without such a contact."""
     modules = reached(case)
     return tuple(
         Rerun(

@@ -1,4 +1,4 @@
-"""The study of error budgets: all steps of the cases solved together, each stored once solved."""
+"""Study of error budgets: all reruns of the cases are solved together, and each is stored."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -26,7 +26,10 @@ MOST_ROUNDS = 2  # of further steps of a case
 
 @memoised
 def plan_of(case_id: str) -> Plan:
-    """Runs that the budgets of a case need; ValueError for an unknown one."""
+    """Plan of the runs that the budgets of a case require.
+
+    Raises ValueError for an unknown case.
+    """
     from verify.cases.budgets import STATEMENTS
     from verify.cases.registry import CASES, find  # a spawned process knows no cases yet
 
@@ -35,16 +38,16 @@ def plan_of(case_id: str) -> Plan:
 
 
 def with_rows() -> list[Case]:
-    """The cases with rows that have a budget."""
+    """Cases that have rows with a budget."""
     from verify.cases.registry import CASES
 
     return [case for case in CASES if rows(case)]
 
 
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
-    """Solve and store the reruns for the budgets of the cases; False if a rerun failed.
+    """Solve and store the reruns for the budgets of `cases`; False if a rerun failed.
 
-    An interrupted run continues where it was. OSError if nothing can be stored.
+    An interrupted run is continued by the same command. Raises OSError if records cannot be stored.
     """
     if not where.scheduler:
         require_gmsh()
@@ -56,7 +59,7 @@ def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
 
 
 class _Run:
-    """The steps of all plans; each case's budgets are stored as soon as its steps are solved."""
+    """Reruns of all plans. The budgets of a case are stored as soon as its reruns are solved."""
 
     def __init__(self, plans: Sequence[Plan], show: Show) -> None:
         self.solutions: dict[Step, Solution] = {}
@@ -70,7 +73,7 @@ class _Run:
         )
 
     def solve(self, where: Where) -> None:
-        """Solve all steps, and those that answers require."""
+        """Solve all reruns, including those that the results of other reruns require."""
         self.dispatch.run(
             where.entered(), solve_step,
             queue(self.waiting), self._receive,
@@ -79,7 +82,7 @@ class _Run:
     def _receive(self, step: Step, answer: Solution | Lost) -> int:
         if isinstance(answer, Lost):
             if answer.trace:  # errors of a rerun are stated in its solution
-                raise GoneError(f"reruns cannot be solved here: {answer.reason}")
+                raise GoneError(f"the workers cannot solve the reruns: {answer.reason}")
             self.lost.append(step)
             answer = Solution({}, {}, {}, 0.0, 0.0, answer.reason)
         self.dispatch.unstored += bool(answer.problem)
@@ -91,7 +94,7 @@ class _Run:
         return 1
 
     def _continue(self, plan: Plan) -> None:
-        """Add further steps of a case, twice at most, or store its budgets."""
+        """Add further reruns of a case, at most twice, or store its budgets."""
         case = plan.case.id
         more = self._more(plan) if self.rounds[case] < MOST_ROUNDS else set()
         self.rounds[case] += 1
@@ -103,7 +106,7 @@ class _Run:
         self.dispatch.total += len(more)
 
     def _more(self, plan: Plan) -> set[Step]:
-        """The steps that the solutions so far require: looser tolerances, pairs of large causes."""
+        """Further reruns that the results require: looser tolerances, pairs of large causes."""
         mine = self.of(plan)
         level = plan.case.levels[0]
         tight = mine.get(Step(plan.case.id, (TIGHT,), level))
@@ -118,7 +121,7 @@ class _Run:
         found = budgets(plan, mine)
         spent = sum(one.seconds for one in mine.values())
         if lost := sum(step.case == plan.case.id for step in self.lost):
-            print(f"{NAME}:{plan.case.id}: not stored: {lost} reruns have no answer")
+            print(f"{NAME}:{plan.case.id}: not stored: {lost} reruns were not completed")
         else:
             kept.keep(plan, found, spent)
         bad = {step.title: one.problem for step, one in mine.items() if one.problem}
@@ -128,17 +131,17 @@ class _Run:
         self.is_solved &= not any(LOOSE in title or TIGHT not in title for title in bad)
 
     def of(self, plan: Plan) -> Solutions:
-        """The solutions of one case."""
+        """Solutions of the reruns of one case."""
         return {step: one for step, one in self.solutions.items() if step.case == plan.case.id}
 
 
 def solve_step(step: Step) -> Solution:
-    """The solution of a step with the usual cache, in any process."""
+    """Solution of a rerun with the default cache, in any process."""
     return solved(plan_of(step.case), step, cache.default_folder())
 
 
 def summary(found: Sequence[RowBudget]) -> str:
-    """Number of rows with a budget, and the largest remainder."""
+    """Number of rows with a budget and the largest remainder, as text."""
     if not found:
         return "no row"
     worst = max(found, key=lambda one: abs(one.balance.remainder))

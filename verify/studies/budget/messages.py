@@ -1,6 +1,6 @@
-"""Reruns for the numerical part of a budget, named after the refinement of the case.
+"""Names of the discretisation cause in a budget, by the kind of refinement of the case.
 
-Stored names contain the numbers of levels; here, they are replaced by the kind of refinement.
+Stored names contain the numbers of levels. This module replaces them by the kind of refinement.
 """
 
 import re
@@ -23,7 +23,7 @@ _EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
 
 
 def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
-    """Budgets whose discretisation is named after the refinement of the case."""
+    """Budgets in which the discretisation is named by the kind of refinement of the case."""
     next_one, finest = OTHER.get(case_id, MESHES)
 
     def renamed(name: str) -> str:

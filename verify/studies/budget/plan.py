@@ -1,4 +1,4 @@
-"""All solutions for the budgets of a case: unchanged, finer, and with each cause removed."""
+"""All reruns for the budgets of a case: unchanged, finer, and with single causes removed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ AND = " and "
 
 @dataclass(frozen=True)
 class Plan:
-    """A case, its statement on its budget, and the rows with a budget."""
+    """A case, its statements on the budget, and its rows with a budget."""
 
     case: Case
     says: Statement
@@ -27,7 +27,7 @@ class Plan:
 
     @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
-        """Removed causes by name."""
+        """Reruns without a cause, by the name of the cause."""
         own = self.says.reruns
         causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
         levels = next((rerun.levels for rerun in own), ())  # the same levels as the other reruns
@@ -36,26 +36,29 @@ class Plan:
 
     @property
     def without(self) -> tuple[Without, ...]:
-        """Causes that are absent; those stated by the case come first."""
+        """Causes that do not exist in the case; statements of the case have priority."""
         own = {one.cause: one for one in self.says.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
     def before(self, rerun: Rerun) -> tuple[str, ...]:
-        """Causes that are removed before this one; LookupError for words without a rerun."""
+        """Causes that are removed before `rerun`.
+
+        Raises StopIteration if no rerun has the name in `rerun.after`.
+        """
         if not rerun.after:
             return (AS_IT_IS,)
         return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
 
     def levels(self, rerun: Rerun) -> tuple[int, ...]:
-        """The meshes of the reruns without a cause, coarse to fine."""
+        """Numbers of the meshes of a rerun, from coarse to fine."""
         return rerun.levels or self.case.levels[:2]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One solution: `causes` removed, by the names of their reruns, on the mesh `level`."""
+    """One solution on the mesh `level` with `causes` removed, which are names of reruns."""
 
     case: str
     causes: tuple[str, ...]
@@ -63,7 +66,7 @@ class Step:
 
     @property
     def title(self) -> str:
-        """What progress and reasons call it."""
+        """Name of the rerun in progress lines and reasons."""
         return f"{self.case} level {self.level}, {AND.join(self.causes)}"
 
 
@@ -79,7 +82,7 @@ def rows(case: Case) -> tuple[Pair, ...]:
 
 
 def first(plan: Plan) -> tuple[Step, ...]:
-    """The steps that need no other steps: every cause alone."""
+    """Reruns that do not depend on results of other reruns: each cause removed alone."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
     if plan.says.finer:
@@ -93,7 +96,10 @@ def first(plan: Plan) -> tuple[Step, ...]:
 
 
 def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
-    """The steps for pairs of causes that are `large` for some row, on the finer of their meshes."""
+    """Reruns without pairs of causes that are large for some row, on the finer common mesh.
+
+    The result includes the reruns without a cause and without each single cause on this mesh.
+    """
     pairs = dict.fromkeys(pair for names in large for pair in combinations(names, 2))
     found = [step for pair in pairs if (step := joint(plan, pair)) is not None]
     beside = [
@@ -104,7 +110,7 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 
 
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
-    """Both causes removed together; None if each has separate finite elements."""
+    """Rerun without both causes of a pair; None if both have separate finite elements."""
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
         return None
@@ -113,7 +119,10 @@ def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
 
 
 def inputs_of(plan: Plan, step: Step) -> Any:
-    """The inputs of a step; changes of several causes are applied in order. ValueError."""
+    """Inputs of a rerun; the changes for several causes are applied in order.
+
+    Raises ValueError if the changed inputs are invalid.
+    """
     found = plan.case.inputs()
     for name in step.causes:
         if name in plan.reruns:
@@ -123,5 +132,5 @@ def inputs_of(plan: Plan, step: Step) -> Any:
 
 
 def tolerance_factor(step: Step) -> float:
-    """Factor of the solvers' tolerances in this step; 1 by default."""
+    """Factor of the solver tolerances in a rerun; 1 by default."""
     return {TIGHT: TIGHTER, LOOSE: LOOSER}.get(step.causes[0], 1.0)

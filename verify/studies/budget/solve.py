@@ -1,4 +1,4 @@
-"""One solution of a budget, in any process, and its place in the cache."""
+"""Solution of one rerun of a budget, in any process, and its entry in the store."""
 
 import hashlib
 import json
@@ -29,7 +29,10 @@ FORMAT = 1
 
 @dataclass(frozen=True)
 class Solution:
-    """Values [SI] by key of both sides; `problem` is the reason in one line if there are none."""
+    """Values [SI] of formulas and finite elements by key.
+
+    If there are no values, `problem` states the reason in one line.
+    """
 
     formulas: Mapping[str, float]
     fe: Mapping[str, float]
@@ -40,9 +43,10 @@ class Solution:
 
 
 def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
-    """The solution of a step, from the store or computed and stored; errors are stored as well.
+    """Solution of a rerun, from the store or computed and stored.
 
-    MemoryError and OSError if the machine fails: this is not stored as a result.
+    An error of the computation is returned as the problem of the solution, which is not stored.
+    Raises MemoryError or OSError if the machine fails.
     """
     store = None if folder is None else Store(folder)
     if store is not None and (stored := _stored(store, key(plan, step))) is not None:
@@ -92,7 +96,7 @@ def _usual(plan: Plan, q: Any, level: int, folder: Path | None) -> FemResult:
 
 
 def key(plan: Plan, step: Step) -> str:
-    """The name of a solution, from all data on which it depends."""
+    """Key of a solution, from all data on which it depends."""
     q = plans.inputs_of(plan, step).model_dump()
     parts = [str(FORMAT), json.dumps(q, sort_keys=True, default=str), str(step.level)]
     parts += [code_of(plan, name) for name in step.causes]
@@ -105,7 +109,7 @@ def key(plan: Plan, step: Step) -> str:
 
 
 def code_of(plan: Plan, name: str) -> str:
-    """Dependencies of a cause's removal, in words: the changed object and its new value."""
+    """Text of the changes that remove a cause: changed objects, new values, and code."""
     rerun = plan.reruns.get(name)
     if rerun is None:
         factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)

@@ -1,4 +1,4 @@
-"""Budgets of a case: a record that is valid for unchanged code, inputs and reruns."""
+"""Stored budgets of a case; a record is valid for unchanged code, inputs and reruns."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ ARITHMETIC = (balance, compared, founds, pairs, convergence)  # makes contributi
 
 @dataclass(frozen=True)
 class Measured:
-    """The budgets of a case, the day they were made, and the seconds that all reruns took."""
+    """Budgets of a case, the date of the measurement, and the time [s] of all reruns."""
 
     date: str
     seconds: float
@@ -33,7 +33,7 @@ class Measured:
 
 
 def measured(plan: Plan) -> Measured | None:
-    """Measured budgets; None unless the present code, inputs and reruns made them."""
+    """Stored budgets of a case; None if code, inputs or reruns have changed."""
     known = {pair.name: pair for pair in plan.rows}
 
     def read(record: Record) -> Measured:
@@ -46,7 +46,10 @@ def measured(plan: Plan) -> Measured | None:
 
 
 def keep(plan: Plan, found: Sequence[RowBudget], seconds: float) -> None:
-    """Write the budgets; OSError."""
+    """Store the budgets of a case.
+
+    Raises OSError if the record cannot be written.
+    """
     rows = {
         one.pair.name: {
             "total": one.balance.total, "remainder": one.balance.remainder,
@@ -60,7 +63,7 @@ def keep(plan: Plan, found: Sequence[RowBudget], seconds: float) -> None:
 
 
 def _made_by(plan: Plan) -> dict[str, Any]:
-    """All that the numbers depend on."""
+    """All data on which the numbers depend."""
     case, says = plan.case, plan.says
     return {
         "arithmetic": _hash(*ARITHMETIC),
@@ -98,7 +101,7 @@ def _short(value: Any) -> Any:
 
 
 def _spare(part: dict[str, Any]) -> dict[str, Any]:
-    """The record without default values."""
+    """The record of a contribution without default values."""
     return {k: v for k, v in part.items() if not (k in ("shared", "note") and not v)}
 
 

@@ -9,7 +9,7 @@ NOTHING = "no candidate meets all limits"
 
 
 def answer(outcome: Outcome) -> Answer:
-    """The answer; it is "holds" if a spring was chosen and finite elements confirm it."""
+    """Answer of a design task: "holds" if a spring was chosen and finite elements confirm it."""
     if outcome.chosen is None:
         return Answer(design=None, failures=(NOTHING,))
     i, s = outcome.candidate, outcome.search

@@ -19,12 +19,12 @@ NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by 
 
 @dataclass(frozen=True)
 class Curve:
-    """Displacements and forces `U`, `F` (k,) [m, N], starting at the origin.
+    """Force-displacement curve of a compressed spring, `U` [m] and `F` [N], arrays (k,).
 
-    `touches` [m] is the first displacement at which leaves touch, inf if they do not; `height` [m]
-    is the transverse space of the spring up to U_w, `couple` [N m] the largest bending couple at
-    U_w. It is not `whole` if no equilibrium was found before the end of the stroke: the behaviour
-    beyond is unknown.
+    The first point is (0, 0). `touches` [m] is the first displacement at which leaves touch, inf if
+    they do not touch. `height` [m] is the largest transverse height of the spring up to U_w.
+    `couple` [N m] is the largest bending couple at U_w. `whole` is False if no equilibrium was
+    found before the end of the stroke; the behaviour beyond the last point is then unknown.
     """
 
     U: Array
@@ -35,11 +35,14 @@ class Curve:
     whole: bool = True
 
     def force(self, U: float) -> float:
-        """Force [N] at U, NaN beyond the curve's end."""
+        """Force [N] at displacement U [m]; NaN beyond the end of the curve."""
         return float(np.interp(U, self.U, self.F, right=np.nan))
 
     def displacement(self, F: float) -> float:
-        """Displacement [m] at which the force first reaches F, by a cubic; NaN if it never does."""
+        """Displacement [m] at which the force first reaches F [N]; NaN if it never reaches F.
+
+        A cubic through the neighbouring points interpolates.
+        """
         beyond = np.flatnonzero(F <= self.F)
         if not beyond.size:
             return float("nan")
@@ -50,9 +53,10 @@ class Curve:
 
 
 def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) -> Curve:
-    """Candidate `i`, with its head displaced beyond `stroke` [m] in tenths of U_w.
+    """Force-displacement curve of candidate `i` under a prescribed displacement of its head.
 
-    If this is well below U_A by the closed form, contact of its leaves is not checked.
+    The displacement increases in steps of U_w / 10 to beyond `stroke` [m]. Contact between leaves
+    is only computed if `stroke` exceeds 0.7 U_A of the closed form.
     """
     from fem.beam.large import LargeFrame
     from fem.beam.touching import SelfContact

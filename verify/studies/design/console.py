@@ -24,7 +24,7 @@ FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha"
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """The search in counts, the violated limits, and the front or the relaxations needed."""
+    """Print counts of candidates, violated limits, and the front or the required relaxations."""
     s = outcome.search
     feasible = int(s.judged.feasible.sum())
     print(f"{s.task.name}: {len(s.springs):,} candidates, {feasible:,} feasible")
@@ -48,7 +48,7 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
 
 
 def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]]:
-    """The members of the front as cells, heads of names and units first."""
+    """Cells of the table of the front: lines of symbols and units, then one line per member."""
     s, values = outcome.search, columns(outcome.search)
     unit_of = dict(COLUMNS) | {"n": ""}
     target = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
@@ -77,12 +77,12 @@ def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]
 
 
 def _decimal(value: float, digits: int, scale: float) -> str:
-    """A converted number, with about as many significant digits as before."""
+    """A converted number as text, with about as many significant digits as before."""
     return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
 
 
 def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
-    """Results of finite elements for a member, the verdict last."""
+    """Cells with the finite-element results of one member; the last cell is the verdict."""
     stiffness, length = (ratio(unit, unit_in(unit, system)) for unit in ("N/mm", "mm"))
     return (
         _decimal(v.k1 / 1e3 * stiffness, 5, stiffness), f"{100 * v.deviation:+.3f} %",
@@ -92,18 +92,18 @@ def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
 
 
 def verdict(v: Verified) -> str:
-    """Verdict in words; the error of a formula comes first."""
+    """Verdict of finite elements on one member, in words; an error of the formula has priority."""
     if not v.agrees:
-        return f"formula beyond ±{100 * v.limit:.2g} %"
+        return f"k_1 beyond ±{100 * v.limit:.2g} %"
     if v.curve.touches <= v.U_w:
-        return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
+        return f"leaves touch at {v.curve.touches * 1e3:.3g} mm"
     if v.too_high:
-        return f"{v.curve.height * 1e3:.4g} mm high"
+        return f"height {v.curve.height * 1e3:.4g} mm"
     if v.unsolved:
         return f"no equilibrium found beyond {v.curve.U[-1] * 1e3:.3g} mm"
     if v.overstressed:
-        return f"{v.stress / 1e6:.4g} MPa"
-    return ACCEPTED if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
+        return f"stress {v.stress / 1e6:.4g} MPa"
+    return ACCEPTED if v.fits else f"|e_r| beyond {100 * v.e_max:.2g} %"
 
 
 def warnings(outcome: Outcome) -> list[str]:
@@ -113,8 +113,8 @@ def warnings(outcome: Outcome) -> list[str]:
     found = []
     if q.width_factor is None and f.f[i] > WIDE:
         found.append(
-            f"the strip's width stiffens it by {f.f[i] - 1:.1%}, from the leaf as a plate; arcs "
-            "increase this, up to 1/(1 - ν²) (case spring-width computes it)"
+            f"width of the strip: {f.f[i] - 1:+.1%} stiffness by the plate theory of a leaf; arcs "
+            "increase this difference, up to 1/(1 - ν²) (see case spring-width)"
         )
     if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
         found.append(
@@ -132,7 +132,7 @@ def warnings(outcome: Outcome) -> list[str]:
 
 
 def print_chosen(outcome: Outcome, system: System) -> None:
-    """Every limit and the value of the selected spring."""
+    """Print every limit with the value and the margin of the selected spring."""
     s, i = outcome.search, outcome.candidate
     print_wrapped(
         text_in(f"selected: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system)
@@ -142,9 +142,9 @@ def print_chosen(outcome: Outcome, system: System) -> None:
 
 
 def print_nothing(s: Search, system: System) -> None:
-    """The candidate closest to feasible, and the limits to relax."""
+    """Print the candidate closest to feasible and the limits that would have to be relaxed."""
     if not s.nearest:
-        print("no candidate is feasible: a spring needs b < r and 2 r < L1")
+        print("no candidate is feasible: a spring requires b < r and 2 r < L1")
         return
     i = s.nearest[0].candidate
     nearest = f"no candidate is feasible; the closest is {geometry(s, i)}, which violates"
@@ -152,14 +152,14 @@ def print_nothing(s: Search, system: System) -> None:
     for line in aligned(cells_in([_relaxed(r) for r in s.nearest], system)):
         print_wrapped(f"  {line}")
     if s.relaxations:
-        print("each of these relaxations alone would make a spring feasible")
+        print("each of these relaxations alone would make one spring feasible")
         alone = [(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]
         for line in aligned(cells_in(alone, system)):
             print_wrapped(f"  {line}")
 
 
 def geometry(s: Search, i: int) -> str:
-    """A candidate in a few words."""
+    """Segments and dimensions of candidate `i` as one line of text."""
     g = s.springs
     alpha = g.alpha[i] / units.factor("deg")
     return (
@@ -169,7 +169,7 @@ def geometry(s: Search, i: int) -> str:
 
 
 def in_unit(limit: Limit, value: float) -> str:
-    """A value of a limit's input [SI] in its unit."""
+    """`value` [SI] as text in the unit of the limit's input."""
     if np.isinf(value):
         return "∞"
     number = f"{value / units.factor(limit.unit):.4g}"
@@ -193,7 +193,7 @@ def _limit_line(limit: Limit, i: int) -> tuple[str, ...]:
 
 
 def spare(limit: Limit, i: int) -> str:
-    """How far candidate `i` is inside the limit, a share of the bound."""
+    """Margin of candidate `i` to the limit, as a percentage of the bound; "∞" if unlimited."""
     room = -float(limit.excess[i])
     return "∞" if np.isinf(room) else f"{100 * room:.3g} %"
 
@@ -209,7 +209,7 @@ def _relaxed(r: Relaxation) -> tuple[str, ...]:
 
 
 def rounded(r: Relaxation) -> str:
-    """The bound that is needed, in its unit, rounded to the side that admits the candidate."""
+    """The required bound as text in its unit, rounded to the side that admits the candidate."""
     value = r.needed / units.factor(r.limit.unit)
     step = 10.0 ** (np.floor(np.log10(abs(value))) - 3) if value else 1.0
     steps = np.round(value / step, 9)  # round-off does not make a number fractional

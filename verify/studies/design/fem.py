@@ -19,12 +19,13 @@ STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compresse
 
 @dataclass(frozen=True)
 class Verified:
-    """Results of finite elements for one candidate.
+    """Finite-element results of one candidate.
 
-    `k1` [N/m] is the stiffness at small displacements, `mesh` its change with the mesh, and
-    `deviation` the formula minus finite elements, both relative to finite elements; `curve` is for
-    large displacements. `stress` [Pa] is the bending stress under F_w in the deformed state; `room`
-    [m] and `sigma` [Pa] are the permissible height and stress of the task.
+    `k1` [N/m] is the stiffness at small displacements, and `mesh` its relative change from the
+    coarse to the fine mesh. `deviation` is (formula - finite elements) / finite elements for this
+    stiffness. `curve` is the curve for large displacements. `stress` [Pa] is the bending stress
+    under F_w in the deformed state. `room` [m] and `sigma` [Pa] are the permissible height and
+    stress of the task.
     """
 
     k1: float
@@ -40,40 +41,43 @@ class Verified:
 
     @property
     def too_high(self) -> bool:
-        """Whether its height at U_w exceeds the available space."""
+        """Whether the height of the spring at U_w exceeds the available space."""
         return self.curve.height > self.room
 
     @property
     def overstressed(self) -> bool:
-        """Whether the stress under F_w is more than allowed."""
+        """Whether the stress under F_w exceeds the permissible stress."""
         return self.stress > self.sigma
 
     @property
     def unsolved(self) -> bool:
-        """Whether its curve ends without an equilibrium before U_w and F_w are reached."""
+        """Whether the computed curve ends before U_w or F_w because no equilibrium was found."""
         end = float(self.curve.U[-1]) * (1 + ROUNDING)
         return not self.curve.whole and (self.U_w > end or isnan(self.delta))
 
     @property
     def limit(self) -> float:
-        """Allowed error of the formula's stiffness."""
+        """Allowed relative error of the stiffness by the formula."""
         return SHARE * self.e_max
 
     @property
     def agrees(self) -> bool:
-        """Whether the stiffness by the formula is within the limit, and the mesh is fine enough."""
+        """Whether the error of the formula's stiffness plus the mesh error is within the limit."""
         return abs(self.deviation) + self.mesh <= self.limit
 
     @property
     def e_r(self) -> float:
-        """Eq. 11 with the displacement that F_w really causes: (U_w - Δ)/Δ; NaN for none."""
+        """Displacement error of Eq. 11, (U_w - Δ)/Δ, with Δ of finite elements under F_w.
+
+        The result is NaN if the curve does not reach F_w.
+        """
         return self.U_w / self.delta - 1
 
     @property
     def fits(self) -> bool:
-        """Whether Eq. 11 is met, no leaves touch up to U_w, and space and strength are sufficient.
+        """Whether Eq. 11 holds, no leaves touch up to U_w, and space and strength are sufficient.
 
-        An unsolved spring does not fit, since its behaviour is unknown.
+        A spring without an equilibrium up to U_w does not fit, because its behaviour is unknown.
         """
         if self.too_high or self.overstressed or self.curve.touches <= self.U_w or self.unsolved:
             return False
@@ -81,7 +85,7 @@ class Verified:
 
 
 def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
-    """Candidate `i`: its stiffness from two meshes, and its curve."""
+    """Finite-element results of candidate `i`: stiffness from two meshes, and the curve."""
     coarse, fine = (_stiffness(s, i, q, per_arc) for per_arc in PER_ARC)
     U_w = float(f.U_w[i])
     curve = compressed(s, f, i, q, stroke=STROKE * max(U_w, float(f.delta(q.F_w)[i])))
@@ -94,7 +98,10 @@ def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
 
 
 def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
-    """Bending stress [Pa] inside a loop under F_w, from the couple at U_w under nearly F_w."""
+    """Bending stress [Pa] at the inside of an arc under F_w.
+
+    The couple computed at U_w is scaled by the ratio of F_w to the force at U_w.
+    """
     b, force = float(s.b[i]), curve.force(U_w)
     share = q.F_w / force if force > 0 else 1.0
     bent = float(curvature_factor(b=b, r=float(s.r[i])))
@@ -104,9 +111,9 @@ def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
 def verified(
     s: Springs, f: Formulas, members: Sequence[int], q: Demands, tell: Callable[[int, float], None]
 ) -> list[Verified]:
-    """Finite-element results of all `members`.
+    """Finite-element results of all candidates in `members`.
 
-    `tell` receives the number of solved members and the estimated remaining seconds.
+    `tell` receives the number of solved members and the estimated remaining time [s].
     """
     found: list[Verified] = []
     start = time.monotonic()

@@ -1,4 +1,4 @@
-"""The best feasible candidates: Pareto front, its thinning, and the choice of one member."""
+"""Pareto front of the feasible candidates, selection of members, and choice of one member."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,9 +9,10 @@ MEMBERS = 20
 
 
 def pareto(objectives: Array) -> Indices:
-    """Rows of (N, m) that no other row dominates: as good in all and better in one objective.
+    """Indices of the rows of `objectives` (N, m) that no other row dominates.
 
-    All objectives are minimised. Equal rows do not dominate each other.
+    All objectives are minimised. A row dominates another row if it is at least as good in all
+    objectives and better in at least one. Equal rows do not dominate each other.
     """
     order = np.lexsort(objectives.T[::-1])  # nobody is beaten by one that comes later
     left, found = order, []
@@ -25,21 +26,25 @@ def pareto(objectives: Array) -> Indices:
 
 
 def scaled(objectives: Array) -> Array:
-    """Every objective scaled from 0 (best of the set) to 1 (worst); 0 if all are equal."""
+    """Objectives scaled from 0 (best value of the set) to 1 (worst); 0 if all values are equal."""
     low, high = objectives.min(axis=0), objectives.max(axis=0)
     return np.asarray((objectives - low) / np.where(high > low, high - low, 1.0))
 
 
 def distance_to_ideal(objectives: Array) -> Array:
-    """Distance of each row from the point with the best of every scaled objective."""
+    """Distance of each row from the ideal point, in scaled objectives.
+
+    The ideal point has the best value of every objective.
+    """
     return np.asarray(np.linalg.norm(scaled(objectives), axis=1))
 
 
 def thinned(objectives: Array, most: int = MEMBERS) -> Indices:
-    """At most `most` rows, nearest to the ideal point first.
+    """Indices of at most `most` rows that represent the set, nearest to the ideal point first.
 
-    The nearest row and the best row of each objective are selected; then, repeatedly, the row with
-    the largest distance from the selected rows, in scaled objectives, until there are enough.
+    First, the row nearest to the ideal point and the best row of each objective are selected. Then
+    the row with the largest distance from all selected rows, in scaled objectives, is added until
+    `most` rows are selected.
     """
     at, ideal = scaled(objectives), distance_to_ideal(objectives)
     taken = list(dict.fromkeys([int(ideal.argmin()), *map(int, at.argmin(axis=0))]))[:most]

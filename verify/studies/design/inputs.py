@@ -39,7 +39,7 @@ SWEEPS = {
 
 
 class Demands(Inputs):
-    """Required function of the spring, its material, and its limits."""
+    """Required function of the spring, its material, and the limits of the design."""
 
     F_w: float = quantity("5 N", "N", "F_w", "working force", gt=0, le=1e5)
     L_w: float | None = quantity(
@@ -55,14 +55,17 @@ class Demands(Inputs):
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
     width_factor: float | None = quantity(
         None, "1", "f",
-        "stiffness of the wide strip over that of a narrow one; by default that of a leaf, a plate",
+        "ratio of stiffness, wide to narrow strip; by default that of a leaf, computed as a plate",
         omitted=None, ge=1, le=1.3, example="1.0957",
     )  # fmt: skip
     arcs: Arcs = word(
-        "centre line", "radius of the arcs in k_1: true centre line or, as Eqs. 1-9 have it, inner"
+        "centre line",
+        "radius of the arcs in k_1: of the true centre line or, as in Eqs. 1-9, of the inner side",
     )
-    head: Head = word("guided", "the roller guides the head or, as in Eqs. 1-9, leaves it free")
-    tail: Tail = word("mid-leaf", "where the tail is clamped: mid-leaf or, as in Eqs. 1-9, arc")
+    head: Head = word("guided", "head guided by the roller or, as in Eqs. 1-9, free")
+    tail: Tail = word(
+        "mid-leaf", "clamping point of the tail: mid-leaf or, as in Eqs. 1-9, end of the arc"
+    )
     wedge: float = quantity(
         "27 mm", "mm", "L_max", "length of the wedge, the largest free length",
         gt=0, le=1e4,
@@ -71,7 +74,7 @@ class Demands(Inputs):
         "15 mm",
         "mm",
         "H_max",
-        "transverse space, for 2 (L_1/2 + r + b)",
+        "available transverse space; the spring needs 2 (L_1/2 + r + b)",
         omitted=None,
         gt=0,
         le=1e4,
@@ -81,7 +84,7 @@ class Demands(Inputs):
     )
     margin: float = quantity(
         "15 %", "%", "m_A",
-        "margin of U_w to U_A, where leaves touch (linear theory: U_A up to an eighth too large)",
+        "margin of U_w to U_A, where leaves touch (linear theory overestimates U_A by up to 1/8)",
         omitted=0.0, ge=0, le=1000,
     )  # fmt: skip
     sway: float | None = quantity(
@@ -89,14 +92,20 @@ class Demands(Inputs):
         omitted=None, ge=0, le=1000,
     )  # fmt: skip
     friction: float = quantity(
-        0.15, "1", "µ", "friction where leaves touch, in finite elements", omitted=0.0, ge=0, le=1,
+        0.15, "1", "µ", "friction of touching leaves, in finite elements", omitted=0.0, ge=0, le=1,
         claims="wang2023:fea-friction-coefficient",
     )  # fmt: skip
     b_tolerance: float | None = quantity(
         "0.002 mm", "mm", "t_b", "tolerance of the thickness, ±", omitted=None, ge=0, le=1
     )
     k_band: float | None = quantity(
-        "8 %", "%", "δ_k", "permissible change of stiffness by it", omitted=None, gt=0, le=1000
+        "8 %",
+        "%",
+        "δ_k",
+        "permissible change of stiffness by the tolerance of the thickness",
+        omitted=None,
+        gt=0,
+        le=1000,
     )
     e_max: float = quantity(
         "3 %", "%", "e_r", "largest |U_w - Δ|/Δ", gt=0, le=100,
@@ -119,23 +128,23 @@ class Demands(Inputs):
     def _consistent(self) -> "Demands":
         if (self.L_w is None) == (self.U_w is None):
             given = "neither is given" if self.L_w is None else "both are given"
-            raise ValueError(f"needs either L_w or U_w, {given}")
+            raise ValueError(f"exactly one of L_w and U_w must be given, {given}")
         if not self.ratio_min < self.ratio_max:
             raise ValueError(
-                f"needs ratio_min < ratio_max, got {self.ratio_min:g} and {self.ratio_max:g}"
+                f"ratio_min must be less than ratio_max, got {self.ratio_min:g}, {self.ratio_max:g}"
             )
         if (self.b_tolerance is None) != (self.k_band is None):
             missing = "b_tolerance" if self.b_tolerance is None else "k_band"
-            raise ValueError(f"b_tolerance and k_band belong together, {missing} is missing")
+            raise ValueError(f"b_tolerance and k_band must be given together: {missing} is missing")
         wide = 1 / (1 - self.nu**2)
         if self.width_factor is not None and self.width_factor > wide * (1 + 1e-12):
             raise ValueError(
-                f"width_factor = {self.width_factor:g} is more than 1/(1 - ν²) = {wide:.5g}, "
+                f"width_factor = {self.width_factor:g} must not exceed 1/(1 - ν²) = {wide:.5g}, "
                 "the factor of an infinitely wide strip"
             )
         if self.L_w is not None and not self.L_w < self.wedge:
             raise ValueError(
-                f"needs L_w < wedge, got L_w = {self.L_w * 1e3:g} mm, "
+                f"L_w must be less than wedge, got L_w = {self.L_w * 1e3:g} mm, "
                 f"wedge = {self.wedge * 1e3:g} mm"
             )
         return self
@@ -143,7 +152,7 @@ class Demands(Inputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `demands`, the SI values of every swept parameter, omitted inputs."""
+    """A design task: demands, SI values of all varied parameters, and assumed inputs."""
 
     name: str
     demands: Demands
@@ -158,23 +167,29 @@ class Task:
 
 
 def load(path: Path) -> Task:
-    """A design task from a parameter file; InputError states the error in one line."""
+    """Design task from the parameter file `path`.
+
+    Raises InputError, which states the fault in one line, if the file is wrong.
+    """
     case, name, raw = read_parameter_file(path)
     if case != CASE:
         raise InputError(
-            f"{path}: case: design takes {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
+            f"{path}: case must be {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
         )
     whole, assumed = complete(CASE, Demands, raw, str(path))
     return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
-    """A design task from raw inputs."""
+    """Design task from the raw inputs of a parameter file; `where` names the file in messages.
+
+    Raises InputError if an input is unknown, missing or out of its range.
+    """
     known = (*Demands.model_fields, *SWEEPS)
     for key in raw:
         if key not in known:
             raise InputError(
-                f"{where}: inputs.{key[:40]!s}: unknown key; known are {', '.join(known)}"
+                f"{where}: inputs.{key[:40]!s}: unknown key; allowed keys: {', '.join(known)}"
             )
     demands = build(Demands, {k: v for k, v in raw.items() if k not in SWEEPS}, where)
     assert isinstance(demands, Demands)
@@ -185,12 +200,12 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
     if found.count > MOST_CANDIDATES:
         raise InputError(
             f"{where}: inputs: n, b, L1, r and alpha make {found.count:,} candidates, "
-            f"at most {MOST_CANDIDATES:,} are taken: give coarser ranges"
+            f"the maximum is {MOST_CANDIDATES:,}: give coarser ranges"
         )
     return found
 
 
 def default() -> Task:
-    """The task of the template."""
+    """The task that the template describes."""
     ranges = {k: sweep.read(sweep.default, f"inputs.{k}") for k, sweep in SWEEPS.items()}
     return Task(f"my {CASE}", Demands(), ranges)

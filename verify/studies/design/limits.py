@@ -1,4 +1,4 @@
-"""The limits of a design (Wang et al. 2023, Eqs. 11-13, and more), and who violates them."""
+"""Limits of a spring design (Wang et al. 2023, Eqs. 11-13, and more) and the violations."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,9 +16,11 @@ ROUND_OFF = 1e-12  # a limit that is reached exactly is not violated
 
 @dataclass(frozen=True, kw_only=True)
 class Limit:
-    """`value` (N,) [SI] must be at most `bound`, or at least if `least`; `key` is the input.
+    """A limit on one quantity of all candidates.
 
-    `scaled` converts a bound on `value` to a bound on the input: the margin is U_A/U_w - 1.
+    `value` (N,) [SI] must be at most `bound`, or at least `bound` if `least` is set. `key` is the
+    name of the input that sets the limit. The bound minus `offset` is the value of this input: the
+    margin, for example, is U_A/U_w - 1.
     """
 
     key: str
@@ -33,40 +35,40 @@ class Limit:
 
     @cached_property
     def excess(self) -> Array:
-        """Excess of the value over the bound, relative to the bound, (N,); positive: violated."""
+        """Excess of the value over the bound, relative to the bound, (N,); positive if violated."""
         beyond = self.bound - self.value if self.least else self.value - self.bound
         return np.where(np.isnan(self.value), np.inf, beyond / abs(self.bound))
 
     @cached_property
     def violated(self) -> NDArray[np.bool_]:
-        """Whether a candidate breaks the limit (N,)."""
+        """Whether each candidate violates the limit, (N,)."""
         return np.asarray(self.excess > ROUND_OFF)
 
     @property
     def sign(self) -> str:
-        """Required relation of value and bound."""
+        """Sign of the required relation between value and bound: "≥" or "≤"."""
         return "≥" if self.least else "≤"
 
 
 @dataclass(frozen=True)
 class Judged:
-    """Limits on N candidates; `possible` says which of them are springs at all."""
+    """Limits on N candidates; `possible` marks the candidates that can be made as a spring."""
 
     limits: Sequence[Limit]
     possible: NDArray[np.bool_]
 
     @cached_property
     def feasible(self) -> NDArray[np.bool_]:
-        """Candidates within every limit."""
+        """Whether each candidate is within every limit, (N,)."""
         return np.asarray(self.possible & ~self.violations.any(axis=0))
 
     @cached_property
     def violations(self) -> NDArray[np.bool_]:
-        """Limits by candidates; False if a candidate is no spring."""
+        """Whether each candidate violates each limit, (limits, N); False for impossible shapes."""
         return np.array([limit.violated for limit in self.limits]) & self.possible
 
     def reasons(self, i: int) -> tuple[str, ...]:
-        """The keys of every limit that candidate `i` violates."""
+        """Keys of all limits that candidate `i` violates; ("shape",) if the shape is impossible."""
         if not self.possible[i]:
             return ("shape",)
         return tuple(
@@ -75,10 +77,10 @@ class Judged:
 
 
 def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
-    """Every limit that the demands set, on all candidates."""
+    """Every limit of the demands, evaluated for all candidates."""
     delta = f.delta(q.F_w)
     found = [
-        Limit(key="e_max", what="working against computed displacement", symbol="|U_w − Δ|/Δ",
+        Limit(key="e_max", what="deviation from computed displacement", symbol="|U_w − Δ|/Δ",
               unit="%", value=np.abs(f.U_w - delta) / delta, bound=q.e_max, source="Eq. 11"),
         Limit(key="ratio_min", what="working displacement over free length", symbol="U_w/L_0",
               unit="1", value=f.U_w / f.L0, bound=q.ratio_min, source="Eq. 12", least=True),
@@ -123,6 +125,6 @@ def _where(s: Springs, values: Array) -> Array:
 
 
 def _over(room: Array, U_w: Array) -> Array:
-    """Available space over U_w; infinite if the spring need not be displaced."""
+    """Ratio of the available displacement to U_w; infinite if U_w <= 0."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(U_w <= 0, np.inf, room / U_w)

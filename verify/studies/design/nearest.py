@@ -1,4 +1,4 @@
-"""Nearest candidate if no candidate is feasible, and the limits to relax."""
+"""Candidate closest to feasible if no candidate is feasible, and the limits to relax."""
 
 import operator
 from collections.abc import Sequence
@@ -16,7 +16,10 @@ KEPT = {word: getattr(operator, rule) for rule, word in BOUNDS.items()}
 
 @dataclass(frozen=True)
 class Relaxation:
-    """Candidate `i` needs `limit` at `needed` [SI unit of the input] instead of `given`."""
+    """A limit that must be relaxed for a candidate.
+
+    `given` is the present and `needed` the required value of the input, both in its SI unit.
+    """
 
     limit: Limit
     candidate: int
@@ -25,31 +28,31 @@ class Relaxation:
 
     @property
     def excess(self) -> float:
-        """Share of the bound by which the candidate is beyond."""
+        """Excess of the candidate's value over the bound, relative to the bound."""
         return float(self.limit.excess[self.candidate])
 
     @property
     def possible(self) -> bool:
-        """Whether the input may be set to the required value."""
+        """Whether the allowed range of the input contains the required value."""
         bounds = bounds_of(Demands.model_fields[self.limit.key])
         return all(KEPT[word](self.needed, bound) for word, bound in bounds)
 
 
 def relaxation(limit: Limit, i: int) -> Relaxation:
-    """The relaxation of a limit that candidate `i` needs."""
+    """Relaxation of `limit` that candidate `i` needs."""
     given, needed = limit.bound - limit.offset, float(limit.value[i]) - limit.offset
     return Relaxation(limit, i, given, needed)
 
 
 def _least(excess: NDArray[np.float64]) -> int:
-    """The candidate with the least excess; the first of those equal to round-off."""
+    """Index of the candidate with the least excess; the first of several equal to round-off."""
     return int(np.argmax(excess <= excess.min() + ROUND_OFF))
 
 
 def nearest(judged: Judged) -> list[Relaxation]:
-    """Violations of the candidate with the lowest maximum excess, largest first.
+    """Relaxations that the candidate with the lowest maximum excess needs, largest excess first.
 
-    Empty if no candidate is a spring at all.
+    The list is empty if no candidate can be made as a spring.
     """
     if not judged.possible.any():
         return []
@@ -60,9 +63,9 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """For every limit that alone could be relaxed, the least relaxation with a feasible candidate.
+    """Smallest sufficient relaxation of each limit whose relaxation alone makes a spring feasible.
 
-    Values to which no input can be set are omitted.
+    Relaxations beyond the allowed range of the input are omitted.
     """
     lonely = judged.possible & (judged.violations.sum(axis=0) == 1)
     found = []

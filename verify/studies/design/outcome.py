@@ -1,4 +1,4 @@
-"""Result of a design task: the search, its front by finite elements, and the chosen spring."""
+"""Result of a design task: the search, finite-element results of the front, the chosen spring."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,10 +16,12 @@ BEYOND = 1.15  # compression of the selected spring, relative to U_A
 
 @dataclass(frozen=True)
 class Outcome:
-    """`verified` belongs to the members of the front, none without finite elements.
+    """Result of a design task.
 
-    `chosen` counts the members from 0, and is None if nothing is feasible; `curve` is the
-    chosen spring's by finite elements, to a displacement beyond U_A.
+    `verified` contains the finite-element results of the members of the front; it is empty if
+    finite elements were not used. `chosen` is the index of the chosen member, counted from 0, or
+    None if nothing is feasible. `curve` is the curve of the chosen spring by finite elements, to a
+    displacement beyond U_A.
     """
 
     search: Search
@@ -29,7 +31,7 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
-        """A candidate is feasible; finite elements confirm the formula and the chosen spring."""
+        """Whether a spring was chosen and finite elements, if used, confirm it and all formulas."""
         if self.chosen is None:
             return False
         if not self.verified:
@@ -38,7 +40,7 @@ class Outcome:
 
     @property
     def candidate(self) -> int:
-        """The chosen spring among all candidates."""
+        """Index of the chosen spring among all candidates."""
         assert self.chosen is not None
         return int(self.search.members[self.chosen])
 
@@ -48,15 +50,17 @@ def carry_out(
 ) -> Outcome:
     """Search, verify the front, and choose member number `choose`, counted from 1.
 
-    By default, it is the first member that finite elements confirm, in the order of the distance to
-    the ideal point; if they confirm none, the first member. `drawn` adds its curve.
+    If `choose` is None, the first member that finite elements confirm is chosen, in the order of
+    the distance to the ideal point. If they confirm no member, the first member is chosen. `drawn`
+    adds the curve of the chosen spring. Raises InputError if the front has no member number
+    `choose`.
     """
     found = search(task)
     members = [int(i) for i in found.members]
     if not members:
         return Outcome(found, (), None)
     if choose is not None and not 1 <= choose <= len(members):
-        raise InputError(f"--choose: the front has members 1 to {len(members)}, got {choose}")
+        raise InputError(f"--choose must be a member, 1 to {len(members)}, got {choose}")
     if not use_fem:
         return Outcome(found, (), (choose or 1) - 1)
     with progress.shown(quiet=quiet) as show:
@@ -76,7 +80,7 @@ def carry_out(
 
 
 def chosen_file(outcome: Outcome) -> str:
-    """A parameter file of the chosen spring for `freewheel check --fem`."""
+    """Text of a parameter file with the chosen spring, for `freewheel check --fem`."""
     found, q = outcome.search, outcome.search.task.demands
     i, s = outcome.candidate, found.springs
     lengths = {"b": s.b[i], "h": q.h, "r": s.r[i], "L1": s.L1[i]}

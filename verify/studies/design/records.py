@@ -1,4 +1,4 @@
-"""A design's outcome for other programs: JSON, and every candidate as a line of CSV."""
+"""Outcome of a design for other programs: a JSON record, and a CSV table of all candidates."""
 
 import csv
 import io
@@ -23,7 +23,7 @@ COLUMNS = (
 
 
 def columns(s: Search) -> dict[str, Any]:
-    """Everything about the candidates in the units of COLUMNS, arrays (N,)."""
+    """Geometry and results of all candidates in the units of COLUMNS, arrays (N,) by name."""
     q, g, f = s.task.demands, s.springs, s.formulas
     si = {
         "n": g.n, "b": g.b, "L1": g.L1, "r": g.r, "alpha": g.alpha, "L0": f.L0, "U_w": f.U_w,
@@ -36,9 +36,9 @@ def columns(s: Search) -> dict[str, Any]:
 
 
 def candidates_csv(s: Search) -> str:
-    """One line a candidate: geometry, formulas, whether feasible or why not, whether on the front.
+    """CSV text with one line per candidate: geometry, results, feasibility, front, violated limits.
 
-    What cannot be bent violates "shape" and has no values.
+    A candidate whose shape is impossible violates "shape" and has no results.
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -57,7 +57,7 @@ def candidates_csv(s: Search) -> str:
 
 
 def record(outcome: Outcome) -> dict[str, Any]:
-    """The outcome as JSON takes it."""
+    """Outcome of a design as a dictionary for JSON."""
     s = outcome.search
     values = columns(s)
     members = []
@@ -100,19 +100,19 @@ def record(outcome: Outcome) -> dict[str, Any]:
 
 
 def violations(s: Search) -> dict[str, int]:
-    """Number of candidates that violate each limit, and of those that are no spring."""
+    """Number of candidates that violate each limit; key "shape" counts impossible shapes."""
     counts = s.judged.violations.sum(axis=1)
     found = {limit.key: int(c) for limit, c in zip(s.judged.limits, counts, strict=True)}
     return found | {"shape": int((~s.judged.possible).sum())}
 
 
 def finite(value: float) -> float | None:
-    """JSON has no NaN."""
+    """`value`, or None if it is not finite, because JSON has no NaN."""
     return value if math.isfinite(value) else None
 
 
 def relaxed(r: Relaxation) -> dict[str, Any]:
-    """A limit that would have to be relaxed, in its unit."""
+    """Required relaxation of one limit as a dictionary, in the unit of its input."""
     factor = units.factor(r.limit.unit)
     return {
         "limit": r.limit.key, "what": r.limit.what, "unit": r.limit.unit, "from": r.given / factor,
@@ -121,6 +121,6 @@ def relaxed(r: Relaxation) -> dict[str, Any]:
 
 
 def shown(limit: Limit, value: float, *, digits: int = 5) -> str:
-    """A value of a limit in its unit, SI given."""
+    """`value` [SI] as text in the unit of `limit`."""
     unit = "" if limit.unit == "1" else f" {limit.unit}"
     return f"{value / units.factor(limit.unit):.{digits}g}{unit}"

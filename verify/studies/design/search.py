@@ -1,4 +1,4 @@
-"""The search of Fig. 12 over all candidates at once: judged, and the best of them."""
+"""Search of Fig. 12 over all candidates at once: limits, Pareto front, listed members."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ OBJECTIVES = ("stress", "L_0", "room to A", "error of the stiffness")
 
 @dataclass(frozen=True)
 class Search:
-    """All results of a design task; indices are numbers of candidates."""
+    """Results of a design task. Indices are numbers of candidates."""
 
     task: Task
     springs: Springs
@@ -30,33 +30,33 @@ class Search:
 
     @cached_property
     def objectives(self) -> Array:
-        """Objectives to minimise (N, 4), see OBJECTIVES."""
+        """Objectives to minimise, (N, 4), in the order of OBJECTIVES."""
         return objectives(self.formulas, self.task.demands.F_w)
 
     @cached_property
     def distance(self) -> Array:
-        """Distance of each member to the ideal point of the front, in scaled objectives."""
+        """Distance of each member from the ideal point of the front, in scaled objectives."""
         front = distance_to_ideal(self.objectives[self.front])
         return front[np.searchsorted(self.front, self.members)]
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Limits whose relaxation alone is sufficient if no candidate is feasible."""
+        """Relaxations of which each alone is sufficient; empty if a candidate is feasible."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property
     def nearest(self) -> Sequence[Relaxation]:
-        """Violations of the nearest candidate, if no candidate is feasible."""
+        """Relaxations for the candidate closest to feasible; empty if a candidate is feasible."""
         return () if self.front.size else nearest(self.judged)
 
 
 def objectives(f: Formulas, F_w: float) -> Array:
-    """Stress, free length, minus U_A/U_w, and |k_1/k_w - 1| with k_w = F_w/U_w (N, 4)."""
+    """Objectives (N, 4): stress, free length, -U_A/U_w and |k_1/k_w - 1| with k_w = F_w/U_w."""
     return np.stack([f.stress, f.L0, -f.U_A / f.U_w, np.abs(f.k1 * f.U_w / F_w - 1)], axis=1)
 
 
 def search(task: Task) -> Search:
-    """Judge every candidate and find the front of the feasible ones."""
+    """Evaluate the limits for every candidate and find the front of the feasible candidates."""
     springs = candidates(task.ranges)
     found = formulas(springs, task.demands)
     judged = limits(springs, found, task.demands)

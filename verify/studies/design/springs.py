@@ -21,7 +21,7 @@ SAMPLED = 0.1  # steps of ln(h/l) between width factors; in between they err by 
 
 @dataclass(frozen=True)
 class Springs:
-    """Geometry of candidates in SI units, arrays (N,); n whole numbers."""
+    """Geometry of N candidates in SI units, arrays (N,); `n` are integers."""
 
     n: NDArray[np.int64]
     b: Array
@@ -37,12 +37,12 @@ class Springs:
 
     @cached_property
     def possible(self) -> NDArray[np.bool_]:
-        """Whether a strip can be bent like this: b < r, and 2 r < L1."""
+        """Whether a strip can be bent to this shape: b < r and 2 r < L1."""
         return (self.b < self.r) & (2 * self.r < self.L1)
 
 
 def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
-    """Every combination; springs with equal n are adjacent."""
+    """Springs of all combinations of the values; springs with equal n are adjacent."""
     names = ("n", "b", "alpha", "r", "L1")
     grid = np.meshgrid(*(np.array(ranges[name], dtype=float) for name in names), indexing="ij")
     flat = {name: values.ravel() for name, values in zip(names, grid, strict=True)}
@@ -51,10 +51,10 @@ def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
 
 @dataclass(frozen=True)
 class Formulas:
-    """Results of the formulas for N springs, SI, (N,); NaN if no strip can be bent.
+    """Results of the formulas for N springs in SI units, (N,); NaN if the shape is impossible.
 
-    `f` is the width factor on E I; `k1_eqs_1_9` is the stiffness as in the paper, independent of
-    the input on arcs and ends; `U_cr` is inf if there is no buckling.
+    `f` is the width factor on E I. `k1_eqs_1_9` is the stiffness as in the paper, independent of
+    the inputs `arcs`, `head` and `tail`. `U_cr` is inf if the spring does not buckle.
     """
 
     L0: Array
@@ -69,14 +69,15 @@ class Formulas:
     stress: Array
 
     def delta(self, F_w: float) -> Array:
-        """Computed displacement of Eq. 11 under the working force."""
+        """Displacement [m] under the working force, F_w/k_1, as in Eq. 11."""
         return F_w / self.k1
 
 
 def width_factors(springs: Springs, demands: Demands) -> Array:
-    """Stiffening of each strip by its width, as given or computed for its leaves.
+    """Width factor of the stiffness of each strip, as given or computed for its leaves.
 
-    The factor of a leaf depends only on h over its length; it is interpolated between samples.
+    The factor of a leaf depends only on the ratio of h to its length. It is interpolated between
+    samples.
     """
     if demands.width_factor is not None:
         return np.full(len(springs), demands.width_factor)
@@ -88,7 +89,7 @@ def width_factors(springs: Springs, demands: Demands) -> Array:
 
 
 def formulas(springs: Springs, demands: Demands) -> Formulas:
-    """Lengths, stages and the stress at the working force of every candidate."""
+    """Lengths, stages of the curve, and stress at the working force of all candidates."""
     found = {f.name: np.full(len(springs), np.nan) for f in fields(Formulas)}
     for n in np.unique(springs.n):
         which = np.flatnonzero((springs.n == n) & springs.possible)

@@ -1,4 +1,4 @@
-"""Mesh and section of a candidate for beams on the true centre line."""
+"""Beam mesh and section of a candidate on the true centre line."""
 
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,10 @@ HEAD_HELD = {"guided": "yr", "free": ""}
 def strip(
     s: Springs, i: int, q: Demands, per_arc: int, *, tips: bool = False
 ) -> "tuple[LineMesh, Section]":
-    """Candidate `i` with `per_arc` elements on an arc; `tips` are the free ends of its leaves."""
+    """Mesh and section of candidate `i` with `per_arc` elements on an arc.
+
+    `tips` adds the free ends of the leaves to the mesh.
+    """
     from fem.beam.section import Section
     from meshes.spring.centre_line import centre_line
 

@@ -14,7 +14,7 @@ MOST = 10_000  # values of one parameter
 
 @dataclass(frozen=True, kw_only=True)
 class Sweep:
-    """A swept parameter: its unit and range, and the `default` that the template shows."""
+    """A varied parameter: its unit, its range, and the `default` that the template contains."""
 
     name: str
     unit: str
@@ -28,12 +28,15 @@ class Sweep:
 
     @property
     def rule(self) -> str:
-        """Rule for a value, in words."""
+        """Rule for a value in words: lower and upper limit."""
         lower = "greater than" if self.above else "at least"
         return f"{lower} {self._shown(self.low)} and at most {self._shown(self.high)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, ...]:
-        """The SI values of a raw TOML value, rising, each once; InputError states the fault."""
+        """SI values of a raw TOML value, in ascending order without duplicates.
+
+        Raises InputError, which states the fault, if a value is wrong.
+        """
         values = self._values(raw, where)
         for value in values:
             self._check(value, where)
@@ -42,9 +45,9 @@ class Sweep:
     def _values(self, raw: Any, where: str) -> Sequence[float]:
         if isinstance(raw, list):
             if not raw:
-                raise InputError(f"{where}: the list is empty: needs one value at least")
+                raise InputError(f"{where}: the list must contain at least one value")
             if len(raw) > MOST:
-                raise InputError(f"{where}: {len(raw):,} values, at most {MOST:,} are taken")
+                raise InputError(f"{where}: {len(raw):,} values given, the maximum is {MOST:,}")
             return [self._one(item, f"{where}[{i}]") for i, item in enumerate(raw)]
         if isinstance(raw, str) and ":" in raw:
             return self._range(raw, where)
@@ -53,11 +56,11 @@ class Sweep:
     def _range(self, raw: str, where: str) -> Sequence[float]:
         parts = [part.strip() for part in raw.split(":")]
         if len(parts) != 3:
-            raise InputError(f'{where}: a range is "first : last : number", got {raw[:60]!r}')
+            raise InputError(f'{where}: a range must be "first : last : number", got {raw[:60]!r}')
         first, last = (self._text(part, where) for part in parts[:2])
         if not parts[2].isdecimal() or not 2 <= int(parts[2][:9]) <= MOST:
             raise InputError(
-                f"{where}: the last part of a range is its number of values, 2 to {MOST:,}, "
+                f"{where}: the last part of a range must be the number of values, 2 to {MOST:,}, "
                 f"got {parts[2][:20]!r}"
             )
         if not first < last:
@@ -65,7 +68,7 @@ class Sweep:
             raise InputError(f"{where}: the ends of a range must ascend, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
-            raise InputError(f"{where}: {raw[:60]!r} contains fractions, needs whole numbers")
+            raise InputError(f"{where}: {raw[:60]!r} contains fractions, must be whole numbers")
         return [float(v) for v in values]
 
     def _one(self, raw: Any, where: str) -> float:
@@ -75,7 +78,7 @@ class Sweep:
             got = repr(raw)[:60] if not isinstance(raw, dict | list) else "a table or list"
             raise InputError(f"{where}: needs {units.DIMENSIONS[self.unit]}, got {got}")
         if not abs(raw) <= LARGEST_INTEGER:
-            raise InputError(f"{where}: the number is out of range")
+            raise InputError(f"{where}: the absolute value of the number is too large")
         if self.unit != "1":
             raise InputError(
                 f"{where}: {raw} has no unit: needs {units.DIMENSIONS[self.unit]}, "
@@ -92,7 +95,7 @@ class Sweep:
     def _check(self, value: float, where: str) -> None:
         low, high = (bound * units.factor(self.unit) for bound in (self.low, self.high))
         if self.whole and value != round(value):
-            raise InputError(f"{where}: needs a whole number, got {value:g}")
+            raise InputError(f"{where}: the value must be a whole number, got {value:g}")
         # a bound that is rounded by a unit is satisfied: 90 deg in rad
         slack = 1e-12 * abs(high)
         if not (value > low if self.above else value >= low - slack) or not value <= high + slack:

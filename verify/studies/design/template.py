@@ -1,4 +1,4 @@
-"""The commented file of a design task, made from its model; a spring much like the paper's."""
+"""Commented parameter file of a design task, generated from its model."""
 
 import json
 
@@ -10,21 +10,21 @@ from verify.studies.design.sweep import Sweep
 
 HEAD = f"""\
 # A design task: accordion springs by the rules of Wang et al. 2023 (Eqs. 11-13, Fig. 12) and more.
-# The task is similar to the paper's spring. Replace the numbers by yours, then run
+# The task is similar to the paper's spring. Replace the numbers with yours, then run:
 #   freewheel design my.toml                  the feasible springs and the best of them
-#   freewheel design my.toml --out spring/    and a page, a table of all candidates, the chosen one
-# A value keeps its unit; any other unit of the same kind will do.
+#   freewheel design my.toml --out spring/    also a page, a table of candidates, a file
+# Each value can have any unit of the same dimension.
 
 case = "{CASE}"
 name = "my spring"
 
 [inputs]
 """
-SWEPT = '# What may vary: a value, a list, or a range "first : last : number of values"'
+SWEPT = '# Varied parameters: a value, a list, or a range "first : last : number of values"'
 
 
 def template() -> str:
-    """A file that, with the lines behind a #, reads as the default task."""
+    """Text of the template. With its commented lines made active, it gives the default task."""
     demanded = sections(Demands, ASSUMPTIONS[CASE], "this task's", also=("L_w",))
     swept = aligned([_line(sweep) for sweep in SWEEPS.values()])
     return f"{HEAD}{demanded}\n{SWEPT}\n{swept}"

@@ -7,7 +7,7 @@ from verify.studies.design_sprag.outcome import Outcome
 
 
 def answer(outcome: Outcome) -> Answer:
-    """The answer; it is "holds" if all pressures are within the limit, also by the half-space."""
+    """Answer of a crown design; "holds" if the half-space agrees and no limit is exceeded."""
     task = outcome.task
     k = int(outcome.pressures.argmax())
     what = f"largest pressure, {task.torques[k]:g} N m, with the crown {named(outcome.crown)}"
@@ -20,5 +20,5 @@ def answer(outcome: Outcome) -> Answer:
                       float(p), task.clutch.E, given=task.wishes.p_lim,
                       option="give p_lim")  # fmt: skip
     if not outcome.verified:
-        part.unknowns.append("the half-space does not confirm the pressures: see its table")
+        part.unknowns.append("the half-space does not confirm the pressures: see the table")
     return part.answer()

@@ -1,4 +1,4 @@
-"""Output of `freewheel design` for a crown: the optimal one, its pressures and checks."""
+"""Output of `freewheel design` for a crown: the optimal crown, its pressures and checks."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ ROUNDING = 1e-9  # tolerance for a crown on a bound
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """The optimal crown, its pressures by torque, flatness, and a half-space's verdict."""
+    """Print the optimal crown, its pressures by torque, its tolerance, and half-space checks."""
     task = outcome.task
     print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
     best = f"optimal crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
@@ -35,7 +35,7 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     for line in remarks(outcome):
         print_wrapped(text_in(line, system))
     if outcome.checks:
-        print("half-space, under the same forces [MPa]")
+        print("largest pressures by the half-space, under the same forces [MPa]")
         for line in aligned([check_heads(outcome), *map(check_line, outcome.checks)]):
             print(f"  {line}")
     print_wrapped(text_in(verdict(outcome), system))
@@ -44,7 +44,7 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
 
 
 def named(crown: Array) -> str:
-    """A crown in a few words."""
+    """K_1, K_2 and z_m of a crown as text."""
     return ", ".join(
         f"{symbol} = {form.format(x / unit)}"
         for symbol, form, unit, x in zip(SYMBOLS, FORMS, UNITS, crown, strict=True)
@@ -52,7 +52,7 @@ def named(crown: Array) -> str:
 
 
 def torques(task: Task) -> str:
-    """The torques in words."""
+    """The torques of the task as text."""
     if len(task.torques) == 1:
         return f"{task.torques[0]:g} N m"
     return ", ".join(f"{T:g}" for T in task.torques[:-1]) + f" and {task.torques[-1]:g} N m"
@@ -62,7 +62,7 @@ HEAD_CROWN = ("now", "best", "range", f"within {100 * FLAT:g} %: alone", "with o
 
 
 def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Each parameter now, at the optimum, its range, and its permissible deviation."""
+    """Cells of the table of crown parameters: present value, optimum, range, permitted change."""
     task, q = outcome.task, outcome.task.clutch
     now = (q.K_1, q.K_2, q.z_m)
     return [
@@ -79,25 +79,25 @@ def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def value_of(j: int, value: float) -> str:
-    """A value of parameter number j."""
+    """Value of parameter number `j` as text with its unit."""
     return FORMS[j].format(value / UNITS[j])
 
 
 def span(j: int, ends: Array) -> str:
-    """Two values of parameter number j."""
+    """Range of parameter number `j` as text: lower and upper end."""
     low, high = (f"{x / UNITS[j]:.3g}" for x in ends)
     return f"{low} to {high}" + (" µm" if j == 2 else "")
 
 
 def outward(ends: Array) -> Array:
-    """Two positive values in three digits, rounded outwards."""
+    """Two positive values rounded to three digits, the first down, the second up."""
     step = 10.0 ** (np.floor(np.log10(ends)) - 2)
     low, high = np.round(ends / step, 6)  # an error in the last digit is ignored
     return np.array([np.floor(low), np.ceil(high)]) * step
 
 
 def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Two lines of heads."""
+    """Two lines of column heads for the table of torques."""
     tolerance = not outcome.search.single
     return [
         ("T", "N_max", "N_max/Q", "now", "no crown", "best there", "at", "", "", "chosen",
@@ -108,7 +108,11 @@ def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Largest pressures now, without a crown, of the optimal crown of the torque, and chosen."""
+    """Cells of the table of torques: largest pressures for different crowns, one line per torque.
+
+    The crowns are the present crown, no crown, the optimal crown of the torque, and the chosen
+    crown.
+    """
     lines = []
     tolerance = not outcome.search.single
     for k, T in enumerate(outcome.task.torques):
@@ -126,30 +130,30 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def percent(share: float) -> str:
-    """A difference in per cent; below a hundredth only that bound."""
+    """A relative difference in per cent, as text; "< 0.01 %" if it is smaller."""
     return f"{100 * share:+.2g} %" if abs(share) >= 1e-4 else "< 0.01 %"
 
 
 def band(outcome: Outcome, k: int) -> str:
-    """Least and largest of the pressures within the tolerance, ends counted once."""
+    """Range of the largest pressure [MPa] over the crowns within the tolerance, as text."""
     p = outcome.largest(outcome.chosen)[:, k]
     return f"{p.min() / MPa:.0f} to {p.max() / MPa:.0f}"
 
 
 def pressure(outcome: Outcome, known: Known, k: int, *, ends: bool) -> str:
-    """A largest pressure; if the ends are loaded, with the number of slices or strips."""
+    """Largest pressure [MPa] as text; for edge loading, with the number of slices or strips."""
     text = f"{outcome.largest(known)[0, k] / MPa:.0f}"
     return f"{text} (edge-loaded, {so_many(outcome, k)})" if ends else text
 
 
 def so_many(outcome: Outcome, k: int) -> str:
-    """The number of slices or strips of a pressure under torque number k."""
+    """Number of slices or strips under torque number `k`, as text."""
     contacts = outcome.task.wishes.contacts
     return f"{outcome.now.along(contacts, k).shape[1]} {contacts}"
 
 
 def remarks(outcome: Outcome) -> list[str]:
-    """The lines below the table of torques."""
+    """Lines printed below the table of torques."""
     return [
         *compared(outcome), surely(outcome), *at_bounds(outcome), *on_edge(outcome),
         *by_slices(outcome),
@@ -157,9 +161,9 @@ def remarks(outcome: Outcome) -> list[str]:
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Bounds reached by the optimal crown without a disadvantage."""
+    """Lines about bounds that the optimal crown reaches without a disadvantage."""
     return [
-        f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gains nothing "
+        f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gives no advantage "
         f"({value_of(b.parameter, b.beyond)} was tried)"
         for b in outcome.bounds
         if not b.costs
@@ -167,36 +171,40 @@ def at_bounds(outcome: Outcome) -> list[str]:
 
 
 def on_edge(outcome: Outcome) -> list[str]:
-    """Advice if a crown without tolerance is close to edge loading."""
+    """Recommendation to give tolerances if the optimal crown is close to edge loading."""
     if not (outcome.search.single and outcome.on_edge):
         return []
-    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less it is edge-loaded"]
+    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less the crown is edge-loaded"]
 
 
 def compared(outcome: Outcome) -> list[str]:
-    """Pressures of the table that may be compared, if there is a tolerance."""
+    """Line that states which pressures of the table are comparable; empty without a tolerance."""
     if outcome.search.single:
         return []
     return [
-        "now, no crown and chosen hold for nominal dimensions, best there and excess for the worst "
-        "within the tolerance: compare now with chosen, not with best there"
+        "columns now, no crown and chosen: nominal dimensions; best there and excess: worst case "
+        "within the tolerance; compare now with chosen, not with best there"
     ]
 
 
 def surely(outcome: Outcome) -> str:
-    """The accuracy of kriging, and its final difference from the model."""
+    """Line about the accuracy of kriging and its final difference from the model."""
     near, whole = outcome.search.judged[-1]
     return (
         f"kriging: error {percent(outcome.predicted / outcome.true - 1)} at the optimal crown "
         f"({100 * AGREE:g} % required), {outcome.rounds} rounds; on {near.count} new "
-        f"random crowns near the optimum {100 * near.mean:.2f} % in the mean and "
-        f"{100 * near.largest:.2f} % at most (all {whole.count}: {100 * whole.mean:.2f} %, "
-        f"{100 * whole.largest:.2f} %)"
+        f"random crowns near the optimum, mean error {100 * near.mean:.2f} %, "
+        f"maximum {100 * near.largest:.2f} % (all {whole.count}: mean {100 * whole.mean:.2f} %, "
+        f"maximum {100 * whole.largest:.2f} %)"
     )
 
 
 def by_slices(outcome: Outcome) -> list[str]:
-    """The optimal crown by slices at the largest torque, among known crowns in the ranges."""
+    """Line about the optimal crown of the model with slices, at the largest torque.
+
+    The crown is selected from the evaluated crowns within the ranges. The list is empty if strips
+    give nearly the same pressure for this crown, or if the task itself uses slices.
+    """
     task, known = outcome.task, outcome.search.model.known
     if task.wishes.contacts == "slices":
         return []
@@ -219,7 +227,7 @@ def by_slices(outcome: Outcome) -> list[str]:
 
 
 def check_heads(outcome: Outcome) -> tuple[str, ...]:
-    """Heads of the half-space's table."""
+    """Column heads of the table of half-space checks."""
     n = outcome.task.clutch.slices
     cells = " by ".join(map(str, CELLS[1]))
     return ("T", "crown", f"{n} slices", f"{2 * n} slices", "strips", f"{cells} cells",
@@ -227,7 +235,7 @@ def check_heads(outcome: Outcome) -> tuple[str, ...]:
 
 
 def check_line(c: Check) -> tuple[str, ...]:
-    """One check; differences are to the half-space."""
+    """Cells of one check. Differences are relative to the half-space."""
     return (
         f"{c.T:g} N m", c.which, f"{c.slices.max() / MPa:.1f}", f"{c.twice / MPa:.1f}",
         f"{c.strips.max() / MPa:.1f} ({len(c.strips)})", f"{c.peak / MPa:.1f}",
@@ -238,7 +246,7 @@ def check_line(c: Check) -> tuple[str, ...]:
 
 
 def verdict(outcome: Outcome) -> str:
-    """PASS or FAIL of the contact model of the search, against the half-space."""
+    """PASS or FAIL of the contact model of the search, by comparison with the half-space."""
     contacts = outcome.task.wishes.contacts
     if not outcome.checks:
         return "not checked by a half-space"
@@ -253,7 +261,7 @@ def verdict(outcome: Outcome) -> str:
 
 
 def warnings(outcome: Outcome) -> Sequence[str]:
-    """Warnings on the chosen crown."""
+    """Warnings for the chosen crown."""
     return [*_limits(outcome), *_ends(outcome), *_bounds(outcome), *_flat(outcome)]
 
 
@@ -272,9 +280,9 @@ def _ends(outcome: Outcome) -> list[str]:
     at = ", ".join(f"{c.T:g}" for c in loaded)
     free = outcome.free_from
     mend = (
-        f"z_m of {free / um:.3g} µm would unload them, with the same K_1 and K_2"
+        f"z_m = {free / um:.3g} µm would unload them, with the same K_1 and K_2"
         if free
-        else "no larger z_m alone unloads them: take a larger K_1"
+        else "increasing z_m alone does not unload them: increase K_1"
     )
     return [
         f"the ends are loaded at {at} N m: there the pressure has no finite maximum; slices and "
@@ -285,19 +293,19 @@ def _ends(outcome: Outcome) -> list[str]:
 def _bounds(outcome: Outcome) -> list[str]:
     return [
         f"{SYMBOLS[b.parameter]} is at the end of its range: {value_of(b.parameter, b.beyond)} "
-        f"would gain {100 * b.gain:.2g} %"
+        f"would reduce the objective by {100 * b.gain:.2g} %"
         for b in outcome.bounds
         if b.costs
     ]
 
 
 def _flat(outcome: Outcome) -> list[str]:
-    """Where all crowns of the ranges are equivalent."""
+    """Warning if all crowns of the ranges are equivalent."""
     task = outcome.task
     if all(
         high - low >= 0.98 * (task.high[j] - task.low[j])
         for j, (low, high) in enumerate(outcome.alone)
     ):
-        return [f"every parameter changes the pressure over its whole range by {100 * FLAT:g} % at "
-                "most: all crowns of these ranges are equivalent"]  # fmt: skip
+        return [f"each parameter, over its range, changes the pressure by at most {100 * FLAT:g} %"
+                ": all crowns of these ranges are equivalent"]  # fmt: skip
     return []

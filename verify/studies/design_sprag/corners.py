@@ -1,4 +1,4 @@
-"""Crowns within their tolerance: the nominal one and the corners of the grinding tolerance."""
+"""Nominal crowns and the corners of their grinding tolerance."""
 
 import numpy as np
 
@@ -7,10 +7,10 @@ from verify.studies.design_sprag.inputs import Task
 
 
 def corners(task: Task, crowns: Array) -> Array:
-    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), nominal crowns first.
+    """Crowns (n, c, 3) at the corners of the tolerances of `crowns` (n, 3), nominal crowns first.
 
-    The whole profile is scaled with its drop: K_1 and z_m are multiplied by 1 ± t_z/z_m. A crown
-    that would begin beyond the middle begins at the middle.
+    The drop tolerance scales the whole profile: K_1 and z_m are multiplied by 1 ± t_z/z_m. K_2 is
+    limited to 1, because a crown cannot begin beyond mid-length.
     """
     z_m = crowns[:, 2]
     found = [crowns]
@@ -27,7 +27,7 @@ def corners(task: Task, crowns: Array) -> Array:
 
 
 def reach(task: Task) -> tuple[Array, Array]:
-    """Lowest and highest (K_1, K_2, z_m) that a crown of the task's ranges can be ground to."""
+    """Lowest and highest (K_1, K_2, z_m) of any crown in the task's ranges, within tolerance."""
     share, moved = task.wishes.t_z / task.low[2], task.t_K2
     low = np.array(task.low) * [1 - share, 1, 1] - [0, moved, task.wishes.t_z]
     high = np.array(task.high) * [1 + share, 1, 1] + [0, moved, task.wishes.t_z]

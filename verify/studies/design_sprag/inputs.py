@@ -20,7 +20,7 @@ from verify.studies.design_sprag.ranges import RANGES
 
 CLUTCH = "sprag-clutch"
 MOST_TORQUES = 12
-STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no state"}
+STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no equilibrium"}
 LARGEST_SHARE = 0.5  # largest tolerance of the drop over the smallest drop
 
 TORQUES = Sweep(name="torques", unit="N m", what="torques of engagement",
@@ -35,17 +35,17 @@ class Wishes(EngagementInputs):
     """The clutch with its present crown, and the requirements on the optimal crown."""
 
     aim: Aim = word(
-        "excess", "what is minimised: the largest excess over the optimal crown of each torque, or "
-        "the largest pressure of all, at the largest torque; the same for one torque",
+        "excess", "objective: largest excess of pressure over the optimal crown of each torque, or "
+        "the largest pressure at any torque; for one torque, both are equivalent",
     )  # fmt: skip
     contacts: Contacts = word(
-        "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which "
+        "strips", "contact model: strips on a half-space or, as in the paper, slices; slices "
         "neglect edge loading",
     )  # fmt: skip
-    method: Method = word("evolution", "search: differential evolution, or the paper's algorithm")
+    method: Method = word("evolution", "search: differential evolution or the genetic algorithm")
     t_z: float = quantity(
-        "0.001 mm", "mm", "t_z", "tolerance of the drop at the ends, ±; the whole profile "
-        "grows with it", omitted=0.0, ge=0, le=10,
+        "0.001 mm", "mm", "t_z", "tolerance of the drop at the ends, ±; it scales the "
+        "whole profile", omitted=0.0, ge=0, le=10,
     )  # fmt: skip
     t_y: float = quantity(
         "0.1 mm", "mm", "t_y", "tolerance of the start of the crown, ± along the sprag",
@@ -57,7 +57,7 @@ class Wishes(EngagementInputs):
     def _fits_length(self) -> "Wishes":
         if not 2 * self.t_y < self.l:
             raise ValueError(
-                f"a crown begins on the sprag: t_y < l/2, got t_y = {self.t_y * 1e3:g} mm, "
+                f"t_y < l/2 is required, or no crown is left, got t_y = {self.t_y * 1e3:g} mm, "
                 f"l = {self.l * 1e3:g} mm"
             )
         return self
@@ -65,9 +65,9 @@ class Wishes(EngagementInputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `clutch` with its present crown, and SI bounds of (K_1, K_2, z_m).
+    """A design task: the clutch with its present crown, and SI bounds of (K_1, K_2, z_m).
 
-    `assumed` are the inputs that the file left out.
+    `assumed` contains the inputs that the file omits.
     """
 
     name: str
@@ -80,36 +80,42 @@ class Task:
 
     @property
     def clutch(self) -> EngagementInputs:
-        """The clutch alone."""
+        """Inputs of the clutch, without the requirements."""
         return EngagementInputs(
             **{name: getattr(self.wishes, name) for name in EngagementInputs.model_fields}
         )
 
     @property
     def t_K2(self) -> float:
-        """Tolerance of K_2 that t_y is."""
+        """Tolerance of K_2 that corresponds to t_y."""
         return 2 * self.wishes.t_y / self.wishes.l
 
 
 def load(path: Path) -> Task:
-    """A design task from a parameter file; InputError states the error in one line."""
+    """Design task from the parameter file `path`.
+
+    Raises InputError, which states the fault in one line, if the file is wrong.
+    """
     case, name, raw = read_parameter_file(path)
     if case not in (CASE, CLUTCH):
-        raise InputError(f'{path}: case: needs case = "{CASE}" or "{CLUTCH}", got {case[:60]!r}')
+        raise InputError(f'{path}: case must be "{CASE}" or "{CLUTCH}", got {case[:60]!r}')
     own = (TORQUES.name, *(r.name for r in RANGES), *_wished()) if case == CLUTCH else ()
     if alien := [key for key in raw if key in own]:
-        raise InputError(f'{path}: inputs.{alien[0]}: belongs to case = "{CASE}"')
+        raise InputError(f'{path}: inputs.{alien[0]}: only valid with case = "{CASE}"')
     whole, assumed = complete(CASE, Wishes, raw, str(path))
     return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
-    """A design task from raw inputs; omitted inputs as in the paper's task, without tolerance."""
+    """Design task from raw inputs; omitted inputs as in the task of the paper, without tolerance.
+
+    Raises InputError if an input is unknown, missing or out of its range.
+    """
     known = (*Wishes.model_fields, TORQUES.name, *(r.name for r in RANGES))
     for key in raw:
         if key not in known:
             raise InputError(
-                f"{where}: inputs.{key[:40]!s}: unknown key; known are {', '.join(known)}"
+                f"{where}: inputs.{key[:40]!s}: unknown key; allowed keys: {', '.join(known)}"
             )
     wishes = build(
         Wishes, {"seed": 0} | {k: v for k, v in raw.items() if k in Wishes.model_fields}, where
@@ -120,7 +126,7 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
         torques = TORQUES.read(raw[TORQUES.name], f"{where}: inputs.{TORQUES.name}")
     if len(torques) > MOST_TORQUES:
         raise InputError(
-            f"{where}: inputs.torques: {len(torques)} torques, at most {MOST_TORQUES} are taken"
+            f"{where}: inputs.torques: {len(torques)} torques, the maximum is {MOST_TORQUES}"
         )
     bounds = [r.read(raw.get(r.name, r.default), f"{where}: inputs.{r.name}") for r in RANGES]
     (a, b, c), (d, e, f) = zip(*bounds, strict=True)
@@ -130,17 +136,17 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
 
 
 def unable(task: Task) -> str:
-    """Reason why the clutch cannot hold one of the torques at rest with any crown; or empty."""
+    """Reason why the clutch cannot hold one of the torques with any crown, or an empty text."""
     for T in task.torques:
         q = ClutchFormulas(**(task.clutch.model_dump() | {"T": T}))
         state = verdict(q)
         if state in ("slips", "rolls over", "no state"):
-            return f"under T = {T:g} N m it {STATES[state]}: {why(q)}"
+            return f"under T = {T:g} N m the clutch {STATES[state]}: {why(q)}"
     return ""
 
 
 def default() -> Task:
-    """The task of the template."""
+    """The task that the template describes."""
     bounds = [r.read(r.default, f"inputs.{r.name}") for r in RANGES]
     (a, b, c), (d, e, f) = zip(*bounds, strict=True)
     torques = TORQUES.read(TORQUES.default, "inputs.torques")
@@ -152,15 +158,15 @@ def _wished() -> tuple[str, ...]:
 
 
 def _refuse_wide(task: Task, where: str) -> None:
-    """InputError if a tolerance is too wide for the ranges."""
+    """Raise InputError if a tolerance is too wide for the ranges."""
     t_z, least = task.wishes.t_z, task.low[2]
     if t_z > LARGEST_SHARE * least:
         raise InputError(
-            f"{where}: inputs.t_z = {t_z * 1e3:g} mm: is more than half of the smallest drop of "
+            f"{where}: inputs.t_z = {t_z * 1e3:g} mm: must not exceed half of the smallest drop in "
             f"z_m_range, {least * 1e3:g} mm"
         )
     if not task.t_K2 < task.low[1]:
         raise InputError(
-            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: is K_2 ± {task.t_K2:.3g}, more "
-            f"than the smallest of K_2_range, {task.low[1]:g}"
+            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: changes K_2 by {task.t_K2:.3g}, "
+            f"must be less than the lower end of K_2_range, {task.low[1]:g}"
         )

@@ -1,4 +1,4 @@
-"""Known results of the true model: engagements of crowns, and the pressures in them."""
+"""Results of the true model for evaluated crowns: maximum forces and pressures in engagements."""
 
 from dataclasses import dataclass, replace
 
@@ -12,10 +12,12 @@ SHARP = 3.0  # times its strip's pressure, which an end that carries counts
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """Results of n crowns (n, 3) under m torques: N_max [N] (n, m), and pressures under it [Pa].
+    """Results of the true model for n crowns (n, 3) under m torques.
 
-    `slices` (n, m, slices) are the pressures of the slices of the clutch; `strips` are those on a
-    half-space, (n, strips) for each torque, with the number of strips that the contact needs.
+    `N_max` (n, m) [N] are the maximum normal forces; all pressures [Pa] are those under these
+    forces. `slices` (n, m, slices) are the pressures of the slices of the clutch. `strips`
+    contains, for each torque, the pressures (n, strips) on a half-space, with the number of strips
+    that the contact requires.
     """
 
     crowns: Array
@@ -31,7 +33,7 @@ class Known:
                      tuple(p[which] for p in self.strips))  # fmt: skip
 
     def with_(self, more: "Known") -> "Known":
-        """These and more crowns."""
+        """The results of this object and of `more`."""
         return replace(
             self,
             crowns=np.vstack([self.crowns, more.crowns]),
@@ -41,15 +43,15 @@ class Known:
         )
 
     def along(self, contacts: Contacts, torque: int) -> Array:
-        """Pressures (n, slices or strips) [Pa] along the sprag under one of the torques."""
+        """Pressures (n, slices or strips) [Pa] along the sprag under torque number `torque`."""
         return self.strips[torque] if contacts == "strips" else self.slices[:, torque]
 
     def counted(self, contacts: Contacts, torque: int) -> Array:
-        """Pressures in the form that a search compares.
+        """Pressures [Pa] along the sprag as the search compares them.
 
-        On a half-space, the pressure at a loaded end increases without limit as strips become
-        narrower, with the square root. Pressures of strips of width b/3 are therefore scaled to
-        strips of b/27, some micrometres. Pressures of slices are not changed, as in the paper.
+        On a half-space, the pressure at a loaded end increases without limit, with the inverse
+        square root of the strip width. The search therefore scales the pressures of end strips from
+        width b/3 to b/27, a few micrometres. Pressures of slices are not changed, as in the paper.
         """
         p = self.along(contacts, torque)
         if contacts == "slices":
@@ -57,6 +59,6 @@ class Known:
         return np.column_stack([SHARP * p[:, 0], p[:, 1:-1], SHARP * p[:, -1]])
 
     def largest(self, contacts: Contacts) -> Array:
-        """Largest pressures (n, m) [Pa] in this form."""
+        """Largest pressures (n, m) [Pa] in the form that the search compares."""
         m = self.N_max.shape[1]
         return np.column_stack([self.counted(contacts, k).max(axis=1) for k in range(m)])

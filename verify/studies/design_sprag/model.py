@@ -1,7 +1,7 @@
 """The true model: engagements of the clutch with any crown, stored on disk immediately.
 
-Forces are those of the slices of the clutch, on which the ends of the crown have little effect.
-Pressures under these forces are computed by slices and by strips on a half-space.
+Forces are computed with the slices of the clutch; the ends of the crown have little effect on the
+forces. Pressures under these forces are computed by slices and by strips on a half-space.
 """
 
 import json
@@ -38,7 +38,7 @@ One = tuple[Array, Array]  # N_max (m,) and pressures (m, slices) of a crown
 
 
 class Model:
-    """The clutch under its torques; each evaluated crown is added to `known`."""
+    """True model of a clutch under its torques; `known` contains all evaluated crowns."""
 
     def __init__(
         self, q: EngagementInputs, torques: tuple[float, ...], middle: Crown, *, jobs: int,
@@ -58,14 +58,15 @@ class Model:
         self.known = self._known(np.array([middle]), first)
 
     def answers(self, crowns: Array) -> Known:
-        """Answers for crowns (n, 3), z_m = 0 for none.
+        """Results of the true model for crowns (n, 3); z_m = 0 stands for no crown.
 
-        NoLockError if an engagement does not lock; another ArithmeticError if it is not solved.
+        Raises NoLockError if an engagement does not lock, and another ArithmeticError if an
+        engagement could not be solved.
         """
         return self._known(crowns, self._engaged(crowns))
 
     def ask(self, crowns: Array) -> Known:
-        """Results of the true model; new results are stored for later requests."""
+        """Results of the true model for crowns (n, 3); new results are added to `known`."""
         found = self.answers(crowns)
         for k in range(len(found)):
             apart = np.abs(found.crowns[k] / self.known.crowns - 1).max(axis=1)
@@ -78,7 +79,7 @@ class Model:
         return self.drop(crowns, crown.slice_centres(length=self.q.l, slices=n))
 
     def drop(self, crowns: Array, y: Array) -> Array:
-        """The same at places y (k,) [m] along the sprag."""
+        """Drops (..., k) [m] of crowns (..., 3) at the positions `y` (k,) [m] along the sprag."""
         K_1, K_2, z_m = (crowns[..., k, None] for k in range(3))
         drop = crown.logarithmic(
             y, K_1=K_1, K_2=K_2, z_m=np.where(z_m > 0, z_m, 1.0), load=self.Q, length=self.q.l,
@@ -87,7 +88,10 @@ class Model:
         return np.asarray(np.where(z_m > 0, drop, 0.0))
 
     def by_strips(self, crowns: Array, loads: Array, torque: int, n: int) -> Array:
-        """Pressures (k, n) [Pa] of crowns (k, 3) by n strips, under loads (k,) [N] of a torque."""
+        """Pressures (k, n) [Pa] of crowns (k, 3) by n strips, under the loads (k,) [N].
+
+        `torque` is the number of the torque that causes the loads.
+        """
         return strips.press_strips(
             self.gap(crowns, n), length=self.q.l, R=self.R[torque],
             E_star=float(self.one.parts.E_star), load=loads, tolerance=TOLERANCE,
@@ -125,16 +129,19 @@ class Model:
 
 
 def engagements(answer: list[One] | str | Lost) -> list[One]:
-    """Forces and pressures of the crowns in a result of `some_fem`, or the error in it."""
+    """Forces and pressures of the crowns in a result of `some_fem`.
+
+    Raises NoLockError if an engagement does not lock, and ArithmeticError if it was not computed.
+    """
     if isinstance(answer, Lost):
-        raise ArithmeticError(f"an engagement could not be computed: {answer.reason}")
+        raise ArithmeticError(f"the computation of an engagement was lost: {answer.reason}")
     if isinstance(answer, str):
         raise NoLockError(answer)
     return answer
 
 
 def key(task: Task) -> str:
-    """Hexadecimal name of the results of a chunk, from all data on which they depend."""
+    """Hexadecimal key of the results of a chunk, from all data on which the results depend."""
     q, torques, crowns, by = task
     clutch = with_crown(q, None).model_dump(exclude={"K_1", "K_2", "z_m", "T", "p_lim", "R_p"})
     task_text = json.dumps([clutch, torques, crowns, by], sort_keys=True)
@@ -144,7 +151,7 @@ def key(task: Task) -> str:
 
 
 def load(store: Store, task: Task) -> list[One] | None:
-    """The stored answers of a chunk; None if there are none, or none that can be read."""
+    """Stored results of a chunk; None if there is no readable record."""
     content = store.one(KIND, key(task))
     if content is None:
         return None
@@ -156,7 +163,7 @@ def load(store: Store, task: Task) -> list[One] | None:
 
 
 def keep(store: Store, task: Task, answer: list[One]) -> bool:
-    """Store a chunk; False if the store takes none."""
+    """Store the results of a chunk; False if they could not be written."""
     N, p = (np.array(part) for part in zip(*answer, strict=True))
     with suppress(OSError):
         store.store(KIND, CASE, {key(task): packed({"N": N, "p": p})})

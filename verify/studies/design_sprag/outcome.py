@@ -1,4 +1,4 @@
-"""Result of a task: the optimal crown, the crowns compared with it, and a half-space check."""
+"""Result of a crown design: the optimal crown, compared crowns, and half-space checks."""
 
 import os
 from collections.abc import Sequence
@@ -29,7 +29,11 @@ MOST_JOBS = 2
 
 @dataclass(frozen=True)
 class Bound:
-    """A bound that the optimal crown reaches: number of its parameter, and gain `beyond` it."""
+    """A bound that the optimal crown reaches.
+
+    `parameter` is the number of its parameter. `gain` is the relative reduction of the objective if
+    the parameter has the value `beyond`, outside the range.
+    """
 
     parameter: int
     beyond: float
@@ -42,12 +46,13 @@ class Bound:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """The chosen crown (3,); for m torques, the optimal crown of each (m, 3), its pressure (m,).
+    """Result of a crown design for m torques.
 
-    `worst` (m,) [Pa] are pressures of the chosen crown within its tolerance, as compared in the
-    search; `chosen`, `now` and `without` are results of the true model for it, the given crown and
-    no crown; `predicted` and `true` are the minimum by kriging and by the true model at the end of
-    the search.
+    `crown` (3,) is the chosen crown. `best_crowns` (m, 3) are the optimal crowns of the torques,
+    `best` (m,) [Pa] their pressures. `worst` (m,) [Pa] are the largest pressures of the chosen
+    crown within its tolerance, as compared in the search. `chosen`, `now` and `without` are results
+    of the true model for the chosen crown, the present crown and no crown. `predicted` and `true`
+    are the minimum of the objective by kriging and by the true model at the end of the search.
     """
 
     task: Task
@@ -72,21 +77,21 @@ class Outcome:
 
     @property
     def relative(self) -> bool:
-        """Whether an excess is made least, not a pressure."""
+        """Whether the objective is the largest excess, not the largest pressure."""
         return self.task.wishes.aim == "excess" and len(self.task.torques) > 1
 
     @property
     def excess(self) -> Array:
-        """The chosen crown over the best of each torque, (m,)."""
+        """Relative excess of the chosen crown's pressure over the optimum of each torque, (m,)."""
         return np.asarray(self.worst / self.best - 1)
 
     @property
     def pressures(self) -> Array:
-        """Largest pressures [Pa] of the chosen crown, (m,)."""
+        """Largest pressures [Pa] of the chosen crown with nominal dimensions, (m,)."""
         return np.asarray(self.largest(self.chosen)[0])
 
     def largest(self, known: Known) -> Array:
-        """Largest pressures [Pa] as they are, (n, m)."""
+        """Largest pressures (n, m) [Pa] of the crowns in `known`, not scaled for the search."""
         contacts, m = self.task.wishes.contacts, len(self.task.torques)
         return np.column_stack([known.along(contacts, k).max(axis=1) for k in range(m)])
 
@@ -99,7 +104,7 @@ class Outcome:
 
     @property
     def verified(self) -> bool:
-        """Whether a half-space, if used, agrees for every crown and torque."""
+        """Whether the half-space, if used, agrees for every crown and torque."""
         return all(check.agrees for check in self.checks)
 
     @property
@@ -108,10 +113,10 @@ class Outcome:
 
 
 def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> Outcome:
-    """The optimal crown of a task; InputError, in one line, if there is none that can be trusted.
+    """Optimal crown of a task, with all comparisons.
 
-    The line states whether engagements do not lock or were not solved; the latter is no statement
-    on the clutch.
+    Raises InputError, in one line, if no crown can be trusted. The line states whether engagements
+    do not lock or could not be solved. The latter says nothing about the clutch.
     """
     try:
         with progress.shown(quiet=quiet) as show:
@@ -119,7 +124,7 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     except NoLockError as error:
         raise InputError(f"{where}: inputs: {unable(task) or error}") from error
     except ArithmeticError as error:
-        raise InputError(f"{where}: not solved, no crown can be chosen: {error}") from error
+        raise InputError(f"{where}: no crown can be chosen, not solved: {error}") from error
 
 
 def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outcome:
@@ -161,7 +166,7 @@ def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outco
 
 
 def _on_edge(model: Model, crown: Array) -> bool:
-    """Whether the ends of a crown (3,) are free, and carry under a torque once it is shallower."""
+    """Whether the ends of a crown (3,) are unloaded but would be loaded at a smaller drop."""
     pair = np.array([crown, crown * [1, 1, SHALLOWER]])
     loads = model.answers(crown[None]).N_max[0]
     carry = np.array([ends_carry(model, pair, np.full(2, N), k) for k, N in enumerate(loads)])
@@ -173,14 +178,14 @@ def _of_torque(k: int) -> Worth:
 
 
 def _worth(task: Task, best: Array) -> Worth:
-    """Objective to minimise, from pressures (n, m)."""
+    """Objective to minimise, as a function of pressures (n, m)."""
     if task.wishes.aim == "pressure" or len(best) == 1:
         return lambda p: np.asarray(p.max(axis=1))
     return lambda p: np.asarray((p / best).max(axis=1))
 
 
 def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[Array, Array]:
-    """Ranges (3, 2) of crowns that are as good by kriging: each parameter alone, and all."""
+    """Ranges (3, 2) of equivalent crowns by kriging: each parameter alone, and all together."""
     most = (1 + FLAT) * max(worth(worst[None])[0], worth(search.worst(crown[None]))[0])
     scattered = crowns_of(random_designs(search.box, SCATTERED, search.task.wishes.seed))
     good = scattered[worth(search.worst(scattered)) <= most]
@@ -195,7 +200,7 @@ def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[
 
 
 def _around(values: Array, mask: Array, at: float) -> Array:
-    """Ends of the range of ascending `values` around `at` in which `mask` is true."""
+    """Ends of the interval of ascending `values` around `at` in which `mask` is true."""
     outside = values[~mask.astype(bool)]
     below, above = outside[outside < at], outside[outside > at]
     inside = values[mask.astype(bool)]
@@ -206,7 +211,7 @@ def _around(values: Array, mask: Array, at: float) -> Array:
 
 
 def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[Bound]:
-    """Bounds of the ranges reached by the crown, and the gain beyond them, by the true model."""
+    """Bounds that the crown reaches, with the gain beyond each bound by the true model."""
     task, found = search.task, []
     for j in range(3):
         low, high = task.low[j], task.high[j]

@@ -1,4 +1,4 @@
-"""A range "low : high" that a search may use."""
+"""Input of a range "low : high" in which a search varies a parameter."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -9,9 +9,9 @@ from verify.core.inputs import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class Range:
-    """The range of a parameter: its unit, the `default`, and the bounds that a range must meet.
+    """A parameter that the search varies: its unit, default range, and allowed ranges.
 
-    The lower bound is greater than `above`, the higher at most `most`, both in the unit.
+    In this unit, the lower end must be greater than `above`, and the upper end at most `most`.
     """
 
     name: str
@@ -24,14 +24,17 @@ class Range:
 
     @property
     def rule(self) -> str:
-        """Rule for a range, in words."""
+        """Rule for a range in words: allowed lower and upper ends."""
         return f"greater than {self.text(self.above)} and at most {self.text(self.most)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, float]:
-        """Both bounds in SI units; InputError states the error in one line."""
+        """Both ends of a range in SI units.
+
+        Raises InputError, which states the fault in one line, if `raw` is wrong.
+        """
         parts = raw.split(":") if isinstance(raw, str) else []
         if len(parts) != 2:
-            raise InputError(f'{where}: a range is "low : high", got {repr(raw)[:60]}')
+            raise InputError(f'{where}: a range must be "low : high", got {repr(raw)[:60]}')
         try:
             low, high = (units.parse(part.strip(), self.unit) for part in parts)
         except ValueError as error:
@@ -49,15 +52,15 @@ class Range:
         return low, high
 
     def text(self, value: float) -> str:
-        """A value in the unit, as text."""
+        """`value` as text with the unit of the parameter."""
         return f"{value:.6g}" + ("" if self.unit == "1" else f" {self.unit}")
 
 
 RANGES = (
-    Range(name="K_1_range", symbol="K_1", unit="1", what="depths of the crown to search",
+    Range(name="K_1_range", symbol="K_1", unit="1", what="range of the crown's depth factor",
           default="1 : 5", above=0, most=100),
-    Range(name="K_2_range", symbol="K_2", unit="1", what="crowned shares of the length to search",
+    Range(name="K_2_range", symbol="K_2", unit="1", what="range of the crowned share of the length",
           default="0.4 : 0.7", above=0, most=1),
-    Range(name="z_m_range", symbol="z_m", unit="mm", what="drops at the ends to search",
+    Range(name="z_m_range", symbol="z_m", unit="mm", what="range of the drop at the ends",
           default="0.005 mm : 0.025 mm", above=0, most=10),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""A crown's outcome for other programs and machines: JSON, the profile to grind, all crowns."""
+"""Outcome of a crown design for programs and machines: JSON, the profile to grind, all crowns."""
 
 import csv
 import io
@@ -22,7 +22,7 @@ MPa, mm, um = 1e6, 1e-3, 1e-6
 
 
 def record(outcome: Outcome) -> dict[str, Any]:
-    """The outcome as JSON takes it; pressures in MPa, forces in N, lengths as they are named."""
+    """Outcome as a dictionary for JSON: pressures in MPa, forces in N, lengths as in the keys."""
     task, model = outcome.task, outcome.search.model
     near, whole = outcome.search.judged[-1]
     q = task.clutch
@@ -65,7 +65,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
 
 
 def crown(values: Array) -> dict[str, float]:
-    """A crown by name."""
+    """Parameters of a crown by name."""
     names = ("K_1", "K_2", "z_m_um")
     return dict(zip(names, map(_digits, values / [1, 1, um]), strict=True))
 
@@ -106,7 +106,7 @@ def _check(c: Check) -> dict[str, Any]:
 
 
 def profile_csv(outcome: Outcome) -> str:
-    """The profile to grind: position along the sprag, drop, and its least and largest."""
+    """CSV text of the profile to grind: position, nominal drop, smallest and largest drop."""
     model = outcome.search.model
     y = (np.linspace(-0.5, 0.5, POINTS)) * model.q.l
     drops = model.drop(outcome.chosen.crowns, y)
@@ -118,7 +118,7 @@ def profile_csv(outcome: Outcome) -> str:
 
 
 def designs_csv(outcome: Outcome) -> str:
-    """Every crown that engaged: forces, and largest pressures by slices and by strips."""
+    """CSV text of all evaluated crowns: forces, and largest pressures by slices and by strips."""
     known, task = outcome.search.model.known, outcome.task
     heads = ["K_1", "K_2", "z_m [µm]"]
     for T in task.torques:
@@ -144,7 +144,7 @@ def _csv(heads: Sequence[str], rows: Sequence[tuple[str, ...]]) -> str:
 
 
 def chosen_file(outcome: Outcome) -> str:
-    """A parameter file of the clutch with the optimal crown, for `freewheel check --dynamic`."""
+    """Text of a parameter file with the optimal crown, for `freewheel check --dynamic`."""
     K_1, K_2, z_m = map(_digits, outcome.crown)
     q = outcome.task.clutch.model_copy(
         update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": outcome.search.model.Q}

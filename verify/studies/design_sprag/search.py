@@ -1,4 +1,4 @@
-"""The search: a factorial of engagements, kriging, its optimum, and the true model there."""
+"""Search for the optimal crown: factorial of engagements, kriging, optimum, true model."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -30,7 +30,7 @@ Worth = Callable[[Array], Array]  # from pressures (n, m) to the objective, (n,)
 
 @dataclass(eq=False)
 class Search:
-    """A running task: known results, the box of the search and the box of kriging."""
+    """State of a search: evaluated crowns, the box of the search and the larger box of kriging."""
 
     task: Task
     model: Model
@@ -48,11 +48,11 @@ class Search:
 
     @property
     def single(self) -> bool:
-        """Whether a crown is judged without its neighbours: no tolerance."""
+        """Whether the task has no tolerances, so that only the nominal crown is judged."""
         return not (self.task.wishes.t_z or self.task.wishes.t_y)
 
     def fit(self, like: Surrogates | None = None) -> Surrogates:
-        """Kriging of all known results."""
+        """Kriging model of all evaluated crowns; length scales of `like`, if given."""
         return fitted_fem(self.model.known, self.task.wishes.contacts, self.wide, like)
 
     def worst(self, crowns: Array) -> Array:
@@ -62,16 +62,17 @@ class Search:
         return np.asarray(found.reshape(*every.shape[:2], -1).max(axis=1))
 
     def true(self, crown: Array) -> Array:
-        """Largest pressures of one crown (3,) by the true model, (m,)."""
+        """Largest pressures (m,) [Pa] of one crown (3,) within its tolerance, by the true model."""
         found = self.model.ask(corners(self.task, crown[None])[0])
         p = np.asarray(found.largest(self.task.wishes.contacts).max(axis=0))
         self.complete.append((crown, p))
         return p
 
     def prepare(self) -> None:
-        """The factorial, and kriging that has passed its test; PoorSurrogateError if none has.
+        """Evaluate the factorial and fit kriging until it passes its test.
 
-        Random crowns that were not known are used for the test; afterwards, they are known as well.
+        The test uses new random crowns, which are added to the evaluated crowns afterwards. Raises
+        PoorSurrogateError if kriging fails all tests.
         """
         contacts = self.task.wishes.contacts
         start = crowns_of(full_factorial(self.wide, self.levels))
@@ -101,7 +102,10 @@ class Search:
             return
 
     def least(self, worth: Worth) -> "Infilled[Array, Worst]":
-        """The crown with the least value: kriging's optimum, evaluated until both agree."""
+        """Crown with the least objective.
+
+        The optimum of kriging is evaluated by the true model repeatedly until both models agree.
+        """
         find = {"evolution": evolve, "genetic": genetic}[self.task.wishes.method]
 
         def search(objective: Objective, box: Box) -> Found:
@@ -125,7 +129,7 @@ class Search:
 
 @dataclass(frozen=True, eq=False)
 class Worst:
-    """The function to minimise by kriging, of crowns in the coordinates of kriging."""
+    """Objective by kriging, as a function of crowns in the coordinates of kriging."""
 
     search: Search
     worth: Worth
@@ -135,7 +139,7 @@ class Worst:
 
 
 def rounded(task: Task, crown: Array) -> Array:
-    """A crown to DIGITS digits, inside the ranges."""
+    """`crown` rounded to four digits, limited to the ranges."""
     step = 10.0 ** (np.floor(np.log10(crown)) - DIGITS + 1)
     return np.asarray(np.clip(np.round(crown / step) * step, task.low, task.high))
 

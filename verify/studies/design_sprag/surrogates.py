@@ -1,8 +1,9 @@
-"""Kriging of the largest pressures, separately for regimes along the sprag and for each torque.
+"""Kriging of the largest pressures, separate for regimes along the sprag and for each torque.
 
-The regimes from the end inwards are: the end strip, whose pressure decreases steeply as the crown
-becomes deeper until it is zero; the strips next to it, at the end of the contact; all others. K_1
-and z_m are used as logarithms, because their effect decreases as they increase.
+There are three regimes, from the end inwards. The first is the end strip, whose pressure decreases
+steeply to zero as the crown becomes deeper. The second consists of the strips next to it, at the
+end of the contact. The third consists of all other strips. Kriging uses ln K_1 and ln z_m, because
+the effects of K_1 and z_m decrease as they increase.
 """
 
 from dataclasses import dataclass
@@ -25,23 +26,23 @@ POWER = 2.0  # of the pressure: a force per length
 
 
 def logs(crowns: Array) -> Array:
-    """Crowns (n, 3) in the coordinates of kriging: (ln K_1, K_2, ln z_m)."""
+    """Coordinates of kriging (ln K_1, K_2, ln z_m) of crowns (n, 3)."""
     return np.column_stack([np.log(crowns[:, 0]), crowns[:, 1], np.log(crowns[:, 2])])
 
 
 def crowns_of(x: Array) -> Array:
-    """Crowns (n, 3) of (ln K_1, K_2, ln z_m)."""
+    """Crowns (n, 3) from the coordinates of kriging (ln K_1, K_2, ln z_m)."""
     return np.column_stack([np.exp(x[:, 0]), x[:, 1], np.exp(x[:, 2])])
 
 
 @dataclass(frozen=True, eq=False)
 class Surrogates:
-    """Largest pressures by kriging, one for each torque."""
+    """Kriging models of the largest pressure, one for each torque."""
 
     of: tuple["Largest", ...]
 
     def predict(self, crowns: Array) -> Array:
-        """Largest pressures (n, m) [Pa] of crowns (n, 3)."""
+        """Largest pressures (n, m) [Pa] of crowns (n, 3) by kriging."""
         x = logs(crowns)
         return np.column_stack([one.predict(x) for one in self.of])
 
@@ -49,7 +50,7 @@ class Surrogates:
 def fitted_fem(
     known: Known, contacts: Contacts, box: Box, like: Surrogates | None = None
 ) -> Surrogates:
-    """Kriging of all known results; with the length scales of `like`, if given."""
+    """Kriging models fitted to all evaluated crowns, with the length scales of `like` if given."""
     from analytic.surrogate.kriging import Kriging
     from analytic.surrogate.largest import Largest, fit_largest
 
@@ -71,10 +72,11 @@ def fitted_fem(
 def regimes(
     along: Array, contacts: Contacts, u: Array
 ) -> tuple[list[Array], list[NDArray[np.bool_]]]:
-    """Largest pressures (n,) of each regime and its presence, from pressures (n, strips).
+    """Largest pressures (n,) of each regime, and masks of the crowns with a load in it.
 
-    A regime is used for crowns with which it carries load. If it carries load in too few or too
-    similar designs for kriging, it is used for all crowns; if it never does, it is omitted.
+    `along` (n, strips) are pressures along the sprag. A regime is fitted to the crowns with which
+    it carries load. If these crowns are too few or too similar for kriging, it is fitted to all
+    crowns. A regime without load in all crowns is omitted.
     """
     from analytic.surrogate.terms import trend_terms
 

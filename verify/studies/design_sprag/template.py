@@ -1,4 +1,4 @@
-"""The commented file of a crown's design task, made from its model; the paper's clutch."""
+"""Commented parameter file of a crown design, generated from its model."""
 
 import json
 
@@ -12,12 +12,12 @@ from verify.studies.design_sprag.ranges import RANGES
 
 HEAD = f"""\
 # A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
-# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is the paper's;
-# replace the numbers by yours, then run
-#   freewheel design my.toml                  the optimal crown, compared with yours and none
+# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is that of the paper.
+# Replace the numbers with yours, then run:
+#   freewheel design my.toml                  the optimal crown, compared with yours and with none
 #   freewheel design my.toml --out crown/     and a page, the profile to grind, clutch.toml
 # Every value has a unit; any other unit of the same dimension is accepted. K_1, K_2 and z_m are
-# the present crown of the clutch; Q is the load in K_1, for the optimal crown too.
+# the present crown of the clutch; Q is the load that K_1 refers to, also for the optimal crown.
 
 case = "{CASE}"
 name = "my clutch"
@@ -28,7 +28,7 @@ TASK = '# The task; a list of torques may also be a range "10 N m : 40 N m : 4" 
 
 
 def template() -> str:
-    """A file that, with the lines behind a #, reads as the default task."""
+    """Text of the template. With its commented lines made active, it gives the default task."""
     clutch = sections(EngagementInputs, ASSUMPTIONS[CASE], "the paper's")
     wished = commented(Wishes)[len(EngagementInputs.model_fields) :]
     torques = json.dumps(TORQUES.default)

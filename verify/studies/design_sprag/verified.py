@@ -1,4 +1,4 @@
-"""Results of a half-space for a crown under the forces of its engagements."""
+"""Half-space checks of a crown under the forces of its engagements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,11 +23,11 @@ NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells
 
 @dataclass(frozen=True, eq=False)
 class Check:
-    """A crown (3,) under one torque: largest pressures [Pa] by every model, the force N [N].
+    """Check of a crown (3,) under one torque: largest pressures [Pa] by all models at force N [N].
 
-    `which` is "nominal" or "worst": the nominal crown, or the worst within its tolerance. `twice`
-    is for twice the number of slices, `coarse` for the half-space with fewer cells, of which `end`
-    is the last.
+    `which` is "nominal" for the nominal crown or "worst" for the worst crown within the tolerance.
+    `twice` is the pressure by twice the number of slices, `coarse` that of the half-space with
+    fewer cells. `end` is the pressure at the last cell of the half-space.
     """
 
     which: str
@@ -48,21 +48,21 @@ class Check:
 
     @property
     def end(self) -> float:
-        """Pressure [Pa] at the half-space's last cell."""
+        """Pressure [Pa] at the last cell of the half-space, the larger of both ends."""
         return float(max(self.half.centre_pressure[[0, -1]]))
 
     @property
     def judged(self) -> float:
-        """Largest pressure [Pa] by the contacts that the crown was chosen by."""
+        """Largest pressure [Pa] by the contact model with which the crown was chosen."""
         return float((self.strips if self.contacts == "strips" else self.slices).max())
 
     def off(self, pressure: float) -> float:
-        """A largest pressure [Pa] less the half-space's, as a share."""
+        """Relative difference of a largest pressure [Pa] from that of the half-space."""
         return pressure / self.peak - 1
 
     @property
     def mid_off(self) -> float:
-        """That of the middle."""
+        """Relative difference of the pressure at mid-length from that of the half-space."""
         p = self.strips if self.contacts == "strips" else self.slices
         n = len(p)
         mid = np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2)
@@ -70,16 +70,16 @@ class Check:
 
     @property
     def agrees(self) -> bool:
-        """Whether the contacts used for the choice are within the limit, with unloaded ends.
+        """Whether the ends are unloaded and the contact model of the search is within the limit.
 
-        If the ends are loaded, the pressure increases with ever narrower cells: accidental
-        agreement of a largest pressure is no evidence.
+        If the ends are loaded, the pressure increases with finer cells. An agreement of the largest
+        pressures is then accidental and no evidence.
         """
         return self.end == 0 and abs(self.off(self.judged)) <= LIMIT
 
 
 def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
-    """The nominal crown (3,) and the worst within its tolerance, under every torque."""
+    """Checks of the nominal crown (3,) and the worst within its tolerance, for every torque."""
     every = corners(task, crown[None])[0]
     known = model.answers(every)
     counted = known.largest(task.wishes.contacts)
@@ -109,7 +109,7 @@ def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -
 
 
 def unloading(model: Model, check: Check) -> float | None:
-    """The least drop z_m [m] with unloaded ends, for the same K_1 and K_2; or None."""
+    """Smallest drop z_m [m] that unloads the ends at the same K_1 and K_2, or None."""
     k = model.torques.index(check.T)
     crowns = np.repeat(check.crown[None], STEPS, axis=0)
     crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)
@@ -118,8 +118,9 @@ def unloading(model: Model, check: Check) -> float | None:
 
 
 def ends_carry(model: Model, crowns: Array, loads: Array, torque: int) -> NDArray[np.bool_]:
-    """Whether the ends of crowns (n, 3) carry under loads (n,) [N] of a torque, (n,).
+    """Whether the ends of crowns (n, 3) are loaded under the loads (n,) [N], (n,).
 
-    By strips about as narrow as the half-space's cells, which each `Check` has its ends from.
+    The strips are about as narrow as the cells of the half-space, so that a `Check` is comparable.
+    `torque` is the number of the torque that causes the loads.
     """
     return np.asarray(model.by_strips(crowns, loads, torque, NARROW)[:, 0] > 0)

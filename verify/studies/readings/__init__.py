@@ -1,1 +1,1 @@
-"""Search for the reading of inputs and result that gives a printed number."""
+"""Search for interpretations (readings) of inputs and results that give a printed number."""

@@ -1,4 +1,4 @@
-"""The readings that any case's formula offers, by the kind of its inputs."""
+"""Readings for the formulas of any case, by the kind of its inputs."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,7 +15,7 @@ from verify.studies.readings.search import Reading
 
 
 def numbers(inputs: Inputs) -> dict[str, Any]:
-    """The inputs that are numbers, in SI."""
+    """Numerical inputs in SI units, by name."""
     return {
         name: value
         for name in type(inputs).model_fields
@@ -24,7 +24,7 @@ def numbers(inputs: Inputs) -> dict[str, Any]:
 
 
 def readings(inputs: Inputs) -> tuple[Reading, ...]:
-    """Lengths twice and half, angles, counts, elasticity, and factors of the result."""
+    """Readings of lengths, angles, counts and elastic constants, and factors of the result."""
     found: list[Reading] = []
     known = numbers(inputs)
     for name, field in type(inputs).model_fields.items():
@@ -43,7 +43,10 @@ def readings(inputs: Inputs) -> tuple[Reading, ...]:
 
 
 def value_of(case: Case, inputs: Inputs, changed: Mapping[str, Any], key: str) -> float:
-    """A formula value [SI] with some inputs changed; ValueError if they make no sense."""
+    """Value of a formula [SI] with some inputs changed.
+
+    Raises ValueError if the changed inputs are invalid.
+    """
     try:
         model = type(inputs)(**{**dict(inputs), **changed})
     except ValidationError as error:
@@ -52,7 +55,7 @@ def value_of(case: Case, inputs: Inputs, changed: Mapping[str, Any], key: str) -
 
 
 def printed_rounding(inputs: Inputs) -> dict[str, float]:
-    """Half the last printed digit [SI] of each input that repeats a printed number."""
+    """Half the last printed digit [SI] of each input that is a printed number of a paper."""
     found = {}
     for name, field in type(inputs).model_fields.items():
         reference = meta(field)["claims"]

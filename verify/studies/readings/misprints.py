@@ -1,4 +1,4 @@
-"""Numbers that differ from another one by a single digit."""
+"""Numbers that differ from another number in a single digit."""
 
 from collections.abc import Iterator
 
@@ -6,7 +6,7 @@ from verify.papers.digits import half_last_digit, number
 
 
 def is_misprint(value: float, printed: str) -> bool:
-    """Whether a value, with as many digits as the printed number, differs from it in one digit.
+    """Whether `value`, with as many digits as `printed`, differs from it in exactly one digit.
 
     >>> is_misprint(27.6596, "27.86"), is_misprint(27.6596, "27.66"), is_misprint(7.66, "27.66")
     (True, False, False)
@@ -15,18 +15,18 @@ def is_misprint(value: float, printed: str) -> bool:
 
 
 def misprints(value: float, printed: str) -> Iterator[float]:
-    """All numbers that differ from a value in one of the digits of `printed`."""
+    """All numbers that differ from `value` in exactly one of the digits of `printed`."""
     unit = 2 * half_last_digit(printed)
     return (int(text) * unit for text in _changed(_in_place(value, printed)))
 
 
 def _in_place(value: float, printed: str) -> str:
-    """The digits of a value down to the last printed place, with its sign."""
+    """Digits of `value` down to the last printed place, with its sign."""
     return str(round(value / (2 * half_last_digit(printed))))
 
 
 def _changed(text: str) -> Iterator[str]:
-    """Each digit replaced by each other digit; the first digit is not zero."""
+    """Texts in which one digit of `text` is replaced by another digit; no leading zero."""
     for n, digit in enumerate(text):
         if digit.isdigit():
             for other in "0123456789":

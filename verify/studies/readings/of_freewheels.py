@@ -1,7 +1,7 @@
-"""Readings of roller freewheels and of the polyhedral ring: Nagler et al., Belcin et al.
+"""Readings for roller freewheels and the polyhedral ring: Nagler et al., Belcin et al.
 
-Their papers print few numbers. Here, readings of a printed equation are compared with the result of
-the geometry or of a balance for the example of the ledger.
+These papers contain few numbers. Therefore, the readings of a printed equation are compared with
+the result of the geometry or of an equilibrium for the example of the ledger.
 """
 
 import math
@@ -21,7 +21,7 @@ POLYGON = {"z": 6, "d_i": 72.0, "d_e": 80.0, "b": 30.0, "D_i": 100.06, "j_D": 0.
 
 
 def half_angle(q: Mapping[str, Any]) -> float:
-    """α_0 of Eq. 4 [deg] with the given numerator."""
+    """Angle α_0 of Eq. 4 [deg] with the given numerator."""
     x = (q[q["numerator"]] + q["X"]) / (2 * (q["R"] - q["r"]))
     root = math.sqrt(x) if q["root"] else x
     return float(math.degrees(q["inverse"](root)) * q["share"])
@@ -42,7 +42,7 @@ def _half_angle_readings() -> tuple[Reading, ...]:
 
 
 def loaded_angle(q: Mapping[str, Any]) -> float:
-    """α_1 of Eq. 5 [deg] without load, with the signs of its denominator."""
+    """Angle α_1 of Eq. 5 [deg] without load, with the given signs in its fraction."""
     x = (q["X"] + q["above"] * q["r"]) / (q["ring"] + q["below"] * q["r"])
     return float(0.5 * math.degrees(math.acos(x)) * q["share"])
 
@@ -61,7 +61,7 @@ def _loaded_angle_readings() -> tuple[Reading, ...]:
 
 
 def torque_of_one(q: Mapping[str, Any]) -> float:
-    """Torque of one roller [N mm] by Eq. 3, F_t = F_n tan α."""
+    """Torque of one roller [N mm] by Eq. 3, with F_t = F_n tan α."""
     alpha = math.acos((q["X"] + q["r"]) / (q["R"] - q["r"])) / 2 * q["times"]
     return float(q[q["lever"]] * q["F_n"] * q["of"](alpha))
 
@@ -77,7 +77,7 @@ def _torque_readings() -> tuple[Reading, ...]:
 
 
 def side_force(q: Mapping[str, Any]) -> float:
-    """Force of 1 MPa on one side of the polygon [N] by Eq. 13."""
+    """Force [N] on one side of the polygon under a pressure of 1 MPa, by Eq. 13."""
     half = math.pi / q["z"]
     width = q["b"] * q["d_i"]
     return float(width * (math.sin(half) if q["chord"] else half) * q["across"])
@@ -95,7 +95,10 @@ def _side_readings() -> tuple[Reading, ...]:
 
 
 def first_torque(q: Mapping[str, Any]) -> float:
-    """Torque of Eq. 21 [N m]; with `extra`, 360°/β is once too often on its left side."""
+    """Torque of one roller [N m] by Eq. 21.
+
+    Eq. 21 as printed contains the factor 360°/β once too often on its left side.
+    """
     delta, d_m = (q["d_e"] - q["d_i"]) / 2, (q["d_e"] + q["d_i"]) / 2
     p_2 = q["p_t"] - 2 * delta * q["E"] * q["j_D"] / (q["d_i"] * d_m)
     psi = math.atan(q["e"] / (q["d_i"] / 2 * math.cos(math.pi / q["z"])))

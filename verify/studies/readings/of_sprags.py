@@ -1,4 +1,4 @@
-"""Readings of the logarithmic sprag clutch: Huang et al. 2018, Table 2, its reductions, Eq. 16."""
+"""Readings for the sprag clutch of Huang et al. 2018: Table 2, pressure reductions, Eq. 16."""
 
 import math
 from collections.abc import Mapping
@@ -13,23 +13,23 @@ from verify.studies.readings.search import Reading
 
 
 def printed(name: str) -> float:
-    """A printed value of the paper in its unit."""
+    """A printed value of the paper in its printed unit."""
     return published(f"huang2018:{name}").value
 
 
 def half(name: str) -> float:
-    """Half its last printed digit."""
+    """Half the last digit of a printed value, in its unit."""
     return half_last_digit(published(f"huang2018:{name}").printed)
 
 
 def error(q: Mapping[str, Any]) -> float:
-    """|actual - predicted| over one of them, or their mean [%], or its power."""
+    """Difference |actual - predicted| relative to a value or to the mean [%], raised to a power."""
     base = q["actual"] + q["of"] * (q["predicted"] - q["actual"])
     return float(100 * (abs(q["actual"] - q["predicted"]) / base) ** q["power"])
 
 
 def squared(q: Mapping[str, Any]) -> float:
-    """The squared difference over a number of points, or its root [MPa^2]."""
+    """Squared difference divided by a number of points [MPa^2]; its power is a reading."""
     return float((q["actual"] - q["predicted"]) ** q["power"] / q["points"])
 
 
@@ -95,7 +95,7 @@ def _reduction_readings() -> tuple[Reading, ...]:
 
 
 def raised(q: Mapping[str, Any]) -> float:
-    """The pressure at 25 N m carried to 40 N m by a power of the forces' ratio [MPa]."""
+    """Pressure at 40 N m [MPa], extrapolated from 25 N m by a power of the ratio of forces."""
     return float(q["pressure"] * q["ratio"] ** q["power"])
 
 
@@ -105,7 +105,10 @@ def _raised(kind: str) -> dict[str, Any]:
 
 
 def _raised_readings(kind: str) -> tuple[Reading, ...]:
-    """Laws of the pressure over the force, and forces; the ratio of the pair is no evidence."""
+    """Readings of the exponent and of the ratio of forces.
+
+    The ratio of the other pair of pressures is included, but is no independent evidence.
+    """
     laws = {"point contact: cube root": 1 / 3, "Palmgren's law: 0.45": 0.45, "linear": 1.0,
             "two thirds": 2 / 3, "Palmgren's approach: 0.9": 0.9}  # fmt: skip
     other = {"optimised": "unmodified", "unmodified": "optimised"}[kind]
@@ -119,7 +122,7 @@ def _raised_readings(kind: str) -> tuple[Reading, ...]:
 
 
 def lever(q: Mapping[str, Any]) -> float:
-    """The bracket of Eq. 16 without deflections [mm]."""
+    """Lever arm [mm] by the bracket of Eq. 16 without deflections."""
     return float(q["share"] * q[q["radius"]])
 
 
@@ -161,7 +164,7 @@ def _squares(number: int) -> Problem:
 
 
 def _column(name: str, parts: tuple[Problem, ...]) -> Problem:
-    """A column of Table 2, all numbers at once."""
+    """A column of Table 2 as one problem with all its numbers."""
     return replace(parts[0], reference=f"huang2018:{name}", errata=(name,), parts=parts)
 
 

@@ -1,4 +1,4 @@
-"""Readings of the accordion spring: Wang et al., Eqs. 1 to 10, and derived equations."""
+"""Readings for the accordion spring of Wang et al.: Eqs. 1 to 10, and derived equations."""
 
 import math
 from collections.abc import Mapping
@@ -18,18 +18,18 @@ N_PER_MM = 1e3
 
 
 def printed(name: str) -> float:
-    """A printed value of the paper in its unit."""
+    """A printed value of the paper in its printed unit."""
     return published(f"wang2023:{name}").value
 
 
 def spring() -> dict[str, Any]:
-    """The printed spring in SI."""
+    """Dimensions and elastic constants of the printed spring in SI units."""
     q = AccordionInputs()
     return {name: getattr(q, name) for name in ("n", "b", "h", "r", "L1", "alpha", "E", "nu")}
 
 
 def energy_stiffness(q: Mapping[str, Any]) -> float:
-    """k_1 [N/mm] by Eqs. 1 to 9 under the reading that the switches name."""
+    """Stiffness k_1 [N/mm] by Eqs. 1 to 9 with the reading that the options in `q` select."""
     r = q["r"] + q["arcs"] * q["b"] / 2
     inner = q["r"] + q["halves"] * q[q["thickness"]] / 2
     L2 = q["leaves"] * q["L1"] / math.sin(q["alpha"]) + 2 * inner / math.tan(q["alpha"])
@@ -50,7 +50,7 @@ ADOPTED = STATICS | {"arcs": 0.0}
 
 
 def _stiffness_readings() -> tuple[Reading, ...]:
-    """Open readings of Eqs. 1 to 9, and readings common to any bent strip."""
+    """Readings of ambiguous terms in Eqs. 1 to 9, and general readings for a bent strip."""
     return (
         switched("leaves", "L_1 for 2 L_1 in L_2", leaves=1.0),
         switched("leaves", "L_1/2 for 2 L_1 in L_2", leaves=0.5),
@@ -67,7 +67,7 @@ def _stiffness_readings() -> tuple[Reading, ...]:
 
 
 def _arc_readings() -> tuple[Reading, ...]:
-    """Radius and length of the parts of the strip."""
+    """Readings of the radii of the arcs and the lengths of the straight parts."""
     return (
         switched("arcs", "inner radius r in the arcs", arcs=0.0),
         switched("arcs", "outer radius r + b in the arcs", arcs=2.0),
@@ -83,7 +83,7 @@ def _arc_readings() -> tuple[Reading, ...]:
 
 
 def _end_readings() -> tuple[Reading, ...]:
-    """Readings of the angles of the end arcs, in addition to radii."""
+    """Readings of the angles of the end arcs, and of the radii."""
     return (
         switched("head", "quarter circle in the head", head=QUARTER),
         switched("tail", "quarter circle in the tail", tail=QUARTER),
@@ -96,7 +96,7 @@ def _end_readings() -> tuple[Reading, ...]:
 
 
 def staged(key: str, q: Mapping[str, Any]) -> float:
-    """k1 or k2 [N/mm] of the linear stages."""
+    """Stiffness k_1 or k_2 [N/mm] of the linear stages, by `key`."""
     inputs = StagesInputs()
     path = inputs.path if q["arcs"] else inputs.paper_path
     factor = inputs.widest if q["wide"] else 1.0
@@ -108,7 +108,7 @@ def staged(key: str, q: Mapping[str, Any]) -> float:
 
 
 def _stage_readings() -> tuple[Reading, ...]:
-    """Supports of head and tail, radius of arcs, and width of the strip."""
+    """Readings of the supports of head and tail, the radius of the arcs, and the strip's width."""
     return (
         switched("tail", "tail clamped at mid-leaf", tail="mid-leaf"),
         switched("head", "head guided", head="guided"),
@@ -118,7 +118,7 @@ def _stage_readings() -> tuple[Reading, ...]:
 
 
 def force_error(q: Mapping[str, Any]) -> float:
-    """Difference of k U below the force of Eq. 10 [%] at a force, or over several."""
+    """Relative difference [%] between k U and the force of Eq. 10, at one force or over several."""
     apart = []
     for F in q["forces"]:
         second = q["F_A"] < F
@@ -138,7 +138,7 @@ def _eq_10() -> dict[str, Any]:
 
 
 def _error_readings() -> tuple[Reading, ...]:
-    """Readings of the force: its value, its range and its kind."""
+    """Readings of the force at which the error is taken, and of the kind of error."""
     A, every = _eq_10()["F_A"], tuple(float(F) for F in range(1, 12))
     return (
         *(switched("forces", f"at {F:g} N", forces=(F,)) for F in (1.0, 2.0, 8.0, 9.0, 10.0, 18.0)),
@@ -152,7 +152,7 @@ def _error_readings() -> tuple[Reading, ...]:
 
 
 def small_error(q: Mapping[str, Any]) -> float:
-    """Difference of Eq. 10 at the displacement of the tests from the tests' force [%]."""
+    """Relative difference [%] of Eq. 10 from the test force, at the displacement of the test."""
     U = (q["F"] - q["c_test"]) / q["k_test"]
     by_fe = float(q["k"] * U + q["c"])
     return float(100 * abs(by_fe - q["F"]) / (by_fe if q["of_fe"] else q["F"]))
@@ -182,7 +182,7 @@ def _problem(name: str, **more: Any) -> Problem:
 
 PROBLEMS = (
     _problem(
-        "k1-theory", case="spring-accordion", what="Eqs. 1 to 9 as their text has them",
+        "k1-theory", case="spring-accordion", what="Eqs. 1 to 9 as printed in the text",
         formula=energy_stiffness, inputs=lambda: spring() | LITERAL, readings=_stiffness_readings,
         errata=("eq-3-leaf-length", "eq-3-leaf-moment"), most=3,
     ),
@@ -208,14 +208,14 @@ PROBLEMS = (
         for key in ("k1", "k2")
     ),
     _problem(
-        "theory-fea-error-max", case="spring-map", what="k_1 U below the force of Eq. 10 at 11 N",
+        "theory-fea-error-max", case="spring-map", what="difference of k_1 U from Eq. 10 at 11 N",
         formula=force_error, readings=_error_readings,
         inputs=lambda: _eq_10() | {"k": printed("k1-theory"), "forces": (11.0,)},
         errata=("theory-error-six-percent",),
     ),
     _problem(
         "fea-test-error-small-compression", case="spring-stages",
-        what="Eq. 10 beside a line of the tests through zero, at 1 N",
+        what="difference between Eq. 10 and a test line through zero, at 1 N",
         formula=small_error, inputs=_small, readings=_small_readings,
         errata=("fea-error-small-compression",),
     ),

@@ -1,4 +1,4 @@
-"""A number whose meaning is searched: its formula, its inputs, and the readings it offers."""
+"""A printed number whose meaning is searched for: formula, inputs, and readings."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -12,10 +12,11 @@ class Problem:
     """A number of a paper that its formula does not give with the first reading.
 
     `reference` is the printed value or the erratum ("paper:id"). For an erratum of a formula,
-    `derived` is the result of a balance or of the geometry in `unit`, with its certain digits;
-    readings are then applied to the printed formula. `errata` are readings in the ledger. Inputs
-    chosen by a paper are exact; inputs that it computed or measured are rounded by `rounding`. With
-    `parts`, the same readings must give all of their numbers.
+    `derived` is the result of an equilibrium or of the geometry in `unit`, with its certain digits;
+    the readings are then applied to the printed formula. `errata` are the identifiers of readings
+    in the ledger. Inputs that a paper chose are exact; inputs that it computed or measured have the
+    rounding errors `rounding`. If `parts` is given, the same readings must give the numbers of all
+    parts.
     """
 
     reference: str
@@ -33,14 +34,14 @@ class Problem:
 
     @property
     def printed(self) -> str:
-        """The number in its digits, or the numbers."""
+        """The printed digits of the number; for several parts, their numbers."""
         if self.parts:
             return ", ".join(part.printed for part in self.parts)
         return self.derived or published(self.reference).printed
 
     @property
     def place(self) -> str:
-        """Place in the paper."""
+        """Place of the number in the paper."""
         if self.derived or self.parts:
             return erratum(self.reference).place
         return published(self.reference).place
@@ -52,7 +53,10 @@ class Problem:
         return self.unit if self.derived else published(self.reference).unit
 
     def search(self, most: int = 0) -> Outcome:
-        """All combinations of at most `most` readings; 0 selects the number of the problem."""
+        """Result of the search over all combinations of at most `most` readings.
+
+        0 selects the default number of readings of the problem.
+        """
         if self.parts:
             return together([part.search(most or self.most) for part in self.parts])
         return search(

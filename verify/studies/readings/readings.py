@@ -1,4 +1,4 @@
-"""Readings for any formula, by the kind of its inputs."""
+"""Readings that are possible for any formula, by the kind of its inputs."""
 
 import math
 from collections.abc import Callable
@@ -9,12 +9,12 @@ ROOT = "the number itself"
 
 
 def doubled(name: str, symbol: str = "") -> Reading:
-    """A diameter instead of a radius, a whole length instead of half of it."""
+    """Reading: the diameter instead of the radius, or the whole length instead of half of it."""
     return _scaled(name, symbol, 2.0, f"2 {symbol or name} for {symbol or name}")
 
 
 def halved(name: str, symbol: str = "") -> Reading:
-    """A radius instead of a diameter, half a length instead of the whole."""
+    """Reading: the radius instead of the diameter, or half the length instead of the whole."""
     return _scaled(name, symbol, 0.5, f"{symbol or name}/2 for {symbol or name}")
 
 
@@ -23,12 +23,12 @@ def _scaled(name: str, symbol: str, factor: float, said: str) -> Reading:
 
 
 def length(name: str, symbol: str = "") -> list[Reading]:
-    """Twice and half."""
+    """Readings of a length: twice and half the value."""
     return [doubled(name, symbol), halved(name, symbol)]
 
 
 def angle(name: str, symbol: str = "") -> list[Reading]:
-    """Half and twice an angle in rad, sine and tangent changed, degrees and radians changed."""
+    """Readings of an angle in rad: half and twice, sine and tangent exchanged, wrong unit."""
     s = symbol or name
     changes: dict[str, Callable[[float], float]] = {
         f"sin {s} for tan {s}": lambda a: math.atan(math.sin(a)),
@@ -43,7 +43,7 @@ def angle(name: str, symbol: str = "") -> list[Reading]:
 
 
 def count(name: str, symbol: str = "") -> list[Reading]:
-    """One less and one more; the total instead of one part, and one part instead of the total."""
+    """Readings of a number of parts: one less, one more, total and single part exchanged."""
     s = symbol or name
     return [
         Reading(name=f"{s} − 1 for {s}", of=s, inputs=lambda q: {name: q[name] - 1}),
@@ -54,7 +54,7 @@ def count(name: str, symbol: str = "") -> list[Reading]:
 
 
 def elastic(E: str, nu: str) -> list[Reading]:
-    """Plane strain for plane stress and vice versa, without lateral contraction."""
+    """Readings of elastic constants: plane strain or plane stress, and no lateral contraction."""
     return [
         Reading(name="E/(1 − ν²) for E", of=E, inputs=lambda q: {E: q[E] / (1 - q[nu] ** 2)}),
         Reading(name="E for E/(1 − ν²)", of=E, inputs=lambda q: {E: q[E] * (1 - q[nu] ** 2)}),
@@ -63,7 +63,7 @@ def elastic(E: str, nu: str) -> list[Reading]:
 
 
 def result() -> list[Reading]:
-    """Possible factors of a number: both sides, mean instead of largest, per cent."""
+    """Readings of a result by a factor, such as both sides, or mean instead of maximum."""
     factors = {
         "both sides for one": 2.0,
         "one side for both": 0.5,
@@ -79,5 +79,5 @@ def result() -> list[Reading]:
 
 
 def switched(name: str, said: str, **values: object) -> Reading:
-    """Another choice of the option `name` of the formula."""
+    """Reading with another choice of the option `name` of the formula."""
     return Reading(name=said, of=name, inputs=lambda _q: values)

@@ -3,11 +3,13 @@
 If the formula does not give a printed number, the number may have another meaning: a diameter
 instead of a radius, one side instead of both, plane strain instead of plane stress. Every
 combination of a few readings is tried. It matches if the difference is within half the last printed
-digit plus the effect of rounded inputs. The more readings are tried, the more of them match by
-chance; the expected number of matches with a number unrelated to the formula is reported. Results
-of readings are concentrated near the first reading, and so are printed numbers that are wrong for
-another reason. Therefore, matches are counted both for near numbers and for any number within a
-factor of 2, and the larger count is used.
+digit plus the effect of rounded inputs.
+
+The more readings are tried, the more of them match by chance. Therefore, the expected number of
+matches with a number unrelated to the formula is reported. Results of readings are concentrated
+near the result of the first reading, and so are printed numbers that are wrong for another reason.
+Chance matches are therefore counted for numbers close to the printed number and for numbers within
+a factor of 2. The larger count is used.
 """
 
 import math
@@ -32,9 +34,10 @@ LEAST_DIGITS = 99.5  # units of the last printed place
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
-    """One change by name, of the inputs or of the result; changes `of` one thing are exclusive.
+    """One named change of the inputs or of the result.
 
-    `rounding` is the possible error of inputs under this reading.
+    Two readings that change the same thing, `of`, exclude each other. `rounding` contains the
+    rounding errors of inputs under this reading.
     """
 
     name: str
@@ -59,12 +62,13 @@ class Tried:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:
-    """Result of a search. `as_it_stands` is None if the formula has no value.
+    """Result of a search.
 
-    `hits` are sorted by the number of changes, then by the effect of rounding; `chance[k]` is the
-    number of combinations of at most k changes that would match a number anywhere within a factor
-    of 2 of the printed one, or of 1.15 if this gives more. `found` are all combinations with a
-    value.
+    `as_it_stands` is the result without a change, None if the formula has no value. `met` states
+    whether it gives the printed number. `hits` are the matching combinations, sorted by the number
+    of changes, then by the effect of rounding. `chance[k]` is the expected number of chance matches
+    among combinations of at most k changes. It refers to a number anywhere within a factor of 2 of
+    the printed number, or of 1.15 if this gives more. `found` are all combinations with a value.
     """
 
     printed: str
@@ -80,12 +84,15 @@ class Outcome:
 
     @property
     def best(self) -> Tried | None:
-        """The hit with the fewest changes."""
+        """The matching combination with the fewest changes, or None."""
         return self.hits[0] if self.hits else None
 
     @property
     def accidental(self) -> float:
-        """Chance hits among all combinations with no more changes than the best, or of all."""
+        """Expected chance matches among all combinations with no more changes than the best one.
+
+        If there is no matching combination, all combinations are counted.
+        """
         return self.chance[self.best.changes if self.best else -1]
 
     @property
@@ -104,13 +111,13 @@ def search(
     digits: bool = True,
     progress: Progress = lambda _done, _total: None,
 ) -> Outcome:
-    """Try all combinations of at most `most` readings against the printed number.
+    """Result of trying all combinations of at most `most` readings against the printed number.
 
-    `formula` returns the number in its printed unit from `inputs`; `rounding` is the possible error
-    of single inputs, half of their last printed digit. With `digits`, one misprinted digit in the
-    result of the unchanged formula is also a reading, if at least three digits are printed: with
-    fewer, any number would be a misprint. `progress` receives the number of finished combinations.
-    ValueError if the printed text is no number, or zero.
+    `formula` returns the number in its printed unit from `inputs`. `rounding` contains the possible
+    errors of single inputs, half of their last printed digit. With `digits`, one misprinted digit
+    in the result of the unchanged formula is another reading. This requires at least three printed
+    digits: with fewer digits, any number would be a misprint. `progress` receives the number of
+    finished combinations and their total. Raises ValueError if `printed` is no number or zero.
     """
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
@@ -127,7 +134,7 @@ def search(
 
 
 def _combined(readings: Sequence[Reading], most: int) -> list[tuple[Reading, ...]]:
-    """All combinations of readings of different things, the fewest changes first."""
+    """All combinations of readings that change different things, fewest changes first."""
     return [
         chosen
         for changes in range(most + 1)
@@ -164,7 +171,7 @@ def _outcome(
 
 
 def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
-    """Hits in their order, without hits that only add ineffective changes to an earlier one."""
+    """Matching combinations without those that only add ineffective changes to another one."""
     kept: list[Tried] = []
     for hit in sorted(hits, key=lambda t: (t.changes, t.off, abs(t.value - value))):
         if not any(
@@ -177,9 +184,10 @@ def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
 
 
 def together(outcomes: Sequence[Outcome]) -> Outcome:
-    """One search for several numbers: readings that give all of them together.
+    """Result of one search for several numbers: readings that give all numbers together.
 
-    The results are for the same readings with other inputs. Numbers are those of the first.
+    `outcomes` are results for the same readings with other inputs. The numbers in the result are
+    those of the first outcome.
     """
     first = outcomes[0]
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]
@@ -201,7 +209,7 @@ def together(outcomes: Sequence[Outcome]) -> Outcome:
 def _chances_together(
     shared: Sequence[Tried], outcomes: Sequence[Outcome], most: int, span: float
 ) -> list[float]:
-    """Expected accidental hits of all numbers at once, for combinations of 0, 1, ... changes."""
+    """Expected chance matches of all numbers at once, for combinations of 0, 1, ... changes."""
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]
     sums = [0.0] * (most + 1)
     for t in shared:
@@ -215,14 +223,14 @@ def _chances_together(
 
 
 def _meets(tried: Tried, value: float, half: float) -> bool:
-    """Within the printed digits and the rounding of the inputs."""
+    """Whether the result matches the printed number within its digits and the input rounding."""
     return abs(tried.value - value) <= (half + tried.off) * (1 + SAME)
 
 
 def _chances(
     found: Sequence[Tried], printed: str, half: float, most: int, span: float, *, digits: bool
 ) -> list[float]:
-    """Expected accidental hits among combinations of 0, 1, ... changes, each value once."""
+    """Expected chance matches among combinations of 0, 1, ... changes; equal values count once."""
     value, sums, counted = number(printed), [0.0] * (most + 1), dict[float, float]()
     for t in sorted(found, key=lambda t: t.changes):
         wide = window(t.value, half + t.off, value, span)
@@ -236,7 +244,7 @@ def _chances(
 
 
 def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
-    """Sums of chance matches with at most 0, 1, ... changes; the largest of all."""
+    """Expected chance matches with at most 0, 1, ... changes: the largest sum of all spans."""
     return tuple(max(sum(sums[: k + 1]) for sums in by_span) for k in range(len(by_span[0])))
 
 
@@ -258,7 +266,7 @@ def window(value: float, half: float, printed: float, span: float) -> float:
 
 
 class _Evaluated:
-    """The formula, evaluated once for each set of inputs."""
+    """A formula that is evaluated once for each set of inputs."""
 
     def __init__(self, formula: Formula) -> None:
         self.formula = formula
@@ -267,7 +275,7 @@ class _Evaluated:
     def tried(
         self, inputs: Inputs, chosen: Sequence[Reading], rounding: Mapping[str, float]
     ) -> Tried | None:
-        """Value of a combination, None if it is not finite."""
+        """Result of a combination of readings; None if it is not finite."""
         half = dict(rounding)
         for reading in chosen:
             half |= reading.rounding
@@ -281,7 +289,7 @@ class _Evaluated:
         return Tried(readings=tuple(r.name for r in chosen), value=middle, off=off)
 
     def _value(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
-        """The finite result with all readings, None if there is none."""
+        """Value of the formula with all readings applied; None if it is not finite."""
         try:
             value = self._read(inputs, chosen)
         except (ValueError, ArithmeticError, TypeError):  # a root of less than zero, a division
@@ -289,7 +297,7 @@ class _Evaluated:
         return value if value is not None and math.isfinite(value) else None
 
     def _read(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
-        """Readings of inputs are applied first, one after the other, then those of the result."""
+        """Value of the formula with the readings of inputs, then of the result, applied."""
         for reading in chosen:
             if reading.inputs:
                 inputs = {**inputs, **reading.inputs(inputs)}

@@ -1,4 +1,4 @@
-"""All searches of a run, for the report."""
+"""All searches for readings in a run, for the report."""
 
 from collections.abc import Collection
 
@@ -10,16 +10,17 @@ from verify.studies.readings.search import Outcome
 
 
 def searches(cases: Collection[str]) -> tuple[ReadingsTried, ...]:
-    """Searches for other meanings of printed numbers, in named cases or without a formula.
+    """Searches for other meanings of printed numbers of the given cases.
 
-    Empty if none of the cases has such a number.
+    Numbers for which no formula exists are included. The result is empty if none of the cases has
+    such a number.
     """
     found = tuple(record(p, p.search()) for p in PROBLEMS if p.case in cases)
     return (*found, *map(_missing, WITHOUT_FORMULA)) if found else ()
 
 
 def record(problem: Problem, outcome: Outcome) -> ReadingsTried:
-    """One search for a report."""
+    """Record of one search for a report."""
     best, plain = outcome.best, outcome.as_it_stands
     if outcome.met:
         best = None

@@ -1,1 +1,1 @@
-"""Formulas and finite elements over ranges of the inputs."""
+"""Sweeps: formulas and finite elements over ranges of the inputs."""

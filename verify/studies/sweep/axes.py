@@ -2,8 +2,8 @@
 
 z=3:12:10                 ten whole numbers
 delta_1=2mm:6mm:9         nine values, evenly spaced
-b=0.2mm:2mm:10:log        ten values in equal ratios
-E=190GPa,210GPa           these two
+b=0.2mm:2mm:10:log        ten values, logarithmically spaced
+E=190GPa,210GPa           these two values
 supports[2].k=1e7N/m:1e9N/m:5:log
 delta_1=±0.05mm, E=±5%    uniformly distributed within
 """
@@ -29,7 +29,10 @@ _SHARE = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*%")
 
 @dataclass(frozen=True)
 class Axis:
-    """An input and its values [SI], ascending; `name` is its name in the parameter file."""
+    """A varied input with its values [SI] in ascending order.
+
+    `name` is the name of the input in the parameter file.
+    """
 
     name: str
     symbol: str
@@ -41,13 +44,13 @@ class Axis:
     whole: bool = False  # whole numbers only
 
     def in_unit(self, value: float) -> float:
-        """`value` in the axis's unit, without the digits of a conversion."""
+        """`value` [SI] in the unit of the axis, rounded to 12 digits."""
         return float(f"{value / units.factor(self.unit):.12g}")
 
 
 @dataclass(frozen=True)
 class Tolerance:
-    """One input and the tolerance of its nominal value [SI], uniformly distributed."""
+    """An input that is uniformly distributed within its nominal value ± `off` [SI]."""
 
     name: str
     symbol: str
@@ -57,12 +60,15 @@ class Tolerance:
     off: float
 
     def in_unit(self, value: float) -> float:
-        """`value` in the input's unit, without the digits of a conversion."""
+        """`value` [SI] in the unit of the input, rounded to 12 digits."""
         return float(f"{value / units.factor(self.unit):.12g}")
 
 
 def axis(inputs: Inputs, text: str) -> Axis:
-    """The axis that a text such as "z=3:12:10" describes; InputError if it doesn't."""
+    """Axis that a text such as "z=3:12:10" describes.
+
+    Raises InputError if the text describes no valid axis.
+    """
     where = f"--vary {text}"
     name, _, given = text.partition("=")
     field, nominal = _field(inputs, name.strip(), where)
@@ -74,7 +80,7 @@ def axis(inputs: Inputs, text: str) -> Axis:
     else:
         values, spacing = _spaced(given, about["unit"], where, whole=whole)
     if len(set(values)) < len(values):
-        raise InputError(f"{where}: a value appears twice")
+        raise InputError(f"{where}: all values must be different")
     return Axis(
         name=name.strip(), symbol=_symbol(name.strip(), about["symbol"]), unit=about["unit"],
         what=about["what"], values=tuple(sorted(values)), nominal=nominal, spacing=spacing,
@@ -83,14 +89,17 @@ def axis(inputs: Inputs, text: str) -> Axis:
 
 
 def tolerance(inputs: Inputs, text: str) -> Tolerance:
-    """The tolerance that a text such as "b=±0.05mm" describes; InputError if it doesn't."""
+    """Tolerance that a text such as "b=±0.05mm" describes.
+
+    Raises InputError if the text describes no valid tolerance.
+    """
     where = f"--tolerance {text}"
     name, _, given = text.partition("=")
     field, nominal = _field(inputs, name.strip(), where)
     if kind_of(field) is int:
-        raise InputError(f"{where}: {name.strip()} is a whole number and has no tolerance")
+        raise InputError(f"{where}: {name.strip()} is a whole number and cannot have a tolerance")
     if nominal is None:
-        raise InputError(f"{where}: {name.strip()} has no value in the file, from which to deviate")
+        raise InputError(f"{where}: the file must give a nominal value of {name.strip()}")
     about = meta(field)
     bare = re.sub(r"^\s*(±|\+-|\+/-)?\s*", "", given)
     if share := _SHARE.fullmatch(bare.strip()):
@@ -99,14 +108,14 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
         try:
             off = _number(bare, about["unit"], where, whole=False)
         except InputError as error:
-            raise InputError(f'{error}, nor a share of {name.strip()}, such as "5 %"') from error
+            raise InputError(f'{error}, nor a percentage of {name.strip()}, as "5 %"') from error
     if not 0 < off < math.inf:
-        raise InputError(f"{where}: a tolerance must be above zero, got {given.strip()}")
+        raise InputError(f"{where}: the tolerance must be positive and finite, got {given.strip()}")
     for end in (nominal - off, nominal + off):
         try:
             changed(inputs, {name.strip(): end})
         except InputError as error:
-            raise InputError(f"{where}: reaches {error}") from error
+            raise InputError(f"{where}: the tolerance reaches an invalid value: {error}") from error
     return Tolerance(
         name=name.strip(), symbol=_symbol(name.strip(), about["symbol"]), unit=about["unit"],
         what=about["what"], nominal=nominal, off=off,
@@ -114,16 +123,17 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
 
 
 def _symbol(name: str, symbol: str) -> str:
-    """Symbol of the input, with its part: "k of supports[2]"."""
+    """Symbol of the input; for an entry of a table with the entry, as in "k of supports[2]"."""
     if place := _PLACE.fullmatch(name):
         return f"{symbol or place['key']} of {place['table']}[{place['entry']}]"
     return symbol or name
 
 
 def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> Inputs:
-    """The inputs with other values [SI] by name; InputError if these inputs are invalid.
+    """`inputs` with other values [SI] by name.
 
-    `at` states the position of the inputs in its message.
+    Raises InputError if the changed inputs are invalid; `at` states the position of the inputs in
+    the message.
     """
     model = type(inputs)
     given: dict[str, Any] = {name: getattr(inputs, name) for name in model.model_fields}
@@ -144,29 +154,35 @@ def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> 
 
 
 def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | None]:
-    """The input called `name`, which is a number, and its value in the file."""
+    """Field of the numerical input `name`, and its value in the file or None.
+
+    Raises InputError if there is no such input or if it is not a number.
+    """
     if not name:
-        raise InputError(f"{where}: the input's name is missing, as z in z=3:12:10 or b in b=±5%")
+        raise InputError(f"{where}: the name of the input is missing: write z=3:12:10 or b=±5%")
     place = _PLACE.fullmatch(name)
     holder: Inputs = inputs
     if place:
         entries = getattr(inputs, place["table"], None)
         if not isinstance(entries, tuple) or not 1 <= int(place["entry"]) <= len(entries):
-            raise InputError(f"{where}: there is no {name.partition('.')[0]} in the file")
+            raise InputError(f"{where}: the file contains no {name.partition('.')[0]}")
         holder = entries[int(place["entry"]) - 1]
     key = place["key"] if place else name
     fields = type(holder).model_fields
     if key not in fields or is_table(fields[key]):
         known = ", ".join(names(inputs))
-        raise InputError(f"{where}: unknown input {name}; numbers are {known}")
+        raise InputError(f"{where}: unknown input {name}; inputs that can be varied: {known}")
     if kind_of(fields[key]) not in (int, float):
-        raise InputError(f"{where}: {name} is a word, and only numbers can be varied")
+        raise InputError(f"{where}: {name} is a word; only numbers can be varied")
     value = getattr(holder, key)
     return fields[key], None if value is None else float(value)
 
 
 def names(inputs: Inputs) -> Sequence[str]:
-    """The inputs that are numbers; in tables, table[1].key is that of the first entry."""
+    """Names of the inputs that are numbers.
+
+    For a table, the list contains the keys of the first entry, as "table[1].key".
+    """
     found: list[str] = []
     for name, field in type(inputs).model_fields.items():
         if is_table(field):
@@ -181,25 +197,25 @@ def names(inputs: Inputs) -> Sequence[str]:
 def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[float], str]:
     parts = [part.strip() for part in given.split(":")]
     if not 3 <= len(parts) <= 4 or (len(parts) == 4 and parts[3] != "log"):
-        raise InputError(f"{where}: needs NAME=a:b:n, such as z=3:12:10, or a:b:n:log, or a,b,c")
+        raise InputError(f"{where}: write NAME=a:b:n, as z=3:12:10, NAME=a:b:n:log or NAME=a,b,c")
     if not parts[2].isdecimal() or not 2 <= int(parts[2]) <= MOST_VALUES:
-        raise InputError(f"{where}: n is a whole number from 2 to {MOST_VALUES}, got {parts[2]!r}")
+        raise InputError(f"{where}: n must be an integer from 2 to {MOST_VALUES}, got {parts[2]!r}")
     ends = _with_units(parts[:2])
     a, b = (_number(part, unit, where, whole=whole) for part in ends)
     if len(parts) == 4 and min(a, b) <= 0:
-        raise InputError(f"{where}: equal ratios need values above zero")
+        raise InputError(f"{where}: with log, both ends must be positive")
     spread = np.geomspace if len(parts) == 4 else np.linspace
     values = [float(v) for v in spread(a, b, int(parts[2]))]
     values[0], values[-1] = a, b
     if whole and any(abs(v - round(v)) > 1e-9 for v in values):
         raise InputError(
-            f"{where}: {parts[2]} values from {a:g} to {b:g} are not all whole numbers"
+            f"{where}: must give whole numbers only, got {parts[2]} values from {a:g} to {b:g}"
         )
     return [float(round(v)) if whole else v for v in values], "log" if len(parts) == 4 else "even"
 
 
 def _with_units(parts: Sequence[str]) -> Sequence[str]:
-    """Numbers without a unit have the unit of the last number: 2:6mm is 2mm:6mm."""
+    """Numbers with units; numbers without a unit get that of the last one: 2:6mm is 2mm:6mm."""
     of_last = _UNIT.search(parts[-1])
     return [part if _UNIT.search(part) or not of_last else part + of_last[0] for part in parts]
 
@@ -210,5 +226,5 @@ def _number(text: str, unit: str, where: str, *, whole: bool) -> float:
     except ValueError as error:
         raise InputError(f"{where}: {error}") from error
     if whole and value != round(value):
-        raise InputError(f"{where}: needs whole numbers, got {text.strip()}")
+        raise InputError(f"{where}: values must be whole numbers, got {text.strip()}")
     return value

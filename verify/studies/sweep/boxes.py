@@ -1,4 +1,4 @@
-"""The largest box of a grid all of whose points are inside something."""
+"""Largest box of a grid in which all points meet a condition."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,17 +14,18 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Box:
-    """Ranges of indices, including both ends, for each axis, and the number of points in them."""
+    """Box of grid points: range of indices on each axis, ends included, and number of points."""
 
     ranges: tuple[tuple[int, int], ...]
     points: int
 
 
 def largest_box(inside: Flags) -> Box | None:
-    """The box with the most points, all inside, in a grid of any dimension; None if there is none.
+    """Box with the most points of which all are inside, in a grid of any dimension; or None.
 
-    Among equal boxes, the one that begins first on the first axis on which they differ. Grids with
-    more than MOST_BOXES boxes give a box that cannot be widened, although a larger box may exist.
+    Of several largest boxes, the first in the order of the axes is returned. In grids with more
+    than MOST_BOXES boxes, the result is a box that cannot be widened, although a larger box may
+    exist.
     """
     if not inside.any():
         return None
@@ -47,7 +48,7 @@ def largest_box(inside: Flags) -> Box | None:
 
 
 def _grown(inside: Flags) -> Box:
-    """A box that grows from the point deepest inside, side by side, until no side can move."""
+    """Box grown from the innermost point, one side at a time, until no side can move."""
     ranges = [(int(i), int(i)) for i in _deepest(inside)]
     growing = True
     while growing:
@@ -64,9 +65,10 @@ def _grown(inside: Flags) -> Box:
 
 
 def _deepest(inside: Flags) -> Sequence[int]:
-    """The point with the widest surroundings inside; the edge of the grid is no limit.
+    """Indices of the point that is most distant from points outside.
 
-    Layers are removed one by one as long as points remain.
+    The edge of the grid does not count as outside. Outer layers are removed repeatedly as long as
+    points remain.
     """
     left = inside
     while True:

@@ -1,4 +1,4 @@
-"""Output of `freewheel sweep`: solved points, error of each formula, place and cause."""
+"""Output of `freewheel sweep`: solved points, error of each formula, its place and its causes."""
 
 import math
 import re
@@ -32,22 +32,25 @@ MOST_INPUTS = 6
 MOST_DIGITS = 6  # after the point
 _NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
 INDICES = (
-    "S1 is the share of the variance that an input causes alone, ST with its interactions, in "
-    "brackets the intervals of 95 %; ± is the standard deviation there"
+    "S1 is the share of the variance that an input causes alone, ST its share including "
+    "interactions with other inputs; brackets contain 95 % intervals; ± is the standard deviation"
 )
 
 
 def print_outcome(found: Outcome, verdict: Verdict = lambda *_: "") -> None:
-    """Points and their state, the rows with the largest errors, regions or indices.
+    """Print the states of the points, the rows with the largest errors, and regions or indices.
 
-    `verdict` gives the verdict of a row over a grid in words.
+    `verdict` returns the verdict on a row of a grid in words.
     """
     for line in told(found, verdict):
         print(line)
 
 
 def told(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
-    """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
+    """Lines of `print_outcome`, at most WIDE characters wide.
+
+    Rows are described in full until there are LINES lines.
+    """
     lines_of_table, placed = table(found)
     plan, detailed = found.solved.plan, 0
     first = (*_points(found), *_own_values(plan), *lines_of_table)
@@ -72,7 +75,7 @@ def told(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
 
 
 def _own_values(plan: Plan) -> Iterator[str]:
-    """The axes that do not contain the value of the file."""
+    """Lines about axes that do not contain the value of the file."""
     for one in plan.axes:
         low, high = one.values[0], one.values[-1]
         room = 1e-9 * (high - low)
@@ -82,7 +85,7 @@ def _own_values(plan: Plan) -> Iterator[str]:
 
 
 def _explained(found: Outcome) -> Iterator[str]:
-    """Meaning of indices, and whether the sample is too small for them; empty for a grid."""
+    """Lines that explain the indices and warn of a small sample; none for a grid."""
     plan = found.solved.plan
     if not plan.base:
         return
@@ -92,7 +95,7 @@ def _explained(found: Outcome) -> Iterator[str]:
         yield INDICES
     if (widest := max(s.widest for s in scatters)) > LOOSE:
         yield (
-            f"the sample is small: intervals are up to ±{widest / 2:.2f} wide; "
+            f"the sample is small: intervals are up to ±{widest / 2:.2f}; "
             f"sobol:{4 * plan.base} would halve them"
         )
 
@@ -102,7 +105,7 @@ def _points(found: Outcome) -> Iterator[str]:
     whole = len(found.solved.plan.points)
     others = [f"{n:,} {name}" for name, n in counts.most_common() if name != SOLVED]
     if partly := sum(map(bool, reasons(found))) - whole + counts[SOLVED]:
-        others.append(f"{partly:,} of them not in every row")
+        others.append(f"{partly:,} solved points lack some rows")
     yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
     groups: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):
@@ -122,7 +125,7 @@ def _furthest(plan: Plan, course: Course) -> str:
 
 
 def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]:
-    """The verdict and the regions in words, limits with equal regions together."""
+    """Lines for one row of a grid: verdict and regions; limits with equal regions are combined."""
     yield f"{course.pair.name}{at}"
     if verdict:
         yield f"  verdict over this sweep: {verdict}"
@@ -137,7 +140,7 @@ def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]
 
 
 def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
-    """Scatter of finite elements and of the error, and the inputs that cause it."""
+    """Lines for one row of a sample: scatter of finite elements and of the error, with causes."""
     one = indices(plan, course)
     lost = f" ({counted(one.dropped, 'row')} of the sample left out: not solved)"
     yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
@@ -159,7 +162,7 @@ def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
 
 
 def _moments(scatter: Scatter, unit: str) -> str:
-    """Mean and standard deviation to two digits of the latter, and quantiles."""
+    """Mean, standard deviation and quantiles as text; the deviation sets the number of digits."""
     size = units.factor(unit)
     mean, sd, low, median, high = (
         v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
@@ -178,7 +181,7 @@ def _listed(words: Sequence[str]) -> str:
 
 
 def _wrapped(line: str) -> list[str]:
-    """At most WIDE characters; continuation lines are indented."""
+    """`line` split into lines of at most WIDE characters; continuation lines are indented."""
     line = raised(line)
     if len(line) <= WIDE:
         return [line]

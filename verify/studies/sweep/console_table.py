@@ -1,4 +1,4 @@
-"""The table that `freewheel sweep` prints: the rows with the largest errors, a line each."""
+"""Table that `freewheel sweep` prints: one line for each row with the largest errors."""
 
 import math
 from collections import Counter
@@ -20,7 +20,11 @@ MOST_ROWS = 10  # the worst ones
 
 
 def table(found: Outcome) -> tuple[list[str], bool]:
-    """One line per row: largest error, shares inside the limits, and the place if possible."""
+    """Lines of the table, and whether they state the place of the largest error.
+
+    A line contains the name of the row, its largest error, and the shares of points within the
+    limits. The place is omitted if the names would not be distinguishable.
+    """
     shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
     inside = [_inside(plan, course) for course in shown]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
@@ -51,18 +55,18 @@ def table(found: Outcome) -> tuple[list[str], bool]:
 
 
 def _room(lines: Sequence[tuple[str, ...]]) -> int:
-    """Number of characters of a line for the first column."""
+    """Number of characters that remain for the first column of the table."""
     return WIDE - max(map(len, aligned([("", *line[1:]) for line in lines])))
 
 
 def shortened(names: Sequence[str], room: int) -> list[str]:
-    """Names of at most `room` characters: longer names lose words, the most common words first."""
+    """Names of at most `room` characters: longer names lose their most common words."""
     common = Counter(word for name in names for word in set(name.split()))
     return [name if len(name) <= room else _cut(name, common, room) for name in names]
 
 
 def _cut(name: str, common: Mapping[str, int], room: int) -> str:
-    """The name without words that most other names also have, those in its middle first."""
+    """`name` without its most common words, middle words first, in at most `room` characters."""
     words = name.split()
     middle = (len(words) - 1) / 2
     order = sorted(range(len(words)), key=lambda k: (-common[words[k]], abs(k - middle)))
@@ -78,13 +82,13 @@ def _cut(name: str, common: Mapping[str, int], room: int) -> str:
 
 
 def _gapped(words: Sequence[str], kept: Set[int]) -> str:
-    """The remaining words, with "…" for omitted words."""
+    """The remaining words as text, with "…" for omitted words."""
     shown = (word if k in kept else "…" for k, word in enumerate(words))
     return " ".join(word for word, _ in groupby(shown))
 
 
 def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
-    """Shares of the solved points inside each limit, NaN if none is."""
+    """Each limit with the share of the solved points within it; NaN if no point is solved."""
     of: Sequence[Within | Region]
     of = indices(plan, course).within if plan.base else regions(plan, course)
     return [
@@ -94,19 +98,19 @@ def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
 
 
 def worst(found: Outcome) -> list[Course]:
-    """The results, the one with the largest error first, those without any error last."""
+    """Results of all rows in descending order of the largest error; rows without an error last."""
     sizes = {id(c): -1.0 if (n := largest(c)) is None else abs(float(c.error[n]))
              for c in found.courses}  # fmt: skip
     return sorted(found.courses, key=lambda c: -sizes[id(c)])
 
 
 def _percent(share: float) -> str:
-    """Whole percent, 100 only for all, nothing if none is known."""
+    """`share` in whole percent as text; "100 %" only for all, empty for NaN."""
     if math.isnan(share):
         return ""
     return f"{min(100 * share, 99) if share < 1 else 100:.0f} %"
 
 
 def counted(number: int, what: str) -> str:
-    """A number of things: "1 point", "2,000 points"."""
+    """A number with its noun: "1 point", "2,000 points"."""
     return f"{number:,} {what}{'s' if number > 1 else ''}"

@@ -1,7 +1,7 @@
 """Causes of the scatter of a formula's error: variance-based sensitivity indices of a sample.
 
-I. M. Sobol', Math. Comput. Simul. 55 (2001) 271-280, doi:10.1016/S0378-4754(00)00270-6, from the
-design and by the estimators of A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270,
+I. M. Sobol', Math. Comput. Simul. 55 (2001) 271-280, doi:10.1016/S0378-4754(00)00270-6. The design
+and the estimators are those of A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270,
 doi:10.1016/j.cpc.2009.09.018, Table 2 (b) and (f).
 """
 
@@ -37,7 +37,7 @@ AT_ONCE = 2**22  # numbers drawn at a time
 
 @dataclass(frozen=True)
 class Estimate:
-    """A value and its confidence interval (95 %, bootstrap)."""
+    """A value with its 95 % confidence interval by bootstrap."""
 
     value: float
     low: float
@@ -46,7 +46,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Index:
-    """The first-order and the total index of one input."""
+    """First-order and total sensitivity index of one input."""
 
     tolerance: Tolerance
     first: Estimate
@@ -57,10 +57,10 @@ class Index:
 class Scatter:
     """Scatter of one quantity over the sample, and the inputs that cause it.
 
-    `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN if n is 0.
-    `noise` is the share of the variance that the standard uncertainty of the finite elements causes
-    (mean square). `indices` have the order of the tolerances of the plan, or are empty for the
-    reason `why`.
+    `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are those of `n` points, NaN if n is
+    0. `noise` is the share of the variance that is due to the standard uncertainty of the finite
+    elements (mean square). `indices` are in the order of the tolerances of the plan. If `indices`
+    is empty, `why` states the reason.
     """
 
     n: int
@@ -75,19 +75,19 @@ class Scatter:
 
     @property
     def ranked(self) -> tuple[Index, ...]:
-        """The indices, in descending order of the total index."""
+        """The indices in descending order of the total index."""
         return tuple(sorted(self.indices, key=lambda one: -one.total.value))
 
     @property
     def widest(self) -> float:
-        """The width of the widest interval of all indices, 0 if there are none."""
+        """Width of the widest confidence interval of all indices; 0 if there are no indices."""
         every = (e for one in self.indices for e in (one.first, one.total))
         return max((e.high - e.low for e in every), default=0.0)
 
 
 @dataclass(frozen=True)
 class Within:
-    """Numbers of points of the sample inside a limit, outside, undecided, and without an answer."""
+    """Numbers of sample points inside a limit, outside, undecided and unsolved."""
 
     limit: float
     inside: int
@@ -98,9 +98,10 @@ class Within:
 
 @dataclass(frozen=True)
 class Indices:
-    """Sensitivity of one pair in a sample: formula, finite elements and the formula's error.
+    """Sensitivity of one compared pair: scatter of formula, finite elements and error.
 
-    Indices are from `rows` rows of the base sample; `dropped` rows lack a point.
+    The indices are computed from `rows` complete rows of the base sample. `dropped` rows are
+    incomplete because a point is unsolved.
     """
 
     pair: Pair
@@ -113,9 +114,12 @@ class Indices:
 
 
 def indices(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> Indices:
-    """Scatter and sensitivity indices of a pair of quantities; ValueError if the plan is a grid."""
+    """Scatter and sensitivity indices of the compared pair `course`.
+
+    Raises ValueError if the plan is a grid.
+    """
     if not plan.base:
-        raise ValueError("sensitivity indices need a sample, got a grid")
+        raise ValueError("sensitivity indices require a sample, got a grid")
     solved = np.isfinite(course.error + course.U_error)
     rows: Flags = np.all(solved.reshape(-1, plan.base), axis=0)
     of = np.flatnonzero(solved[: 2 * plan.base])  # of A and B, which are independent
@@ -136,10 +140,10 @@ def _within(course: Course, first: int, limit: float) -> Within:
 
 
 def _scatter(plan: Plan, values: Array, U: Array, of: Points, rows: Flags) -> Scatter:
-    """`of` are the points for moments, `rows` the base rows for indices."""
+    """Scatter of `values` over the points `of`, with indices from the complete `rows`."""
     y = values[of]
     if not len(y):
-        return Scatter(0, *(np.nan,) * 6, (), "no point has an answer")
+        return Scatter(0, *(np.nan,) * 6, (), "no point is solved")
     sd = float(y.std(ddof=1)) if len(y) > 1 else 0.0
     noise = _share(float(np.mean((U[of] / 2) ** 2)), sd**2)
     found: tuple[Index, ...] = ()
@@ -155,21 +159,22 @@ def _share(part: float, whole: float) -> float:
 
 
 def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
-    """Reason why there are no indices, "" if there are."""
+    """Reason why indices cannot be computed; empty if they can."""
     if rows < LEAST_ROWS:
-        return f"{rows} complete rows of the sample are too few, it takes {LEAST_ROWS}"
+        return f"only {rows} rows of the sample are complete, at least {LEAST_ROWS} are required"
     if sd <= STEADY * float(np.abs(y).max()):
-        return "does not vary"
+        return "the quantity does not vary"
     if noise >= 1:
-        return "varies no more than the finite elements are uncertain"
+        return "the variation is within the uncertainty of finite elements"
     return ""
 
 
 def terms(a: Array, b: Array, mixed: Array) -> Array:
-    """Terms (n, 2 + 2 d) with the indices as means, from results at rows of A, B and mixed rows.
+    """Terms (n, 2 + 2 d) whose means give the sensitivity indices.
 
-    `a` and `b` are (n,), `mixed` (d, n): A with one column of B. Results are relative to their
-    mean; this does not change the indices, but reduces the scatter of their estimates.
+    `a` and `b` (n,) are the results of the matrices A and B, and `mixed` (d, n) those of A with one
+    column of B. The mean is subtracted from all results. This does not change the indices, but
+    reduces the scatter of their estimates.
     """
     mean = (a.mean() + b.mean()) / 2
     a, b, mixed = a - mean, b - mean, mixed - mean
@@ -178,7 +183,7 @@ def terms(a: Array, b: Array, mixed: Array) -> Array:
 
 
 def estimates(means: Array) -> Array:
-    """First-order and total indices (..., 2, d) from means (..., 2 + 2 d) of `terms`."""
+    """First-order and total indices (..., 2, d) from the means (..., 2 + 2 d) of `terms`."""
     variance = means[..., 0] - means[..., 1] ** 2
     with np.errstate(invalid="ignore", divide="ignore"):
         found = means[..., 2:] / variance[..., None]
@@ -197,7 +202,7 @@ def _indices(plan: Plan, of: Array) -> tuple[Index, ...]:
 
 
 def _resampled(of: Array) -> Array:
-    """Means (RESAMPLES, columns) over rows drawn again with replacement, the same draws always."""
+    """Bootstrap means (RESAMPLES, columns) of the rows; all calls use the same random draws."""
     n = len(of)
     draws = np.random.default_rng(0)
     some = max(1, AT_ONCE // n)

@@ -1,4 +1,4 @@
-"""Regions, breaks, errors and indices of a sweep in words."""
+"""Texts for the regions, errors and indices of a sweep."""
 
 import math
 import re
@@ -15,7 +15,7 @@ SMALL = 1e-4  # per cent: a smaller bar is not printed
 
 
 def box_in_words(plan: Plan, one: Region) -> str:
-    """Range in which the formula is within the limit, in words."""
+    """Text for the range in which the formula is within the limit."""
     if not one.inside:
         between = f", {one.undecided:,} undecided" if one.undecided else ""
         return f"nowhere{between}" if one.unsolved < one.points else "no point is solved"
@@ -37,14 +37,14 @@ def box_in_words(plan: Plan, one: Region) -> str:
 
 
 def break_in_words(plan: Plan, one: Region) -> str:
-    """The input with which the formula first exceeds the limit; "" if there is none."""
+    """Text for the first limit violation along one input; empty if there is none."""
     if one.base is None:
         return ""
     start = "" if one.nominal else f"from {place(plan.axes, one.base)}, "
     if not one.nominal and one.at_nominal is not None:
-        start = f"not at the values of the file; {start}"
+        start = f"not met at the file values; {start}"
     if (by := one.breaks) is None:
-        together = ", only several inputs together" if one.outside else ""
+        together = ", only several inputs together do" if one.outside else ""
         return "" if one.everywhere else f"{start}no single input exceeds the limit{together}"
     return f"{start}{_broken(by)}"
 
@@ -67,14 +67,15 @@ def _broken(by: Break) -> str:
 
 
 def bare(why: str) -> str:
-    """A reason without saying again that inputs are refused."""
+    """A reason without its prefix, which states again that the inputs are refused."""
     return re.sub(rf"^({REFUSED}: )?(inputs(: |\.))?", "", why)
 
 
 def error_with_bar(course: Course, n: int) -> str:
-    """The error of a point in percent with its expanded uncertainty, to two digits of the latter.
+    """Error of point `n` in percent with its expanded uncertainty, as text.
 
-    A bar below a thousandth of the error, or below SMALL, is printed as such a bound.
+    The uncertainty has two digits and sets the digits of the error. An uncertainty below a
+    thousandth of the error, or below SMALL, is printed as an upper bound.
     """
     error, bar = 100 * float(course.error[n]), 100 * float(course.U_error[n])
     if not bar > 0:
@@ -89,7 +90,7 @@ def error_with_bar(course: Course, n: int) -> str:
 
 
 def ranked(scatter: Scatter) -> list[tuple[str, str, str]]:
-    """The inputs by first-order (S1) and total index (ST), with 95 % intervals, as cells."""
+    """Cells with the inputs and their indices (S1, ST) with 95 % intervals, largest ST first."""
     return [
         (index.tolerance.symbol, f"S1 {_index(index.first)}", f"ST {_index(index.total)}")
         for index in scatter.ranked
@@ -101,18 +102,18 @@ def _index(of: Estimate) -> str:
 
 
 def place(varied: Sequence[Axis | Tolerance], values: Iterable[float]) -> str:
-    """The values [SI] of the inputs that vary, with their symbols and units."""
+    """Values [SI] of the varied inputs as text, with their symbols and units."""
     return ", ".join(f"{a.symbol} {valued(a, v)}" for a, v in zip(varied, values, strict=True))
 
 
 def valued(one: Axis | Tolerance, value: float) -> str:
-    """A value [SI] in the input's unit, with it."""
+    """`value` [SI] as text in the unit of the input."""
     unit = "" if one.unit == "1" else f" {one.unit}"
     return f"{one.in_unit(value):.4g}{unit}"
 
 
 def ends(axis: Axis, low: float, high: float) -> str:
-    """A range of values [SI] in the axis's unit: "2..6 mm"."""
+    """A range of values [SI] as text in the unit of the axis: "2..6 mm"."""
     unit = "" if axis.unit == "1" else f" {axis.unit}"
     if low == high:
         return valued(axis, low)

@@ -1,4 +1,4 @@
-"""A solved sweep as numbers to judge: per point and pair the error of the formula, and its bar."""
+"""Results of a solved sweep: error of the formula and its uncertainty for each point and pair."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,10 +14,11 @@ from verify.studies.sweep.run import Solved
 
 @dataclass(frozen=True)
 class Course:
-    """One pair over all points of the plan, in its order.
+    """Results of one compared pair at all points of the plan, in the order of the plan.
 
-    `formula`, `fe`, `U` [SI], `error` = (formula - FE)/scale and its expanded uncertainty
-    `U_error` are (m,), NaN if there is none; `problems` give the reasons, "" if there is a value.
+    `formula`, `fe` and its expanded uncertainty `U` [SI] have the shape (m,). `error` is (formula -
+    FE)/scale, and `U_error` its expanded uncertainty. Values that do not exist are NaN. `problems`
+    contains the reasons, "" if the values exist.
     """
 
     pair: Pair
@@ -38,12 +39,12 @@ class Outcome:
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """Reasons why points have no finite elements or no formulas, by point."""
+        """For each point, the reason why finite elements or formulas have no values; "" if none."""
         return tuple(one.problem_fe or one.problem_formulas for one in self.solved.solutions)
 
 
 def outcome(solved: Solved) -> Outcome:
-    """The courses of a solved sweep."""
+    """Results of a solved sweep for all selected pairs."""
     points = [
         Known(solved.plan.case.id, inputs, one.formulas, one.h, one.fe, one.u_it)
         for inputs, one in zip(solved.inputs, solved.solutions, strict=True)

@@ -1,4 +1,4 @@
-"""Compared pairs of a sweep: rows of a case with a formula and finite elements."""
+"""Compared pairs of a sweep: rows of a case that compare a formula with finite elements."""
 
 import difflib
 import math
@@ -25,10 +25,11 @@ DOUBTFUL = 0.01  # of a value: allowed scatter of a series that does not converg
 
 @dataclass(frozen=True)
 class Pair:
-    """A row that compares the values `analytic` (formula) and `fem` (finite elements), by keys.
+    """A row that compares a value of the formula with a value of finite elements.
 
-    `scale` is the key of the natural magnitude of the difference; if empty, the finite-element
-    value. `by` is the name of the method used instead of finite elements, if any.
+    `analytic` and `fem` are the keys of the two values. `scale` is the key of the magnitude that
+    differences are relative to; if it is empty, this is the finite-element value. `by` is the name
+    of the method used instead of finite elements, if any.
     """
 
     name: str
@@ -43,16 +44,16 @@ class Pair:
 
     @property
     def plain(self) -> bool:
-        """Whether the claim compares the two values directly, without deriving others."""
+        """Whether the row compares the two values directly, without values derived from them."""
         return type(self.claim).rows in (Identity.rows, Approximation.rows)
 
 
 @dataclass(frozen=True)
 class Compared:
-    """One pair at one point, in SI units: formula, finite elements, and their expanded uncertainty.
+    """One pair at one point [SI]: formula, finite elements, and their expanded uncertainty.
 
-    `error` is (formula - FE)/scale with the expanded uncertainty `U_error`; `problem` says why
-    there is none.
+    `error` is (formula - FE)/scale, and `U_error` its expanded uncertainty. If there is no error,
+    `problem` states the reason.
     """
 
     formula: float
@@ -64,7 +65,7 @@ class Compared:
 
 
 def pairs(case: Case) -> tuple[Pair, ...]:
-    """All pairs of a case, in the order of its rows, without rows for the paper only."""
+    """All pairs of a case in the order of its rows, except rows that only apply to the paper."""
     return tuple(
         Pair(
             name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
@@ -77,15 +78,19 @@ def pairs(case: Case) -> tuple[Pair, ...]:
 
 
 def signature(pair: Pair) -> list[Any]:
-    """Dependencies of a pair's numbers besides solutions, with code that derives other values."""
+    """Data, besides the solutions, on which the numbers of a pair depend.
+
+    This includes the code of the row if the row derives the compared values.
+    """
     derived = [] if pair.plain else [source_code.source_of(type(pair.claim))]
     return [pair.name, pair.analytic, pair.fem, pair.scale, pair.claim.formal, *derived]
 
 
 def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
-    """The pairs whose name contains one of the texts `only`, all if empty; InputError if none.
+    """Pairs whose name contains one of the texts `only`; all pairs if `only` is empty.
 
-    A text that is a complete name selects only this row.
+    A text that is a complete name selects only this row. Raises InputError if a text selects no row
+    or the case has no pairs.
     """
     every = pairs(case)
     if not every:
@@ -94,7 +99,7 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
     for text in only:
         if not any(text.lower() in name.lower() for name in names):
             raise InputError(
-                f"--only {text}: no row of {case.id} has this name: {_offered(text, names)}"
+                f"--only {text}: no row of {case.id} contains this text: {_offered(text, names)}"
             )
     wanted = [
         name for name in names
@@ -106,7 +111,7 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
 
 
 def _offered(text: str, names: Sequence[str]) -> str:
-    """The names most similar to the text, or else the first names and the number of others."""
+    """Text with the names most similar to `text`, or with the first names and their number."""
     scores = [
         sum(bool(difflib.get_close_matches(word, name.lower().split(), 1, LIKE))
             for word in text.lower().split()) for name in names
@@ -119,23 +124,23 @@ def _offered(text: str, names: Sequence[str]) -> str:
 
 
 def whole(case: Case) -> Portion:
-    """The finite elements of a case, on its coarsest levels, as the portion without a name."""
+    """The complete finite-element computation of a case on its coarsest levels, without a name."""
     keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
     return Portion(name="", fem=case.reference, levels=case.levels[:LEVELS], keys=keys)
 
 
 def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
-    """The least of the case's finite elements that gives the values of the pairs."""
+    """Smallest finite-element portion of the case that gives the values of the pairs."""
     keys = {pair.fem for pair in chosen}
     return next((p for p in case.portions if keys <= set(p.keys)), whole(case))
 
 
 @dataclass(frozen=True)
 class Known:
-    """Known values of a point [SI]: the formulas' values, and values of the levels by key.
+    """Values of a point [SI]: of the formulas by key, and of all finite-element levels by key.
 
-    A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the
-    largest iteration uncertainty of all levels.
+    A value that a level does not have is NaN. `h` are the mesh sizes, from coarse to fine. `u_it`
+    is the largest iteration uncertainty of all levels.
     """
 
     case: str
@@ -147,7 +152,10 @@ class Known:
 
 
 def compared(pair: Pair, point: Known) -> Compared:
-    """The pair at a point. A series whose differences grow counts while its scatter is small."""
+    """Result of the pair at a point.
+
+    A series that does not converge is accepted as long as its scatter is small.
+    """
     return _plainly(pair, point) if pair.plain else _by_its_row(pair, point)
 
 
@@ -162,7 +170,7 @@ def _plainly(pair: Pair, point: Known) -> Compared:
 
 
 def _by_its_row(pair: Pair, point: Known) -> Compared:
-    """The pair from the row that its claim makes, which may derive the values that it compares."""
+    """Result of the pair from the row of its claim, which may derive the compared values."""
     levels = [
         FemResult(
             h=h,
@@ -207,7 +215,7 @@ def _judged(
 
 
 def _index(grid: GridConvergence, v: Sequence[float]) -> float:
-    """Grid convergence index; three times the scatter if there is no order, inf if large."""
+    """Grid convergence index; without an order three times the scatter, inf if this is large."""
     if grid.converges:
         return grid.gci
     scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))

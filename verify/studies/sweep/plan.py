@@ -17,7 +17,7 @@ MOST_POINTS = 2_000_000
 
 @dataclass(frozen=True)
 class Plan:
-    """Plan of a sweep: `points` (m, d) of values [SI] of the inputs called `names`."""
+    """Plan of a sweep: values [SI] of the varied inputs `names` at all points (m, d)."""
 
     case: Case
     name: str
@@ -31,12 +31,12 @@ class Plan:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The inputs that vary, in the order of the columns."""
+        """Names of the varied inputs, in the order of the columns of `points`."""
         return tuple(one.name for one in self.axes or self.tolerances)
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Values of each axis of a grid."""
+        """Number of values on each axis of a grid."""
         return tuple(len(one.values) for one in self.axes)
 
 
@@ -44,7 +44,11 @@ def grid(
     case: Case, name: str, inputs: Inputs, chosen: tuple[Pair, ...], vary: Sequence[str],
     *, star: bool = False,
 ) -> Plan:  # fmt: skip
-    """All combinations of the axes, the last index fastest; with `star`, one input at a time."""
+    """Plan with all combinations of the axis values; with `star`, one input varies at a time.
+
+    The last axis varies fastest. Raises InputError if an axis is wrong or there are too many
+    points.
+    """
     axes = tuple(axis(inputs, text) for text in vary)
     _once([one.name for one in axes], "--vary")
     if star:
@@ -65,16 +69,18 @@ def sample(
     case: Case, name: str, inputs: Inputs, chosen: tuple[Pair, ...], count: str,
     tolerances: Sequence[str], *, seed: int = 0,
 ) -> Plan:  # fmt: skip
-    """A scrambled Sobol sample for sensitivity indices, from "sobol:N" with N a power of two.
+    """Plan with a scrambled Sobol sample for sensitivity indices.
 
-    Saltelli's design: the rows of matrices A and B, then of A with one column of B for each input.
+    `count` is "sobol:N" with N a power of two. The points are those of Saltelli's design: the rows
+    of the matrices A and B, then, for each input, of A with one column of B. Raises InputError if
+    an argument is wrong.
     """
     from scipy.stats import qmc  # half a second, which a grid does without
 
     base = _base(count)
     off = tuple(tolerance(inputs, text) for text in tolerances)
     if not off:
-        raise InputError("--sample needs a --tolerance NAME=±x for each input that is not exact")
+        raise InputError("--sample requires at least one --tolerance NAME=±x")
     _once([one.name for one in off], "--tolerance")
     d = len(off)
     _few(base * (d + 2))
@@ -89,7 +95,7 @@ def sample(
 def _base(count: str) -> int:
     kind, _, number = count.partition(":")
     if kind != "sobol" or not number.isdecimal():
-        raise InputError(f"--sample is sobol:N, such as sobol:64, got {count!r}")
+        raise InputError(f"--sample must be sobol:N, such as sobol:64, got {count!r}")
     n = int(number)
     if not 8 <= n <= 2**20 or n & (n - 1):
         raise InputError(f"--sample {count}: N must be a power of two from 8 to {2**20}")
@@ -98,16 +104,16 @@ def _base(count: str) -> int:
 
 def _centre(one: Axis) -> float:
     if one.nominal is None:
-        raise InputError(f"{one.name} has no value in the file, which varying the others requires")
+        raise InputError(f"{one.name}: the file must give a value to vary the other inputs")
     return one.nominal
 
 
 def _once(names: Sequence[str], option: str) -> None:
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"{option}: {name} is given twice")
+            raise InputError(f"{option}: {name} must be given only once")
 
 
 def _few(count: int) -> None:
     if count > MOST_POINTS:
-        raise InputError(f"{count:,} points are more than {MOST_POINTS:,}")
+        raise InputError(f"{count:,} points given, the maximum is {MOST_POINTS:,}")

@@ -1,7 +1,7 @@
 """One point of a sweep: formulas and finite elements at one set of inputs, in any process.
 
-The result contains all numbers that rows compare, level by level. Other rows, or a changed rule of
-judging, therefore need no new solution.
+The result contains all numbers of all levels that rows compare. If other rows are selected or a
+rule of judging is changed, no new solution is therefore necessary.
 """
 
 import time
@@ -21,15 +21,16 @@ from verify.studies.sweep.pairs import LEVELS, whole
 
 
 class OtherCodeError(RuntimeError):
-    """A process solves with other code than the client."""
+    """The code of a worker process differs from the code of the client."""
 
 
 @dataclass(frozen=True)
 class Solution:
-    """Result of a point: values [SI] by key, of finite elements by level, coarse to fine.
+    """Result of a point: values [SI] by key, of finite elements by level from coarse to fine.
 
-    `u_it` is the largest iteration uncertainty of all levels. The problems state in one line why
-    there are no values on a side. A point is `lost` if the process died or the machine failed.
+    `u_it` is the largest iteration uncertainty of all levels. `problem_formulas` and `problem_fe`
+    state in one line why formulas or finite elements have no values. `lost` is True if the process
+    ended unexpectedly or the machine failed.
     """
 
     formulas: Mapping[str, float]
@@ -44,7 +45,11 @@ class Solution:
 
 @dataclass(frozen=True)
 class Task:
-    """A point to solve; `formulas` and `fe` say which sides, `code` with which sources."""
+    """A point to solve.
+
+    `formulas` and `fe` state whether formulas and finite elements are to be computed; `code`
+    contains the hashes of their sources.
+    """
 
     number: int
     case: str
@@ -56,15 +61,21 @@ class Task:
 
 
 def solve_batch(tasks: Sequence[Task]) -> list[Solution]:
-    """The solutions of some points, one after the other; OtherCodeError."""
+    """Solutions of several points, solved one after the other.
+
+    Raises OtherCodeError if the code of this process differs from that of the sweep.
+    """
     return [solve_point(task) for task in tasks]
 
 
 def solve_point(task: Task) -> Solution:
-    """The solution of a point; an error is reported in it. OtherCodeError."""
+    """Solution of a point; an error in the computation is reported in the solution.
+
+    Raises OtherCodeError if the code of this process differs from that of the sweep.
+    """
     case, part = _known(task.case, task.portion)
     if code_of(case, part) != task.code:
-        raise OtherCodeError(f"their code of {task.case} is not that of the sweep")
+        raise OtherCodeError(f"this process and the sweep have different code of {task.case}")
     start = time.perf_counter()
     found = Solution({}, (), {}, {})
     with np.errstate(all="ignore"):
@@ -76,7 +87,7 @@ def solve_point(task: Task) -> Solution:
 
 
 def code_of(case: Case, part: Portion) -> tuple[str, str]:
-    """Hashes of the sources of a case's formulas and of its finite elements."""
+    """Hashes of the sources of the formulas and of the finite elements of a case."""
     return source_code.whole_source_of(case.analytic), source_code.source_of(part.fem)
 
 

@@ -20,31 +20,32 @@ SCHEMA = 1
 
 
 def record(found: Outcome, repeat: str) -> dict[str, Any]:
-    """The sweep in JSON form; `repeat` is the command that repeats it.
+    """Sweep as a dictionary for JSON; `repeat` is the command that repeats the sweep.
 
-    schema       1; changes whenever something below changes
+    schema       1; a new number whenever a key below changes
     name, case, command
     inputs       value and unit by name, as in the parameter file
-    plan         kind "grid", "star" or "sample"; points; of a sample also base (N); varied: name,
-                 symbol, unit, what, nominal, and values with spacing, or off
-    points       inputs: values by name, status and reason, a list each, in the order of the plan:
-                 the last axis fastest; a star's middle first; of a sample the rows of A, of B, of
-                 A with one column of B, input by input
-    counts       solved, refused, failed; reasons: how often each
-    rows         name, symbol, unit, kind, by (what stands in the place of finite elements), and
-                 lists over the points: formula, fe, U in the unit; error, U_error as shares;
-                 problem; then validity of a grid or a star, sensitivity of a sample
-    validity     for each limit: inside, outside, undecided, unsolved; box: low, high, whole by
-                 input, held (its points); base by input, nominal (whether that is the point
-                 of the file), at_nominal; breaks: input, last, first, at, verdict, why
-    sensitivity  rows, dropped; scatter of formula, fe and error: n, mean, sd, q025, q500,
-                 q975, noise, why, indices: S1 and ST by input, [value, low, high]; within: points
-                 of A and B for each limit
+    plan         kind: "grid", "star" or "sample"; points: their number; base: N of a sample;
+                 varied: name, symbol, unit, what, nominal, and values with spacing, or off
+    points       lists over the points: inputs (values by name), status, reason. Grid: the last
+                 axis varies fastest; star: its centre is first; sample: rows of A,
+                 of B, and, for each input, of A with one column of B
+    counts       numbers of points: solved, refused, failed; reasons: points with each reason
+    rows         name, symbol, unit, kind, by (method used instead of finite elements), and lists
+                 over the points: formula, fe, U in the unit; error, U_error as fractions;
+                 problem; then validity (grid, star) or sensitivity (sample)
+    validity     for each limit: numbers of points inside, outside, undecided, unsolved; box: low,
+                 high, whole by input; held: points of the box; base: values by input; nominal:
+                 whether base is the point of the file; at_nominal: verdict at this point;
+                 breaks: input, last, first, at, verdict, why of the first violation
+    sensitivity  rows: complete rows of the sample; dropped: other rows; scatter of formula, fe and
+                 error: n, mean, sd, q025, q500, q975, noise, why; indices: S1 and ST by input,
+                 [value, low, high]; within: for each limit, numbers of points of A and B
     solved_by    portion, levels, code (hashes of the sources of formulas and fe), versions
-    timing       points, wall_s, busy_s, workers, known, overhead: of the run that wrote this
+    timing       points, wall_s, busy_s, workers, known, overhead of the run that wrote the record
 
-    Values have the unit stated with them, errors are fractions (0.02 is 2 %), and null means that
-    there is no value.
+    Values have the stated unit. Errors are fractions (0.02 is 2 %). A value that does not exist
+    is null.
     """
     plan = found.solved.plan
     kind = "sample" if plan.base else "star" if plan.star else "grid"
@@ -175,5 +176,5 @@ def _finite(values: Array) -> list[float | None]:
 
 
 def _number(value: float) -> float | None:
-    """JSON has no NaN."""
+    """`value`, or None if it is not finite, because JSON has no NaN."""
     return float(value) if math.isfinite(value) else None

@@ -1,8 +1,8 @@
-"""Range of use of a formula: the points at which its error stays within a limit.
+"""Range of use of a formula: points at which its error stays within a limit.
 
-A point is inside a limit if the whole error bar is within the limit, outside if the whole error bar
-is beyond it, and otherwise undecided; it is unsolved if there are not two values to compare. A box
-is a product of ranges of the axes in which all points are inside.
+A point is inside a limit if the whole error bar is within the limit, and outside if the whole error
+bar is beyond the limit. Otherwise, the point is undecided. It is unsolved if formula or finite
+elements have no value. A box is a product of ranges of the axes in which all points are inside.
 """
 
 from collections.abc import Iterator, Sequence
@@ -28,7 +28,7 @@ Points = NDArray[np.intp]
 
 @dataclass(frozen=True)
 class Range:
-    """Values [SI] of an axis from `low` to `high`; `whole` if these are the ends of the axis."""
+    """Range of values [SI] of an axis; `whole` is True if it contains the complete axis."""
 
     axis: Axis
     low: float
@@ -38,12 +38,12 @@ class Range:
 
 @dataclass(frozen=True)
 class Break:
-    """The input with which the limit is exceeded first, from the base point along one axis.
+    """The first violation of the limit if one input is changed from the base point.
 
-    `last` is the last value [SI] inside and `first` the next value, which is not inside; `at` is
+    `last` is the last value [SI] inside, and `first` the next value, which is not inside. `at` is
     the value between them at which the end of the error bar reaches the limit by linear
-    interpolation, None if `first` is unsolved or the axis has whole numbers only. `why` is the
-    reason if it is unsolved.
+    interpolation. It is None if `first` is unsolved or the input is a whole number. `why` is the
+    reason if `first` is unsolved.
     """
 
     axis: Axis
@@ -55,18 +55,18 @@ class Break:
 
     @property
     def up(self) -> bool:
-        """Whether larger values break it."""
+        """Whether the violation occurs at larger values of the input."""
         return self.first > self.last
 
 
 @dataclass(frozen=True)
 class Region:
-    """The points of a sweep inside one `limit`, for one formula.
+    """Points of a sweep at which one formula is within one `limit`.
 
-    `box` is the largest box, with `held` points, empty if no point is inside; for a star, whose
-    axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
-    from which `breaks` is searched for: the nominal inputs (`nominal`) or the grid point nearest to
-    them, if it is inside, otherwise the middle of the box. `at_nominal` is the verdict at the
+    `box` is the largest box, with `held` points; it is empty if no point is inside. For a star, it
+    contains the longest range on each axis. `base` [SI] is the point from which `breaks` is
+    searched. If they are inside, the nominal inputs are the base (`nominal`), or the grid point
+    nearest to them; otherwise, it is the middle of the box. `at_nominal` is the verdict at the
     nominal inputs, None if the grid does not contain them.
     """
 
@@ -84,18 +84,21 @@ class Region:
 
     @property
     def points(self) -> int:
-        """All points of the sweep."""
+        """Number of all points of the sweep."""
         return self.inside + self.outside + self.undecided + self.unsolved
 
     @property
     def everywhere(self) -> bool:
-        """Whether every point is inside."""
+        """Whether every point is inside the limit."""
         return self.inside == self.points
 
 
 @dataclass(frozen=True)
 class Line:
-    """Points along one axis with other inputs constant: values `x` [SI], ascending, and rows."""
+    """Points along one axis with the other inputs constant.
+
+    `x` are the values [SI] in ascending order, and `points` the rows of the plan.
+    """
 
     axis: Axis
     x: Array
@@ -104,7 +107,7 @@ class Line:
 
 
 def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
-    """INSIDE, OUTSIDE, UNDECIDED or UNSOLVED for errors with their bars, of any shape."""
+    """INSIDE, OUTSIDE, UNDECIDED or UNSOLVED for errors with uncertainties, arrays of any shape."""
     size = np.abs(error)
     found = np.full(size.shape, UNDECIDED, dtype=np.int8)
     with np.errstate(invalid="ignore"):
@@ -115,9 +118,12 @@ def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
 
 
 def regions(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> tuple[Region, ...]:
-    """The region of a course within each limit; ValueError for a sample, which has no axes."""
+    """Regions of the pair `course` within each limit.
+
+    Raises ValueError for a sample, which has no axes.
+    """
     if not plan.axes:
-        raise ValueError("a region needs axes, got a sample")
+        raise ValueError("a region requires a grid or a star, got a sample")
     return tuple(_region(plan, course, limit) for limit in limits)
 
 
@@ -137,7 +143,7 @@ def _region(plan: Plan, course: Course, limit: float) -> Region:
 
 
 def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """The largest box, the row of its middle, and its number of points."""
+    """Ranges of the largest box, row number of its middle, and its number of points."""
     box = largest_box((found == INSIDE).reshape(plan.shape))
     if box is None:
         return (), None, 0
@@ -150,7 +156,7 @@ def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None
 
 
 def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """The longest range of each axis, and number of points; a star has no other middle."""
+    """Longest range on each axis, None, and number of points; a star has no middle of a box."""
     ranges, rows = [], set[int]()
     for line in lines(plan, 0):
         if box := largest_box(found[line.points] == INSIDE):
@@ -166,7 +172,10 @@ def _range(axis: Axis, low: float, high: float) -> Range:
 
 
 def nominal_point(plan: Plan) -> int | None:
-    """The row with the nominal inputs, or of a grid the next to them; None outside of it."""
+    """Row number of the point nearest to the nominal inputs; None if they are outside the grid.
+
+    A star contains the nominal inputs as its first row.
+    """
     if plan.star:
         return 0
     near = []
@@ -183,7 +192,7 @@ def nominal_point(plan: Plan) -> int | None:
 
 
 def lines(plan: Plan, base: int) -> Iterator[Line]:
-    """The line along each axis through the point in row `base`; for a star, those of its middle."""
+    """Line along each axis through the point in row `base`; for a star, this is the centre."""
     at = plan.points[base]
     for k, axis in enumerate(plan.axes):
         rows = np.flatnonzero((np.delete(plan.points, k, axis=1) == np.delete(at, k)).all(axis=1))
@@ -195,10 +204,11 @@ def lines(plan: Plan, base: int) -> Iterator[Line]:
 def _first_break(
     course: Course, found: Verdicts, every: Iterator[Line], limit: float
 ) -> Break | None:
-    """The first is that with the least distance relative to the axis; None if no limit is exceeded.
+    """First violation of the limit, or None.
 
-    A point without an answer ends a line, but a limit is exceeded only by an error beyond it: a
-    point without an answer is reported only if no line has such an error.
+    The first violation has the least distance from the base point, relative to the length of the
+    axis. A violation is an error beyond the limit or undecided. An unsolved point ends a line, and
+    is reported only if no line has a violation.
     """
     best, least = None, (True, np.inf)
     for line in every:
@@ -233,5 +243,5 @@ def _break(
 
 
 def _places(axis: Axis, values: Array) -> Array:
-    """Places of values along the axis, by its spacing."""
+    """Positions of the values on the axis: logarithms if the spacing is logarithmic."""
     return np.log(np.maximum(values, np.finfo(float).tiny)) if axis.spacing == "log" else values

@@ -1,4 +1,4 @@
-"""Solve the points of a plan: stored points are read, the others are solved in batches."""
+"""Solve the points of a plan: stored results are read, all other points are solved in batches."""
 
 import time
 from collections import deque
@@ -29,9 +29,11 @@ MOST = 256  # points of a batch
 
 @dataclass(frozen=True)
 class Timing:
-    """Time of solving: `points` solved in `wall` s, of which the processes used `busy`.
+    """Time used to solve points.
 
-    `workers` is the number of processes at the end; `known` points existed before.
+    `points` were solved in `wall` s, in which the processes computed for `busy` s in total.
+    `workers` is the number of processes at the end. `known` is the number of points with stored
+    results.
     """
 
     points: int
@@ -42,16 +44,17 @@ class Timing:
 
     @property
     def overhead(self) -> float:
-        """Share of the processes' time that no point was solved in."""
+        """Share of the available process time in which no point was being solved."""
         whole = self.wall * self.workers
         return 1 - self.busy / whole if whole else 0.0
 
 
 @dataclass(frozen=True)
 class Solved:
-    """A solution for each point of a plan, in its order, or the reason why there is none.
+    """Solutions of all points of a plan, in the order of the plan.
 
-    `inputs` has the inputs of each point, None if the rules of the inputs reject it.
+    A solution states the reason if there are no values. `inputs` are the inputs of each point, None
+    if the rules of the inputs reject them.
     """
 
     plan: Plan
@@ -69,10 +72,11 @@ def solve(
     again: bool = False,
     show: Show = lambda _state: None,
 ) -> Solved:
-    """Every point of the plan, solved by the given engine; each is stored immediately.
+    """Solve every point of the plan on the given processes; each result is stored immediately.
 
-    `again` repeats what failed before. OSError if points cannot be stored or gmsh not started,
-    GoneError if the engine answers no more, KeyboardInterrupt: both state what is stored.
+    `again` repeats failed points. Raises OSError if results cannot be stored or gmsh cannot be
+    started, GoneError if the processes do not respond any more, and KeyboardInterrupt. The last two
+    state what is stored.
     """
     part = portion(plan.case, plan.chosen)
     store = Store(folder or cache.default_folder())
@@ -96,12 +100,12 @@ def solve(
 
 
 def versions(part: Portion) -> str:
-    """The libraries that a result may depend on, with their versions."""
+    """Libraries on which a result may depend, with their versions, as text."""
     return ", ".join(f"{name} {version(name)}" for name in cache.libraries_of(part.fem))
 
 
 class _Points:
-    """The points of a plan, each with its inputs or the reason for their lack, and known values.
+    """Points of a plan: inputs of each point or the reason for refusal, and stored results.
 
     Points with equal inputs are solved once.
     """
@@ -131,7 +135,7 @@ class _Points:
             self.known = {k: _without_problems(one) for k, one in self.known.items()}
 
     def missing(self) -> list[Task]:
-        """Points to solve, numbered by the order of `names`."""
+        """Tasks for the points without results, numbered by the order of `names`."""
         code = code_of(self.plan.case, self.part)
         todo = []
         for n, (key, inputs) in enumerate(self.inputs.items()):
@@ -141,7 +145,7 @@ class _Points:
         return todo
 
     def keep(self, tasks: Sequence[Task], answers: Sequence[Solution]) -> None:
-        """Store the solved points."""
+        """Store the results of solved points."""
         keys = self.names
         found = {
             keys[task.number]: joined(self.known.get(keys[task.number]), answer)
@@ -151,7 +155,7 @@ class _Points:
         self.known |= found
 
     def solutions(self) -> tuple[Solution, ...]:
-        """One for each point of the plan."""
+        """One solution for each point of the plan."""
         return tuple(
             Solution({}, (), {}, {}, problem_fe=f"refused: {self.refused[n]}")
             if n in self.refused
@@ -165,7 +169,7 @@ def _without_problems(one: Solution) -> Solution:
 
 
 class _Batches:
-    """Batches of points for the engine; the size of a batch follows from the time per point."""
+    """Batches of points for the processes; the time per point determines the size of a batch."""
 
     def __init__(self, points: _Points, show: Show, *, known: int, todo: Sequence[Task]) -> None:
         self.points = points
@@ -181,7 +185,11 @@ class _Batches:
         )  # fmt: skip
 
     def solve(self, where: Where) -> None:
-        """Solve all; GoneError if the engine's processes cannot, as with other code."""
+        """Solve all points.
+
+        Raises GoneError if the processes cannot solve points, for example because they have other
+        code.
+        """
         self.dispatch.run(where.entered(), solve_batch, self._take, self._receive)
 
     def _take(self) -> tuple[Task, ...] | None:
@@ -192,7 +200,10 @@ class _Batches:
         return tuple(self.waiting.popleft() for _ in range(size))
 
     def _size(self) -> int:
-        """Number of points that take about BATCH; single points at the beginning and at the end."""
+        """Number of points of the next batch, which takes about BATCH.
+
+        The first batches contain one point. Batches become smaller towards the end.
+        """
         if not self.busy:
             return 1
         fair = len(self.waiting) // (4 * self.workers)
@@ -202,7 +213,7 @@ class _Batches:
     def _receive(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> int:
         if isinstance(answer, Lost):
             if answer.trace:  # an error in a point is stated in its solution
-                raise GoneError(f"the workers cannot solve points here: {answer.reason}")
+                raise GoneError(f"the workers cannot solve the points: {answer.reason}")
             answer = [_lost(task, answer) for task in batch]
         self.points.keep(batch, answer)
         self.dispatch.unstored += sum(one.lost for one in answer)

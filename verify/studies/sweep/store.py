@@ -1,6 +1,7 @@
-"""Solved points in the store; the key of each side has all data on which it depends.
+"""Stored results of points; a key contains all data on which formulas or reference depend.
 
-A stored side of a point is used as long as its code is unchanged, independent of the other side.
+Results of formulas and of the reference are stored separately. Each is used as long as its code is
+unchanged.
 """
 
 import hashlib
@@ -19,7 +20,7 @@ FORMULAS, REFERENCE = "sweep formulas", "sweep reference"  # kinds of entries
 
 
 class Points:
-    """The solved points of a case's portion; `code` are the hashes of its two sides' sources."""
+    """Stored results of a portion of a case; `code` are the hashes of formulas and reference."""
 
     def __init__(
         self, store: Store, case: str, part: Portion, code: tuple[str, str], versions: str
@@ -32,13 +33,13 @@ class Points:
         store.check()
 
     def key(self, inputs: Inputs) -> str:
-        """The name of a point."""
+        """Key of a point, from its inputs and the levels of the portion."""
         canonical = json.dumps(inputs.model_dump(), sort_keys=True)
         parts = (str(FORMAT), self.case, self.part.name, str(self.part.levels), canonical)
         return _hash(*parts)
 
     def load(self, keys: Sequence[str]) -> dict[str, Solution]:
-        """Stored results of the points, each with the sides that this code has solved."""
+        """Stored results of the points by key, with the parts that belong to the present code."""
         sides = {kind: self._side(kind, keys) for kind in self.stamps}
         found = {}
         for key in keys:
@@ -48,7 +49,7 @@ class Points:
         return found
 
     def keep(self, solved: Mapping[str, Solution]) -> None:
-        """Write the sides that the points have."""
+        """Store the results of formulas and reference that the points have."""
         for kind, write in ((FORMULAS, _formulas), (REFERENCE, _reference)):
             entries = {
                 self._entry(kind, key): json.dumps(data).encode()
@@ -76,14 +77,14 @@ def _hash(*parts: str) -> str:
 
 
 def _formulas(one: Solution) -> dict[str, Any]:
-    """The side of the formulas as JSON; empty if it was not solved."""
+    """Results of the formulas as a dictionary for JSON; empty if they were not computed."""
     if not (one.formulas or one.problem_formulas):
         return {}
     return {"formulas": dict(one.formulas), "problem_formulas": one.problem_formulas}
 
 
 def _reference(one: Solution) -> dict[str, Any]:
-    """The same of the reference."""
+    """Results of the reference as a dictionary for JSON; empty if it was not computed."""
     if not (one.h or one.problem_fe):
         return {}
     return {
@@ -105,7 +106,7 @@ def _solution(data: Mapping[str, Any]) -> Solution:
 
 
 def lacking(found: Solution | None) -> tuple[bool, bool]:
-    """Whether formulas and finite elements are still to be solved."""
+    """Whether formulas, and whether finite elements, remain to be computed."""
     if found is None:
         return True, True
     return (
@@ -115,7 +116,7 @@ def lacking(found: Solution | None) -> tuple[bool, bool]:
 
 
 def joined(old: Solution | None, new: Solution) -> Solution:
-    """A solution with the sides of both, those of the new one first."""
+    """Solution with the results of both solutions; those of `new` have priority."""
     if old is None:
         return new
     formulas = new if new.formulas or new.problem_formulas else old

@@ -1,4 +1,4 @@
-"""A sweep as CSV: its points, ranges of validity, causes of the scatter.
+"""Tables of a sweep as CSV: points, ranges of validity, causes of the scatter.
 
 The tables do not depend on run times or machines.
 """
@@ -23,7 +23,7 @@ Cell = str | int | float | None
 
 
 def statuses(found: Outcome) -> tuple[str, ...]:
-    """For each point: both sides solved, inputs refused, or solution failed."""
+    """State of each point: "solved", "refused" (inputs), or "failed"."""
     return tuple(
         SOLVED if not problem else REFUSED if problem.startswith(f"{REFUSED}:") else FAILED
         for problem in found.problems
@@ -31,7 +31,7 @@ def statuses(found: Outcome) -> tuple[str, ...]:
 
 
 def reasons(found: Outcome) -> tuple[str, ...]:
-    """For each point, the reason why nothing can be compared, in all or some rows; "" for most."""
+    """For each point, why some or all rows cannot be compared; empty for most points."""
     told = []
     for n, problem in enumerate(found.problems):
         rows = Counter(course.problems[n] for course in found.courses if course.problems[n])
@@ -42,7 +42,10 @@ def reasons(found: Outcome) -> tuple[str, ...]:
 
 
 def largest(course: Course) -> int | None:
-    """The point with the largest error, the first of equal ones; None if no point has one."""
+    """Number of the point with the largest error; None if no point has an error.
+
+    Of several points with equal errors, the first is returned.
+    """
     size = np.abs(course.error)
     if not np.isfinite(size).any():
         return None
@@ -50,10 +53,10 @@ def largest(course: Course) -> int | None:
 
 
 def points_csv(found: Outcome) -> str:
-    """A line a point: inputs, status with its reason; per row formula, FE, their difference.
+    """CSV text with one line per point: inputs, status, reason; formula, FE and error of each row.
 
-    Inputs and values are in their units, U is the expanded uncertainty of FE, error is
-    (formula - FE)/scale and U_error its expanded uncertainty.
+    Inputs and values are in their units. U is the expanded uncertainty of FE, error is (formula -
+    FE)/scale, and U_error its expanded uncertainty.
     """
     plan = found.solved.plan
     heads = [with_unit(one.name, one.unit) for one in plan.axes or plan.tolerances]
@@ -83,7 +86,7 @@ def points_csv(found: Outcome) -> str:
 
 
 def validity_csv(found: Outcome) -> str:
-    """A line for each row and limit: points by verdict, largest box, first exceeded input."""
+    """CSV text with one line per row and limit: counts of points, largest box, first violation."""
     plan = found.solved.plan
     ends = [with_unit(f"{a.name} {end}", a.unit) for a in plan.axes for end in ("from", "to")]
     heads = [
@@ -116,7 +119,7 @@ def _of_region(axes: Sequence[Axis], course: Course, one: Region) -> list[Cell]:
 
 
 def sensitivity_csv(found: Outcome) -> str:
-    """A line a row, quantity and input: how the quantity scatters, its indices with intervals."""
+    """CSV text with one line per row, quantity and input: scatter, and indices with intervals."""
     heads = [
         "row", "quantity", "unit", "points", "mean", "standard deviation", "2.5 %", "50 %",
         "97.5 %", "share of noise in the variance", "input", "rows of the sample",
@@ -148,7 +151,7 @@ def _of_indices(tolerances: Sequence[Tolerance], one: Indices) -> Iterator[list[
 
 
 def quantities(one: Indices) -> tuple[tuple[str, Scatter, str], ...]:
-    """Quantities that scatter, with units: formula, finite elements (or substitute), the error."""
+    """Quantities that scatter, with units: formula, finite elements (or substitute), and error."""
     return (
         ("formula", one.formula, one.pair.unit), (_reference(one.pair), one.fe, one.pair.unit),
         ("error", one.error, "%"),
@@ -160,7 +163,7 @@ def _reference(pair: Pair) -> str:
 
 
 def with_unit(name: str, unit: str) -> str:
-    """A head with its unit in brackets; plain numbers have none."""
+    """Column head with the unit in brackets; without brackets for dimensionless values."""
     return name if unit == "1" else f"{name} [{unit}]"
 
 
@@ -173,7 +176,7 @@ def _written(heads: Sequence[str], lines: Iterable[Sequence[Cell]]) -> str:
 
 
 def _text(cell: Cell) -> str:
-    """Ten digits of a number, nothing if there is none."""
+    """Text of a cell: a number with ten digits, empty for None or NaN."""
     if isinstance(cell, float):  # numpy's are such
         return f"{cell + 0.0:.10g}" if np.isfinite(cell) else ""  # -0 is 0
     return "" if cell is None else str(cell)

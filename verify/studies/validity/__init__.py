@@ -1,1 +1,1 @@
-"""Range of use of each formula: regions about the papers' inputs, measured and stored."""
+"""Range of use of each formula: regions around the inputs of the papers, measured and stored."""

@@ -1,17 +1,17 @@
-"""The input with which a formula first exceeds a limit, in words."""
+"""Texts that state at which value of an input a formula first exceeds a limit."""
 
 from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Region
 from verify.studies.validity import messages as words
 
 ALREADY = {
-    OUTSIDE: "beyond {} already at the default inputs",
-    UNDECIDED: "undecided already at the default inputs: the error bar crosses {}",
-    UNSOLVED: "no answer at the default inputs",
+    OUTSIDE: "error beyond {} already at the default inputs",
+    UNDECIDED: "undecided at the default inputs: the error bar crosses {}",
+    UNSOLVED: "not solved at the default inputs",
 }
 
 
 def breaks(found: Region) -> str:
-    """The input with which the formula first exceeds the limit, and its value there, in words."""
+    """Text that states with which input, and where, the formula first exceeds the limit."""
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"
@@ -25,7 +25,7 @@ def breaks(found: Region) -> str:
         missing = "" if step is None else f"; {_unsolved(step)}"
         return f"{start}no solved point is beyond {limit}{missing}"
     if step is None:
-        return f"{start}no single input takes it beyond {limit}, several together do"
+        return f"{start}no single input makes the error exceed {limit}, several together do"
     more = ""
     if step.verdict == UNSOLVED:
         # the first step must not hide points beyond the limit on other axes
@@ -35,7 +35,7 @@ def breaks(found: Region) -> str:
 
 
 def _start(found: Region, limit: str) -> str:
-    """The start of the search, unless it is the default inputs."""
+    """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
         return f"{_at_nominal(found, limit)}; from the middle of the box, "
     nominal = [(one, one.axis.nominal) for one in found.box]
@@ -48,15 +48,15 @@ def _broken(step: Break, limit: str) -> str:
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
-        return f"{towards} takes it beyond {limit} between {ends}{near}"
+        return f"{towards}: error exceeds {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"undecided at {first}: the error bar crosses it"
+    doubt = f"undecided at {first}: the error bar crosses the limit"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
     return f"{towards}: within {limit} to {last}, {then}"
 
 
 def _unsolved(step: Break) -> str:
-    return f"no answer at {words.span(step.axis, step.first, step.first)}"
+    return f"not solved at {words.span(step.axis, step.first, step.first)}"
 
 
 def _at_nominal(found: Region, limit: str) -> str:

@@ -1,4 +1,4 @@
-"""The validity cards of a run: measured ranges of each formula, with the row of the run."""
+"""Validity cards of a run: measured ranges of each formula, with the result of its row."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,16 +18,16 @@ from verify.studies.validity.regions import region
 from verify.studies.validity.store import Measured, measured
 
 ALIKE = 1e-9  # relative to the largest error: round-off of an input without effect
-STALE = "not measured for this code: freewheel deep validity:{} does it"
+STALE = "not measured for the present code: run `freewheel deep validity:{}`"
 
 
 def of_result(case: Case, result: CaseResult) -> Validity | None:
-    """Validity cards of a case; None if it compares no formula with finite elements."""
+    """Validity cards of a case; None if the case compares no formula with finite elements."""
     return of_case(case, result) if pairs(case) else None
 
 
 def of_case(case: Case, result: CaseResult) -> Validity:
-    """The cards of one case, from its record."""
+    """Validity cards of a case, from its stored record."""
     head = Validity(
         case=case.id, title=case.title,
         subject=SUBJECTS.get(case.id.partition("-")[0], "Other subjects"),
@@ -65,7 +65,7 @@ def _card(
 
 
 def _at_paper(row: Row | None) -> tuple[float | None, float | None]:
-    """The row's relative error against FE or its partner, and its bar; None if not solved."""
+    """Relative error of the row and its expanded uncertainty; None for a value not solved."""
     if row is None or row.analytic is None or row.reference is None or not row.scale:
         return None, None
     error = (row.analytic - row.reference) / row.scale

@@ -1,4 +1,4 @@
-"""Equation of a paper for the formula of a row, in the notation of the case."""
+"""Place of a formula in its paper, and its equation in the notation of the case."""
 
 import re
 from collections.abc import Sequence
@@ -19,7 +19,11 @@ _GREEK = {
 
 
 def place(case: Case, pair: Pair) -> str:
-    """The equation and paper of a row, by its name or the ledger; otherwise those of the case."""
+    """Text with the equation number and the paper of a row.
+
+    The number is that in the ledger or in the name of the row. Without a number, the place of the
+    case is returned.
+    """
     named = f"{case.id}/{pair.name}"
     known = [
         f"Eq. {equation.number}" for paper in papers() for equation in paper.equations
@@ -32,10 +36,10 @@ def place(case: Case, pair: Pair) -> str:
 
 
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
-    """The formula of an approximation as the case writes it; empty if that is not certain.
+    """TeX code of the formula of an approximation, as in the case; empty if ambiguous.
 
-    An equation is used if its left side is the symbol of the row. If several formulas have this
-    symbol, it is that of the row with the same equation number of the paper.
+    An equation belongs to the row if its left side is the symbol of the row. If several formulas
+    have this symbol, the equation must also have the equation number of the row.
     """
     if "printed" in pair.name:
         return ""
@@ -52,12 +56,12 @@ def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
 
 
 def _left(text: str) -> str:
-    r"""The left side of an equation as plain letters: \delta_{BE} is δ_BE."""
+    r"""Left side of a TeX equation in plain letters: \delta_{BE} becomes δ_BE."""
     left = text.partition("=")[0].strip()
     left = re.sub(r"\\([A-Za-z]+) ?", lambda m: _GREEK.get(m[1], f"\\{m[1]}"), left)
     return left.replace("{", "").replace("}", "").replace("\\", "")
 
 
 def _bare(symbol: str) -> str:
-    """A symbol without its arguments: α(T) is α."""
+    """Symbol without its arguments: α(T) becomes α."""
     return symbol.partition("(")[0].strip()

@@ -1,18 +1,18 @@
-"""Formulas not measured, with the reason, and the cases with maps or rows of the formula."""
+"""Formulas that are not measured, with reasons, and cases with maps of a formula."""
 
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
     "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
-    "sprag-friction": "a point takes five minutes of transient analysis: only rows compare them",
-    "sprag-optimum": "its first level is the search itself: its maps show pressures over the "
+    "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
+    "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
     "crowns",
-    "sprag-optimum-40": "its first level is the search itself: its maps show pressures over "
+    "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
     "the crowns",
     "spring-curve": "a point takes a minute: spring-stages measures the same stiffness",
-    "contact-roller-end": "a point takes two minutes, three-dimensional bodies: contact-roller "
+    "contact-roller-end": "a point with solid elements takes two minutes: contact-roller "
     "measures the same formulas outside the ends",
-    "rotor-step": "a point takes three minutes, three-dimensional bodies: its map shows the step",
+    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case

@@ -1,4 +1,4 @@
-"""The study of ranges of validity: scans of a case, solved like any sweep and stored."""
+"""Study of ranges of validity: the scans of a case are solved as sweeps and stored."""
 
 import time
 from collections.abc import Sequence
@@ -14,10 +14,11 @@ from verify.studies.validity import store
 
 
 def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
-    """Solve the scans of each case, store their errors and print the number of points.
+    """Solve the scans of each case, store the errors, and print the number of points.
 
-    An interrupted run continues where it was. False if processes died or the machine failed:
-    such a case is not stored. Points that finite elements do not solve are results, and counted.
+    An interrupted run is continued by the same command. The result is False if processes ended
+    unexpectedly or the machine failed; such a case is not stored. Points without a solution by
+    finite elements are valid results and are counted.
     """
     good = True
     with shown(quiet=False) as show:
@@ -29,7 +30,7 @@ def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
             lost = sum(point.lost for one in found for point in one.solved.solutions)
             if lost:
                 good = False
-                print(f"{VALIDITY.title(case)}: not stored: {lost} points have no answer")
+                print(f"{VALIDITY.title(case)}: not stored: {lost} points were not completed")
                 continue
             store.keep(case, found)
             points = sum(len(one.solved.plan.points) for one in found)

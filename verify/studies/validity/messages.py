@@ -1,4 +1,4 @@
-"""Numbers, ranges and axes of a measurement in words."""
+"""Texts for the numbers, ranges and axes of a measurement."""
 
 from verify.core.figures import InputValue
 from verify.studies.sweep.axes import Axis
@@ -6,44 +6,44 @@ from verify.studies.sweep.plan import Plan
 
 
 def quantity(axis: Axis, value: float) -> str:
-    """A value [SI] of the axis with its unit: "3.2 mm"."""
+    """`value` [SI] as text in the unit of the axis: "3.2 mm"."""
     return f"{number(axis.in_unit(value))}{_unit(axis)}"
 
 
 def number(value: float) -> str:
-    """Four significant digits, no exponent before six figures."""
+    """`value` as text with four significant digits; six for large numbers, without an exponent."""
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:,.6g}".replace(",", "")
 
 
 def span(axis: Axis, low: float, high: float) -> str:
-    """From one value [SI] to another: "δ_1 3 to 8 mm"; "z = 12" for a single value."""
+    """Text of the range from `low` to `high` [SI]: "δ_1 3 to 8 mm"; "z = 12" for a single value."""
     if low == high:
         return f"{axis.symbol} = {quantity(axis, low)}"
     return f"{axis.symbol} {_ends(axis, low, high)}"
 
 
 def alone(axis: Axis, low: float, high: float) -> str:
-    """The range [SI] of an input with all others constant: "T alone 5 to 15 N m"."""
+    """Text of the range [SI] of one input with all others constant: "T alone 5 to 15 N m"."""
     if low == high:
         return f"{axis.symbol} alone at {quantity(axis, low)}"
     return f"{axis.symbol} alone {_ends(axis, low, high)}"
 
 
 def between(axis: Axis, last: float, first: float) -> str:
-    """Two neighbouring values [SI], the smaller one first: "15 and 40 N m"."""
+    """Two neighbouring values [SI] as text, the smaller value first: "15 and 40 N m"."""
     low, high = sorted((last, first))
     return f"{number(axis.in_unit(low))} and {quantity(axis, high)}"
 
 
 def near(axis: Axis, last: float, first: float, at: float) -> str:
-    """An interpolated value [SI], two digits of it; nothing if these are no longer between."""
+    """Text of an interpolated value [SI] with two digits; empty if rounding moves it outside."""
     low, high = sorted(axis.in_unit(v) for v in (last, first))
     about = float(f"{axis.in_unit(at):.2g}")
     return f" (about {number(about)})" if low < about < high else ""
 
 
 def over(plan: Plan) -> str:
-    """The varied inputs with their ranges and numbers of values, and the constant inputs."""
+    """Text of the varied inputs with ranges and numbers of values, and of the constant inputs."""
     parts = [f"{span(a, a.values[0], a.values[-1])} ({len(a.values)} values)" for a in plan.axes]
     constant = held(plan)
     return (
@@ -53,17 +53,17 @@ def over(plan: Plan) -> str:
 
 
 def held(plan: Plan) -> str:
-    """The constant inputs that differ from the default: "e = 2 mm"."""
+    """Text of the constant inputs that differ from the default: "e = 2 mm"."""
     return ", ".join(map(_value, constant(plan)))
 
 
 def held_with_meaning(plan: Plan) -> str:
-    """The same inputs with what they are: "e = 2 mm, distance of the hub's contact from ..."."""
+    """Text of these constant inputs with meanings: "e = 2 mm, distance of the contact from ..."."""
     return "; ".join(f"{_value(one)}, {one.what}" for one in constant(plan))
 
 
 def constant(plan: Plan) -> tuple[InputValue, ...]:
-    """The constant inputs of a plan with other values than the default."""
+    """Constant inputs of a plan whose values differ from the default."""
     default, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
     return tuple(
         one for one, usual in zip(plan.inputs.display(), default.display(), strict=True)

@@ -1,4 +1,4 @@
-"""Regions in which the error of one formula is within the limits, and the errors drawn."""
+"""Regions in which the error of one formula is within the limits, and the errors for the figure."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ COMMAND = ", check it without --fem"  # advice on that point
 
 
 def region(plan: Plan, course: Course) -> ValidityRegion:
-    """The results of a formula over one plan, with the errors that are drawn."""
+    """Results of a formula over one plan, with the errors that the figure shows."""
     found = regions(plan, course)
     reasons = Counter(reason.removesuffix(COMMAND) for reason in course.problems if reason)
     drawn, rows = _drawn(plan, course)
@@ -42,9 +42,9 @@ def _limit(found: Region, *, star: bool) -> ValidityLimit:
 
 
 def box_words(found: Region, *, star: bool) -> str:
-    """The largest box, a range for each axis, or of a star the range of each input alone.
+    """Text of the largest box, a range for each axis; for a star, the range of each input alone.
 
-    The text contains "all" or "none" if it applies.
+    The text contains "all" or "none" if this applies.
     """
     if found.everywhere:
         return "all that was measured"
@@ -58,16 +58,17 @@ def _range(one: Range) -> str:
 
 
 def _alone(ranges: Sequence[Range]) -> str:
-    """Ranges of single inputs; complete axes are combined at the end."""
+    """Text of the ranges of single inputs; inputs without a restriction come last."""
     told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
     return "; ".join([*told, f"{whole} alone throughout"] if whole else told)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
-    """The axes of a figure and the points in it: a grid, or the line that the error varies most on.
+    """Axes of the figure and the numbers of its points.
 
-    Nothing of a grid of more axes than can be drawn.
+    For a grid, the figure contains the complete grid, or nothing if the grid has too many axes. For
+    a star, it contains the line on which the error varies most.
     """
     if not plan.star:
         if len(plan.axes) > MOST_DRAWN:

@@ -1,4 +1,4 @@
-"""Measured regions of a case: a record is current while code, inputs and scans are unchanged."""
+"""Stored regions of a case; a record is valid for unchanged code, inputs and scans."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -30,14 +30,17 @@ ARITHMETIC = (outcomes, pairs, convergence)  # makes errors and their bars of so
 
 @dataclass(frozen=True)
 class Measured:
-    """The courses of each scan of a case, and the day they were made."""
+    """Results of each scan of a case, and the date of the measurement."""
 
     date: str
     scans: tuple[tuple[Plan, tuple[Course, ...]], ...]
 
 
 def plans(case: Case) -> tuple[Plan, ...]:
-    """One for each scan of the case, about its default inputs; InputError."""
+    """Plans of the scans of a case around its default inputs.
+
+    Raises InputError if a scan is invalid.
+    """
     return tuple(
         grid(case, case.id, _held(case, scan), selected(case, scan.only), scan.vary, star=scan.star)
         for scan in case.scans
@@ -45,7 +48,7 @@ def plans(case: Case) -> tuple[Plan, ...]:
 
 
 def _held(case: Case, scan: Scan) -> Inputs:
-    """The default inputs with the values that the scan sets."""
+    """Default inputs of the case, with the values that the scan sets."""
     inputs, values = case.inputs(), {}
     for text in scan.at:
         name, _, given = text.partition("=")
@@ -54,7 +57,7 @@ def _held(case: Case, scan: Scan) -> Inputs:
 
 
 def measured(case: Case) -> Measured | None:
-    """Measured regions of `case`; None unless the present code, inputs and scans made them."""
+    """Stored regions of `case`; None if code, inputs or scans have changed."""
     every = plans(case)
 
     def read(record: Record) -> Measured:
@@ -68,7 +71,10 @@ def measured(case: Case) -> Measured | None:
 
 
 def keep(case: Case, outcomes: Sequence[Outcome]) -> None:
-    """Write the measurements, one outcome for each scan; OSError."""
+    """Store the results of all scans of a case.
+
+    Raises OSError if the record cannot be written.
+    """
     RECORDS.keep(case.id, _made_by(case, [one.solved.plan for one in outcomes]), [
         {course.pair.name: {
             "error": _short(course.error), "U": _short(course.U_error),
@@ -79,7 +85,7 @@ def keep(case: Case, outcomes: Sequence[Outcome]) -> None:
 
 
 def _made_by(case: Case, every: Sequence[Plan]) -> dict[str, Any]:
-    """All data that affect the numbers: inputs, scans, comparisons, and both sides' sources."""
+    """All data on which the numbers depend: inputs, scans, comparisons, and sources."""
     return {
         "arithmetic": _arithmetic(),
         "inputs": case.inputs().model_dump(),
@@ -100,7 +106,7 @@ def _short(values: Array) -> list[float | None]:
 
 
 def _reasons(problems: Sequence[str]) -> dict[str, list[int]]:
-    """The points that have no error, by the reason."""
+    """Numbers of the points without an error, by reason."""
     found: dict[str, list[int]] = {}
     for n, reason in enumerate(problems):
         if reason:
@@ -109,13 +115,13 @@ def _reasons(problems: Sequence[str]) -> dict[str, list[int]]:
 
 
 def _course(pair: Pair, stored: Mapping[str, Any], points: int) -> Course:
-    """What is stored of a pair, which has no values of formulas or finite elements."""
+    """Stored results of a pair; values of formula and finite elements are not stored."""
     error, U = (
         np.array([math.nan if v is None else float(v) for v in stored[key]])
         for key in ("error", "U")
     )  # fmt: skip
     if not len(error) == len(U) == points:
-        raise ValueError(f"{pair.name}: {len(error)} values for {points} points")
+        raise ValueError(f"{pair.name}: {len(error)} stored values for {points} points")
     problems = [""] * points
     for reason, rows in dict(stored["problems"]).items():
         for n in rows:
