@@ -29,7 +29,7 @@ OUTSIDE = replace(AGREES, quantity="rim", row="", state=CrossState.OUTSIDE, diff
 STALE = Crosscheck(
     case="ring-lame", problem="ring-lame, plane stress", what="another", quantity="", row="",
     symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
-    why="not measured for this code: make crosscheck does it",
+    why="not measured for the present code: run `make crosscheck`",
 )  # fmt: skip
 ALONE = replace(
     STALE, problem="ring-lame", what="no second solver", solver="", state=CrossState.ALONE,
@@ -55,7 +55,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert "a quarter &amp; more" in text
     assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in text
     assert text.count('class="is-fail"') == 1
-    assert "Not measured for this code" in text
+    assert "Not measured for the present code" in text
     assert '<a href="#crosscheck">' in html
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == cell.count('href="#cross-0"') == 1
@@ -68,7 +68,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     ]  # fmt: skip
     data = document(checked, {})
     (sentence,) = data["crosschecks_left"]
-    assert said(sentence).startswith("Not measured for this code")
+    assert said(sentence).startswith("Not measured for the present code")
     assert data["crosschecks_told"] == counts_in_words(checked.crosschecks)
 
 

@@ -133,7 +133,7 @@ def test_what_is_found_is_stored_for_this_code_unless_that_is_not_wanted(
     monkeypatch.setattr(store, "posing", lambda _solver, _module: "another")  # other code
     (line,) = judged.reported(["ring-lame"])
     assert line.state is CrossState.MISSING
-    assert line.why.startswith("not measured for this code")
+    assert line.why.startswith("not measured for the present code")
     assert judged.reported(["ring-rotation"]) == ()
 
 
@@ -149,7 +149,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     assert "0 comparisons of 0 problems" in printed
     for name, words in (
         ("ring-lame", "ring-lame: nothing compared, calculix: not installed: here"),
-        ("spring-map", "spring-map: no second solver takes it"),
+        ("spring-map", "spring-map: no second solver solves this case"),
         ("ring-lam", "did you mean ring-lame?"),
     ):
         assert crosscheck(name, "--again", out=tmp_path) == 2
@@ -164,7 +164,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     monkeypatch.setattr(solvers, "ENVIRONMENT", tmp_path)
     monkeypatch.delenv("FREEWHEEL_CROSSCHECK", raising=False)
     reason = solvers.solver.__wrapped__
-    assert reason(ROSS).missing == "not installed: make crosscheck installs it"
+    assert reason(ROSS).missing == "not installed: run `make crosscheck` to install it"
     (tmp_path / solvers.FAILED).write_text("ERROR: no matching\n distribution\n")
     assert reason(ROSS).missing == "not installed: ERROR: no matching distribution"
 
@@ -188,7 +188,7 @@ def test_a_rotor_that_ross_cannot_describe_is_refused():
 
     shaft = Shaft([Element(0.1, 0.02)] * 2)
     tilted = Rotor([shaft], supports=[Support(0, 1e8, k_tilt=1e3), Support(2, 1e8)])
-    with pytest.raises(ValueError, match="bearings that act in x and y"):
+    with pytest.raises(ValueError, match="bearing for ROSS must act in x and y only"):
         asked(tilted, [0.0], 2)
     with pytest.raises(ValueError, match="has one speed for all coaxial shafts"):
         asked(replace(tilted, shafts=[replace(shaft, ratio=-1.0)]), [0.0], 2)

@@ -1,1 +1,1 @@
-"""Second solvers: the meshes and loads of the project, solved by other programs."""
+"""Comparison with second solvers: other programs solve problems on the project's meshes."""

@@ -1,4 +1,4 @@
-"""Solution times of the project."""
+"""Measurement of the project's solution times."""
 
 import time
 from collections.abc import Callable
@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 def timed(solve: Callable[[], T]) -> tuple[T, float]:
-    """Result of `solve`, and the seconds that it took."""
+    """Result of `solve`, and the time [s] that it took."""
     start = time.perf_counter()
     found = solve()
     return found, time.perf_counter() - start

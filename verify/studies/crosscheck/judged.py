@@ -1,4 +1,4 @@
-"""Comparisons judged: the difference of both solvers, and whether it is allowed."""
+"""Judged comparisons: difference between both solvers, and whether it is permissible."""
 
 from collections.abc import Iterator, Sequence
 
@@ -14,11 +14,11 @@ TOLD = {
     "mid": "pressure at mid-length", "q mid": "load per length at mid-length",
     "largest": "largest pressure",
 }  # fmt: skip
-STALE = "not measured for this code: make crosscheck does it"
+STALE = "not measured for the present code: run `make crosscheck`"
 
 
 def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
-    """A line for each quantity."""
+    """One line for each quantity of a comparison."""
     lines = []
     for q in cross.quantities:
         ours, theirs = found.ours[q.name], found.theirs[q.name]
@@ -38,9 +38,10 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
-    """Lines of a report on these cases: stored results, those not measured, those without solver.
+    """Lines of a report on `cases`: stored results, missing results, cases without a solver.
 
-    A case without a comparison gives the reason; a report on such cases only has no line.
+    A case without a comparison has a line with the reason. If there are only such cases, the result
+    is empty.
     """
     found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross)]
     if not found:

@@ -3,32 +3,32 @@
 from collections.abc import Mapping
 
 _IN_TIME = (
-    "transient motion of rigid sprags on springs: no mesh and no equilibrium for a second solver"
+    "transient motion of rigid sprags on springs: there is no mesh that a second solver can use"
 )
 _STRIPS = (
-    "coupled strips on a half-space: neither tamaas's half-space nor a mesh; case contact-roller "
-    "compares the strips with it"
+    "coupled strips on a half-space, which tamaas and calculix do not have; case contact-roller "
+    "compares the strips with tamaas"
 )
-_ALONG = "a movement along the axis at uniform strain: plane cells of calculix do not have it"
-_FRAME = "frames of the beams that strips of calculix are compared with in "
+_ALONG = "displacement along the axis at uniform strain, which plane cells of calculix do not have"
+_FRAME = "frames of the same beams as those that are compared with strips of calculix in "
 
 ALONE: Mapping[str, str] = {
-    "ring-loads-map": "sectors of ring-loads with other numbers and walls, which calculix solves",
-    "polyhedral-map": "sectors of polyhedral-ring with other flats, which calculix solves",
-    "polyhedral-wedge": "history-dependent sticking where a roller is released: calculix models "
-    "sticking by a slope, which blurs the required half-width",
-    "polyhedral-clutch": "torques of the ring of polyhedral-locking, which calculix solves",
+    "ring-loads-map": "sectors as in ring-loads, which calculix solves, with other n and walls",
+    "polyhedral-map": "sectors as in polyhedral-ring, which calculix solves, with other flats",
+    "polyhedral-wedge": "history-dependent sticking of a released roller: calculix models "
+    "sticking by a slope, so that the half-width is not accurate",
+    "polyhedral-clutch": "the ring of polyhedral-locking, which calculix solves, under torque",
     "freewheel-friction": _ALONG,
     "freewheel-paths": _ALONG,
-    "freewheel-clutch": "the pitch of freewheel-torque with other sizes, which calculix solves",
+    "freewheel-clutch": "a pitch as in freewheel-torque, which calculix solves, of other size",
     "sprag-engagement": _IN_TIME,
     "sprag-friction": _IN_TIME,
     "sprag-clutch": _STRIPS,
     "sprag-crown": _STRIPS,
     "sprag-optimum": _STRIPS,
     "sprag-optimum-40": _STRIPS,
-    "spring-stages": f"{_FRAME}spring-accordion; rigid links of its tips are not compared",
-    "spring-map": f"{_FRAME}spring-curve and spring-buckling, of other sizes",
-    "contact-roller-end": "an end face in contact around the circumference: its corner requires "
+    "spring-stages": f"{_FRAME}spring-accordion; the rigid links of the tips are not compared",
+    "spring-map": f"{_FRAME}spring-curve and spring-buckling, with other dimensions",
+    "contact-roller-end": "contact of an end face around the circumference: the corner requires "
     "too many bricks",
 }

@@ -1,4 +1,4 @@
-"""Every comparison with a second solver, in the order of the cases."""
+"""All comparisons with second solvers, in the order of the cases."""
 
 from collections.abc import Sequence
 
@@ -39,7 +39,10 @@ COMPARISONS: tuple[Cross, ...] = tuple(
 
 
 def chosen(names: Sequence[str]) -> tuple[Cross, ...]:
-    """The comparisons of the cases named, all without names; InputError."""
+    """Comparisons of the named cases; all comparisons without names.
+
+    Raises InputError if a case is unknown or has no comparison.
+    """
     for name in names:
         if not any(cross.case == name for cross in COMPARISONS):
             try:
@@ -48,7 +51,7 @@ def chosen(names: Sequence[str]) -> tuple[Cross, ...]:
                 raise InputError(str(error)) from error
             known = dict.fromkeys(cross.case for cross in COMPARISONS)
             raise InputError(
-                f"{name}: no second solver takes it ({ALONE[name]}); they take "
+                f"{name}: no second solver solves this case ({ALONE[name]}); compared cases: "
                 f"{nearest(name, known)}, see freewheel crosscheck --list"
             )
     return tuple(c for c in COMPARISONS if not names or c.case in names)

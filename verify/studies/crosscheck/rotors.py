@@ -1,4 +1,4 @@
-"""Rotors of `fem.rotor` as ROSS is given them: plain data for its script."""
+"""Input data for the ROSS script from rotors of `fem.rotor`."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -13,14 +13,14 @@ from fem.rotor.model import Link, Rotor, Support
 def asked(
     rotor: Rotor, speeds: Sequence[float], count: int, unbalance: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """The rotor with its pieces divided into `rotor.refine` elements, and the requested results.
+    """Rotor, with pieces divided into `rotor.refine` elements, and requested results for ROSS.
 
     `unbalance` contains nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node of the
-    probe. ValueError for shafts at other speeds than that of the rotor, and for bearings that ROSS
-    does not have.
+    probe. Raises ValueError if a shaft has another speed than the rotor, or if ROSS does not have
+    such a bearing.
     """
     if any(shaft.ratio != 1 for shaft in rotor.shafts):
-        raise ValueError("ROSS has one speed for all coaxial shafts: a ratio must be 1")
+        raise ValueError("ROSS has one speed for all coaxial shafts: all speed ratios must be 1")
     known = dict(unbalance or {})
     if known:
         known["nodes"] = [refined(rotor, n) for n in known["nodes"]]
@@ -36,7 +36,7 @@ def asked(
 
 
 def refined(rotor: Rotor, node: int) -> int:
-    """Number of a given node among the nodes of the cut pieces."""
+    """Number of a given node among the nodes of the divided pieces."""
     shaft = int(rotor.shaft_of[node])
     inside = node - int(rotor.first_nodes[shaft])
     before = sum(rotor.refine * len(s.elements) + 1 for s in rotor.shafts[:shaft])
@@ -57,17 +57,17 @@ def _pieces(rotor: Rotor, shaft: int) -> list[dict[str, float]]:
 
 
 def _bearing(rotor: Rotor, one: Any) -> dict[str, Any]:
-    """Stiffness and damping across, of a support or of a link between two nodes."""
+    """Lateral stiffness and damping of a support or of a link between two nodes."""
     if isinstance(one, Support):
         K, C, ends = one.K, one.C, {"n": refined(rotor, one.node)}
     elif isinstance(one, Link):
         K, C = one.stiffness, one.damping
         ends = {"n": refined(rotor, one.a), "n_link": refined(rotor, one.b)}
     else:
-        raise ValueError("a bearing whose coefficients change with the speed is not given to ROSS")
+        raise ValueError("a bearing for ROSS must have coefficients independent of the speed")
     beyond = np.array([np.delete(A, (0, 1), axis=0) for A in (K, C)])
     if np.any(beyond):
-        raise ValueError("ROSS has only bearings that act in x and y")
+        raise ValueError("a bearing for ROSS must act in x and y only")
     named = {f"{letter}{'xy'[i]}{'xy'[j]}": float(A[i, j])
              for letter, A in (("k", K), ("c", C)) for i in (0, 1) for j in (0, 1)}  # fmt: skip
     return ends | named

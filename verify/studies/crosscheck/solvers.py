@@ -1,4 +1,4 @@
-"""Second solvers: whether they are installed, and how they solve a deck."""
+"""Second solvers: whether they are installed, and how they solve an input file (deck)."""
 
 import json
 import os
@@ -27,7 +27,7 @@ RERUN = {
 
 @dataclass(frozen=True)
 class Solver:
-    """A solver with its version; if it is not installed, `missing` gives the reason."""
+    """A solver with its version; if it is not installed, `missing` states the reason."""
 
     name: str
     version: str = ""
@@ -43,7 +43,7 @@ def solvers() -> dict[str, Solver]:
 def solver(name: str) -> Solver:
     if name == CALCULIX:
         if running.executable() is None:
-            return Solver(name, missing="not installed: no ccx among the programs")
+            return Solver(name, missing="not installed: the program ccx was not found")
         return Solver(name, running.version())
     return _module(name)
 
@@ -51,7 +51,7 @@ def solver(name: str) -> Solver:
 def _module(name: str) -> Solver:
     python = interpreter()
     if python is None:
-        why = _failed() or "make crosscheck installs it"
+        why = _failed() or "run `make crosscheck` to install it"
         return Solver(name, missing=f"not installed: {why}")
     module = MODULES[name]
     words = [str(python), "-c", f"import {module}; print({module}.__version__)"]
@@ -66,7 +66,7 @@ def _module(name: str) -> Solver:
 
 
 def _failed() -> str:
-    """Reason why `make crosscheck` could not install the solvers, in one line; "" if unknown."""
+    """Reason why `make crosscheck` could not install the solvers, in one line; empty if unknown."""
     if os.environ.get("FREEWHEEL_CROSSCHECK"):
         return ""
     failed = ENVIRONMENT / FAILED
@@ -74,16 +74,20 @@ def _failed() -> str:
 
 
 def interpreter() -> Path | None:
-    """Python of the solvers' environment, if there is one; FREEWHEEL_CROSSCHECK names another."""
+    """Python interpreter of the solvers' environment, or None.
+
+    The environment variable FREEWHEEL_CROSSCHECK can give another interpreter.
+    """
     named = os.environ.get("FREEWHEEL_CROSSCHECK")
     python = Path(named) if named else ENVIRONMENT / "bin" / "python"
     return python if python.exists() else None
 
 
 def solve(name: str, deck: Path, limit: float = LONG) -> float:
-    """Solve a deck and store the results next to it; seconds exclude the start of an interpreter.
+    """Solve a deck, store the results in its folder, and return the solution time [s].
 
-    RuntimeError with the last output of the solver if it fails or exceeds the `limit` in seconds.
+    The time excludes the start of an interpreter. Raises RuntimeError with the last output of the
+    solver if it fails or exceeds the `limit` in seconds.
     """
     if name == CALCULIX:
         return running.run_deck(deck, limit=limit).wall
@@ -96,7 +100,7 @@ def solve(name: str, deck: Path, limit: float = LONG) -> float:
             env=os.environ | {"OMP_NUM_THREADS": "1", "PYTHONPATH": ""},
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        raise RuntimeError(f"{name} took more than {limit:g} s on {deck.name}") from None
+        raise RuntimeError(f"{name} exceeded the limit of {limit:g} s on {deck.name}") from None
     deck.with_suffix(".log").write_text(done.stdout + done.stderr, "utf-8")
     if done.returncode or not answer.exists():
         last = (done.stderr.strip().splitlines() or ["no answer"])[-1]
@@ -105,7 +109,7 @@ def solve(name: str, deck: Path, limit: float = LONG) -> float:
 
 
 def rerun(name: str, deck: Path) -> str:
-    """The command that solves a deck again, in its folder."""
+    """Command that solves a deck again, for use in the folder of the deck."""
     script = os.path.relpath(GUESTS / SCRIPTS[name], deck.parent) if name in SCRIPTS else ""
     python = interpreter() or ENVIRONMENT / "bin" / "python"
     return RERUN[name].format(

@@ -12,10 +12,11 @@ Numbers = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
-    """One number of a comparison: its name, and the row of the case to which it belongs.
+    """One quantity of a comparison, and the row of the case to which it belongs.
 
-    With `beside`, it is another number than that of the row, for the same problem. Both solvers may
-    differ by `allowed`, relative; `why` is the reason for a difference of this size.
+    With `beside`, it is another quantity of the same problem, not the quantity of the row.
+    `allowed` is the permissible relative difference between both solvers, and `why` the reason for
+    a difference of this size.
     """
 
     name: str
@@ -29,10 +30,10 @@ class Quantity:
 
 @dataclass(frozen=True, kw_only=True)
 class Posed:
-    """A problem solved by the project, ready for the other solver.
+    """A problem that the project has solved and that is ready for the second solver.
 
-    `ours` are the numbers in SI units, `seconds` their time; `write` writes the input file (deck)
-    into a folder, and `read` reads the same numbers from a solved deck.
+    `ours` are the results of the project in SI units, and `seconds` the solution time. `write`
+    writes the input file (deck) into a folder. `read` reads the same quantities from a solved deck.
     """
 
     ours: Numbers
@@ -46,8 +47,8 @@ class Posed:
 class Cross:
     """A problem of a case that a second solver can also solve.
 
-    `pose` solves it in this project, on the same mesh as the other solver; it imports meshes and
-    fem in its body. `what` describes the problem in one line.
+    `pose` solves the problem in this project, on the same mesh as the other solver; it imports
+    meshes and fem in its body. `what` describes the problem in one line.
     """
 
     id: str
@@ -59,5 +60,5 @@ class Cross:
 
     @property
     def file(self) -> str:
-        """Name of the folder that keeps its deck."""
+        """Name of the folder that contains the deck of the comparison."""
         return self.id.replace(" ", "-").replace(",", "")

@@ -1,4 +1,4 @@
-"""Stored results of second solvers: a record is current while its code is unchanged."""
+"""Stored results of second solvers; a record is valid for unchanged code."""
 
 import hashlib
 import json
@@ -19,7 +19,7 @@ DIGITS = 9  # significant, of numbers of both sides
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """Result of one comparison: numbers of both sides in SI units, seconds, unknowns."""
+    """Result of one comparison: quantities of both solvers in SI units, times [s], unknowns."""
 
     solver: str
     version: str
@@ -31,10 +31,10 @@ class Found:
 
 
 def code_of(cross: Cross) -> str:
-    """Hash of all data and code from which the numbers of a comparison follow, on both sides.
+    """Hash of all data and code on which the quantities of a comparison depend.
 
-    Sources of the side of the project, of the code that writes the problem and reads its results,
-    the inputs of the case, and the rows to which it belongs.
+    It includes the project's solver, the code that writes the deck and reads its results, the
+    inputs of the case, and the names of the rows.
     """
     pose = getattr(cross.pose, "func", cross.pose)
     case = find(cross.case)
@@ -48,7 +48,7 @@ def code_of(cross: Cross) -> str:
 
 @lru_cache(64)
 def posing(solver: str, module: str) -> str:
-    """Hash of the code, without comments and layout, that writes decks and reads answers."""
+    """Hash of the code that writes decks and reads results, without comments and layout."""
     here = __package__
     if solver == CALCULIX:
         shared = [f"{here}.comparisons.plane", f"{here}.comparisons.touching"]
@@ -72,18 +72,21 @@ def found_of(
 
 
 def current(cross: Cross) -> Found | None:
-    """Stored results of a comparison; None unless the present code made them."""
+    """Stored results of a comparison; None if the code has changed."""
     return RECORDS.current(cross.file, _made_by(cross), read)
 
 
 def read(record: Record) -> Found:
-    """Content of the record of a comparison."""
+    """Results of a comparison from its record."""
     values = dict(record.content)
     return Found(date=record.date, seconds=tuple(values.pop("seconds")), **values)
 
 
 def keep(cross: Cross, found: Found) -> None:
-    """Write the result of a comparison; OSError if that fails."""
+    """Store the results of a comparison.
+
+    Raises OSError if the record cannot be written.
+    """
     content = {name: value for name, value in asdict(found).items() if name != "date"}
     RECORDS.keep(cross.file, _made_by(cross), content)
 

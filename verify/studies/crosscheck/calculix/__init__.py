@@ -1,1 +1,1 @@
-"""Problems of the project as decks for calculix; runs of calculix, and their results."""
+"""Problems of the project as input files (decks) for calculix; runs of calculix; results."""

@@ -1,4 +1,4 @@
-"""A whole accordion spring as a plane-strain strip that is compressed until it touches itself."""
+"""Complete accordion spring as a plane-strain strip that is compressed until leaves touch."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -24,11 +24,10 @@ def compressed(
     line: Mapping[str, Any], b: float, moves: Sequence[float], *, per_arc: int = 6,
     per_leaf: int = 12, material: Elastic = STEEL,
 ) -> Problem:  # fmt: skip
-    """The guided head is displaced along x by each of the `moves`; the tail is fixed at mid-leaf.
+    """Problem of a spring with a guided head and a tail that is fixed at mid-leaf.
 
-    `line` has the form of `meshes.spring.path.accordion` with whole end leaves; any two
-    neighbouring
-    units may touch.
+    Each step displaces the head along x by one of the `moves`. `line` has the form of
+    `meshes.spring.path.accordion` with complete end leaves. Any two neighbouring units may touch.
     """
     pieces = list(accordion(**line, tail="mid-leaf", tips=True))
     counts = [per_arc if piece.turn else per_leaf for piece in pieces]
@@ -57,5 +56,5 @@ def compressed(
 
 
 def _facing(unit: int, cells: Iterable[int]) -> list[Side]:
-    """The side of contact between units `unit` and `unit` + 1."""
+    """Faces of unit number `unit` that may touch the next unit."""
     return faces(cells, RIGHT if unit % 2 else LEFT)

@@ -1,8 +1,8 @@
-"""Contact problems of `fem.contact` as decks for calculix.
+"""Contact problems of `fem.contact` as input files (decks) for calculix.
 
-In calculix, contact and friction are surface-to-surface penalties: pressure = slope times overlap.
-The project uses no penalty, and exact circles and flats; calculix uses the parabolic sides of the
-cells. Obstacles become strips of elements with fixed nodes.
+In calculix, contact and friction are surface-to-surface penalties: the pressure is a slope times
+the overlap. The project uses no penalty, and exact circles and flats; calculix uses the parabolic
+sides of the cells. Obstacles become strips of elements with fixed nodes.
 """
 
 from collections.abc import Mapping, Sequence
@@ -38,10 +38,10 @@ TURN = 1 / 180  # of what is turned: calculix makes two degrees of it, and tells
 class Settings:
     """Settings of a calculix run.
 
-    `slope` [stress/length] is the ratio of pressure to overlap; `stick` is the ratio of friction to
-    slip, in units of `slope`. Linear solver, threads, increments of each step (`cut`: automatic
-    reduction), pairing and lines of *CONTROLS are in calculix' notation; `full`: full integration
-    of the elements.
+    `slope` [stress/length] is the ratio of pressure to overlap. `stick` is the ratio of friction
+    stress to slip, in units of `slope`. `increments` is the number of increments of each step, and
+    `cut` enables their automatic reduction. `full` selects full integration of the elements.
+    `solver`, `pairing` and `controls` are keywords of calculix.
     """
 
     slope: float
@@ -56,12 +56,13 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDeck:
-    """The successive states of a contact problem in the form of a calculix deck.
+    """Successive states of a contact problem as a calculix deck.
 
-    `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
-    drawn that the project takes off its gaps. ValueError if there are such and no shift, for
-    In calculix, a clearance replaces the gap and is not added to it. `given` are the forces
-    along mean motions, by number, that act in place of them.
+    `shift` (nodes, 2) is the initial displacement of nodes from their positions in the mesh. It
+    models an interference, which the project subtracts from its gaps, as an overlap. In calculix, a
+    clearance replaces the gap and is not added to it. Therefore, an interference without `shift`
+    raises ValueError. `given` contains forces along mean motions, by number, that act instead of
+    these motions.
     """
 
     states: Sequence[ContactSolution]
@@ -73,7 +74,7 @@ class ContactDeck:
 
     def __post_init__(self) -> None:
         if self.shift is None and any(p.interference for p in self.surfaces.pairs):
-            raise ValueError("a deck contains an interference as overlap: give the shift for it")
+            raise ValueError("a deck models an interference as an overlap: give `shift`")
 
     @property
     def bodies(self) -> Bodies:
@@ -94,7 +95,7 @@ class ContactDeck:
 
     @cached_property
     def strips(self) -> dict[str, Strip]:
-        """Of the obstacles that a slave may touch."""
+        """Strips of elements of the obstacles that a slave surface may touch, by name."""
         surfaces = self.surfaces
         return {
             pair.master: strip_of(
@@ -112,17 +113,17 @@ class ContactDeck:
 
     @property
     def depth(self) -> float:
-        """Thickness in the deck."""
+        """Thickness of the bodies in the deck."""
         return depth(self.states[-1].plane, self.assumption)
 
     @property
     def share(self) -> float:
-        """Thickness of the deck over that of the problem, which is the ratio of the forces."""
+        """Ratio of the thickness in the deck to that in the problem; forces have the same ratio."""
         return self.depth / self.bodies.thickness
 
     @property
     def told(self) -> float:
-        """Share of the problem's contact forces that calculix prints."""
+        """Ratio of the contact forces that calculix prints to those of the problem."""
         return TURN if self.bodies.turn else self.share
 
     @property
@@ -143,7 +144,7 @@ class ContactDeck:
         return path
 
     def first_of(self, name: str) -> tuple[int, int]:
-        """Numbers of the first node and cell of an obstacle's strip."""
+        """Numbers of the first node and of the first element of an obstacle's strip."""
         node, cell = self.numbering.count + 1, self.numbering.cells.shape[1] + 1
         for own, strip in self.strips.items():
             if own == name:

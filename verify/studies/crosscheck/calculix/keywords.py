@@ -1,4 +1,4 @@
-"""The keywords of a calculix deck, written one by one; nodes and elements count from 1."""
+"""Functions that write the keywords of a calculix deck; nodes and elements count from 1."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TextIO
@@ -16,14 +16,17 @@ A_LINE = 14  # numbers of nodes in a line of *ELEMENT, of the 16 that are read
 
 
 def nodes(deck: TextIO, number: Indices, x: Array, name: str = "") -> None:
-    """`x` (nodes, 2 or 3); calculix reads 20 characters of a number, exponent and all."""
+    """Write nodes at `x` (nodes, 2 or 3).
+
+    calculix reads 20 characters of a number, including the exponent.
+    """
     deck.write("*NODE" + (f", NSET={name}" if name else "") + "\n")
     space = np.column_stack([x, np.zeros((len(x), 3 - x.shape[1]))])
     np.savetxt(deck, np.column_stack([number, space]), fmt="%d,%.12e,%.12e,%.12e")
 
 
 def elements(deck: TextIO, kind: str, name: str, cells: Indices, number: Indices) -> None:
-    """`cells` (elements, nodes) of one kind as a set; `number` (elements,)."""
+    """Write `cells` (elements, nodes) of one kind as an element set; `number` (elements,)."""
     deck.write(f"*ELEMENT, TYPE={kind}, ELSET={name}\n")
     for label, cell in zip(number.tolist(), cells.astype(str).tolist(), strict=True):
         rows = [cell[i : i + A_LINE] for i in range(0, len(cell), A_LINE)]
@@ -31,20 +34,20 @@ def elements(deck: TextIO, kind: str, name: str, cells: Indices, number: Indices
 
 
 def solid(deck: TextIO, name: str, material: Elastic, thickness: float = 1.0) -> None:
-    """Material and section of a set of elements."""
+    """Write the material and the section of a set of solid elements."""
     _elastic(deck, name, material)
     deck.write(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
 
 
 def dense(deck: TextIO, name: str, material: Elastic, rho: float, thickness: float = 1.0) -> None:
-    """The same with a density."""
+    """Write the material with a density, and the section of a set of solid elements."""
     _elastic(deck, name, material)
     deck.write(f"*DENSITY\n{rho:.12e}\n")
     deck.write(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
 
 
 def shell(deck: TextIO, name: str, material: Elastic, thickness: float) -> None:
-    """Material and section of a set of shell elements."""
+    """Write the material and the section of a set of shell elements."""
     _elastic(deck, name, material)
     deck.write(f"*SHELL SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
 
@@ -58,28 +61,31 @@ def node_set(deck: TextIO, name: str, number: Iterable[int]) -> None:
 
 
 def boundary(deck: TextIO, held: Iterable[Term]) -> None:
-    """Node, component and its value."""
+    """Write prescribed displacements, each as node, component and value."""
     rows = [f"{node},{i},{i},{value:.12e}\n" for node, i, value in held]
     if rows:
         deck.write("*BOUNDARY\n" + "".join(rows))
 
 
 def equation(deck: TextIO, terms: Sequence[Term]) -> None:
-    """Terms whose sum vanishes; calculix eliminates the first, and reads four a line."""
+    """Write an equation: the sum of `terms` is zero.
+
+    calculix eliminates the first term, and reads four terms per line.
+    """
     said = [f"{node},{component},{factor:.12e}" for node, component, factor in terms]
     rows = [",".join(said[i : i + 4]) for i in range(0, len(said), 4)]
     deck.write("*EQUATION\n" + "\n".join([str(len(terms)), *rows, ""]))
 
 
 def forces(deck: TextIO, loads: Iterable[Term]) -> None:
-    """Dead forces on nodes."""
+    """Write forces on nodes that keep their direction."""
     rows = [f"{node},{i},{value:.12e}\n" for node, i, value in loads]
     if rows:
         deck.write("*CLOAD\n" + "".join(rows))
 
 
 def pressures(deck: TextIO, sides: Iterable[Side], pressure: float) -> None:
-    """The same pressure on sides of elements, integrated by calculix."""
+    """Write the same pressure on sides of elements; calculix integrates it."""
     deck.write("*DLOAD\n" + "".join(f"{cell},P{side},{pressure:.12e}\n" for cell, side in sides))
 
 
@@ -90,7 +96,7 @@ def surfaces(deck: TextIO, sides: Mapping[str, Iterable[Side]]) -> None:
 
 
 def interaction(deck: TextIO, name: str, slope: float, mu: float = 0.0, stick: float = 0.0) -> None:
-    """A pressure of `slope` times the overlap, and friction with a separate slope."""
+    """Write a contact law: pressure is `slope` times overlap, friction has the slope `stick`."""
     deck.write(f"*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, ")
     deck.write(f"PRESSURE-OVERCLOSURE=LINEAR\n{slope:.12e}\n")
     if mu:

@@ -1,7 +1,7 @@
-"""Decks of plane strips at large displacement, with contact: eight-node cells, reduced integration.
+"""Decks of plane strips at large displacement with contact, eight-node cells.
 
-Plane strain is per unit of width. Plane stress is posed as a thin strip, whose forces are per unit
-of width as well.
+The cells have reduced integration. Plane strain is computed per unit of width. Plane stress is
+modelled by a thin strip, whose forces are also per unit of width.
 """
 
 from collections.abc import Iterable, Sequence
@@ -24,12 +24,12 @@ RIGHT, END, LEFT, START = 1, 2, 3, 4  # sides of a cell, seen along the line
 
 
 def faces(cells: Iterable[int], side: int) -> list[Side]:
-    """That side of `cells`, which count from 0."""
+    """The side number `side` of each of `cells`, which count from 0."""
     return [(cell, side) for cell in cells]
 
 
 class Held(NamedTuple):
-    """Component (0, 1) of nodes, fixed or, in a step, displaced to `value`."""
+    """Component (0 or 1) of nodes that is fixed or, in a step, displaced to `value`."""
 
     nodes: Sequence[int] | Indices
     component: int
@@ -37,7 +37,7 @@ class Held(NamedTuple):
 
 
 class Load(NamedTuple):
-    """Dead force on a node along a component (0, 1)."""
+    """Force on a node along a component (0 or 1) that keeps its direction."""
 
     node: int
     component: int
@@ -53,11 +53,11 @@ class Touching(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """Strips with supports, pairs of surfaces that may touch, and steps of loads and displacements.
+    """Strips with supports, possible contacts, and steps of loads and displacements.
 
-    `linear` strips are solved in the initial geometry. A `buckling` step finds factors on the loads
-    with fully integrated cells: with reduced integration, calculix includes half of the stress
-    stiffening, and the factors are twice too large.
+    `linear` strips are solved in the initial geometry. A `buckling` step computes factors on the
+    loads with fully integrated cells. With reduced integration, calculix includes half of the
+    stress stiffness, and the factors are too large by a factor of 2.
     """
 
     points: Array
@@ -78,9 +78,9 @@ class Problem:
 
 @dataclass(frozen=True)
 class Answer:
-    """After each step: displacements (k, watched, 2), forces on the first moved nodes (k, 2).
+    """Displacements (k, watched, 2) and forces (k, 2) after each of k steps.
 
-    Forces are per unit of width.
+    The forces act on the nodes that the first step moves. They are per unit of width.
     """
 
     u: Array
@@ -89,14 +89,17 @@ class Answer:
 
 
 def run(problem: Problem, deck: Path, limit: float = 300.0) -> Answer:
-    """Write, run and read; RuntimeError as `run_deck`."""
+    """Write the deck, run calculix and read the results.
+
+    Raises RuntimeError if calculix fails or exceeds the `limit` [s].
+    """
     write_deck(problem, deck)
     done = run_deck(deck, limit=limit)
     return answer(problem, deck, done.wall)
 
 
 def answer(problem: Problem, deck: Path, seconds: float = 0.0) -> Answer:
-    """Results in the files beside a solved deck."""
+    """Results of a solved deck, from the files in its folder."""
     said = deck.with_suffix(".dat")
     u = np.array(blocks(said, "displacements"))[:, :, 1:3]
     force = np.zeros((0, 2))
@@ -106,7 +109,7 @@ def answer(problem: Problem, deck: Path, seconds: float = 0.0) -> Answer:
 
 
 def factor(deck: Path) -> float:
-    """The smallest positive factor on the loads at which a strip buckles."""
+    """Smallest positive factor on the loads at which the strip buckles."""
     found = buckling_factors(deck.with_suffix(".dat"))
     return float(found[found > 0].min())
 
@@ -135,7 +138,7 @@ def write_deck(problem: Problem, path: Path) -> Path:
 
 
 def moved_by(problem: Problem) -> list[int]:
-    """Nodes that the first step moves, and whose force is read."""
+    """Nodes that the first step moves and whose forces are read."""
     held = [own for own in problem.steps[0] if isinstance(own, Held)]
     return sorted({int(node) for own in held for node in own.nodes})
 

@@ -1,6 +1,6 @@
 """Nodes and cells of a plane mesh in the numbering of calculix: vertices, then edges, from 1.
 
-Six-node triangles are the same elements in calculix; its eight-node quadrilaterals lack the centre
+Six-node triangles are the same elements in calculix. Its eight-node quadrilaterals lack the centre
 node of nine-node cells.
 """
 
@@ -17,7 +17,7 @@ from verify.studies.crosscheck.calculix.keywords import Array, Indices, Side
 
 @dataclass(frozen=True)
 class Numbering:
-    """Numbers of the nodes and cells that carry the displacements of `basis`, quadratic ones."""
+    """Numbers of the nodes and cells in a deck for the quadratic displacements of `basis`."""
 
     basis: Basis
 
@@ -28,31 +28,31 @@ class Numbering:
 
     @cached_property
     def of(self) -> Indices:
-        """The node number in the deck (unknowns,) of every unknown, 0 if it has none."""
+        """Number of the deck's node of each unknown, (unknowns,); 0 if there is none."""
         number = np.zeros(self.basis.N, int)
         number[self.dofs] = np.arange(1, self.count + 1)
         return number
 
     @cached_property
     def component(self) -> Indices:
-        """Component (unknowns,) of every unknown, from 1; 0 if the deck has no such node."""
+        """Component of each unknown, (unknowns,), from 1; 0 if the deck has no such node."""
         component = np.zeros(self.basis.N, int)
         component[self.dofs] = [[1], [2]]
         return component
 
     @property
     def count(self) -> int:
-        """Nodes of the deck."""
+        """Number of nodes of the deck."""
         return int(self.dofs.shape[1])
 
     @property
     def x(self) -> Array:
-        """Places (2, nodes)."""
+        """Positions (2, nodes) of the deck's nodes."""
         return np.asarray(self.basis.doflocs[:, self.dofs[0]])
 
     @cached_property
     def cells(self) -> Indices:
-        """Node numbers (6 or 8, cells), counter-clockwise: corners, then edges."""
+        """Node numbers (6 or 8, cells) of the cells, counter-clockwise: corners, then edges."""
         mesh = self.basis.mesh
         n = len(mesh.t)
         edges = self.basis.nodal_dofs.shape[1] + np.asarray(mesh.t2f)
@@ -64,12 +64,12 @@ class Numbering:
         return cells
 
     def body(self, name: str) -> Indices:
-        """Cells of a body, numbered from 0; all if `name` is empty."""
+        """Cells of a body, numbered from 0; all cells if `name` is empty."""
         mesh = self.basis.mesh
         return np.asarray(mesh.subdomains[name]) if name else np.arange(mesh.nelements)
 
     def nodes(self, boundary: str) -> Indices:
-        """Numbers of the nodes on a boundary, in order."""
+        """Numbers of the nodes on a boundary, in ascending order."""
         number = np.unique(self.of[self.basis.get_dofs(boundary).all()])
         return number[number > 0]
 
@@ -80,7 +80,7 @@ class Numbering:
         return self._sides(mesh.f2t[0, facets], mesh.facets[:, facets])
 
     def traced(self, trace: Trace) -> list[Side]:
-        """The same of a contact surface."""
+        """Element and side, both from 1, of each facet of a contact surface."""
         return self._sides(trace.cells, trace.ends)
 
     def _sides(self, own: NDArray[np.int64], ends: NDArray[np.int64]) -> list[Side]:
@@ -91,9 +91,9 @@ class Numbering:
         return list(zip((own + 1).tolist(), (match.argmax(axis=0) + 1).tolist(), strict=True))
 
     def spread(self, u: Array) -> Array:
-        """Displacements (unknowns,) from those at the nodes of the deck (nodes, 2).
+        """Displacements (unknowns,) from the displacements `u` (nodes, 2) of the deck's nodes.
 
-        The centre of a nine-node cell has the displacement of an eight-node cell there.
+        The centre of a nine-node cell gets the displacement of the eight-node cell at this point.
         """
         found = np.zeros(self.basis.N)
         found[self.dofs] = u.T

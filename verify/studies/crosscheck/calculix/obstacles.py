@@ -1,4 +1,4 @@
-"""Rigid obstacles without a mesh as strips of elements with all nodes fixed."""
+"""Rigid obstacles without a mesh, as strips of elements with fixed nodes."""
 
 import math
 from dataclasses import dataclass
@@ -16,33 +16,37 @@ BEYOND = 1.5  # length of the obstacle over the range of possible contact
 
 @dataclass(frozen=True)
 class Strip:
-    """Nodes `x` (n, 2) and eight-node `cells` (m, 8), both counted from 0, with one side out."""
+    """Nodes `x` (n, 2) and eight-node `cells` (m, 8) of a strip, both counted from 0.
+
+    Side 1 of each cell is the surface of the obstacle.
+    """
 
     x: Array
     cells: Indices
     centre: tuple[float, float]
 
     def sides(self, first: int) -> list[Side]:
-        """The outward side of each cell, where the first one has the number `first`."""
+        """Contact side of each cell, if the first cell has the number `first`."""
         return [(first + k, 1) for k in range(len(self.cells))]
 
     def moved(self, motion: tuple[float, float, float]) -> Array:
-        """Displacements (n, 2) under a small motion x, y and rotation about the centre."""
+        """Displacements (n, 2) under a small motion: x, y and a rotation about the centre."""
         arm = self.x - self.centre
         return np.asarray(motion[:2]) + motion[2] * np.column_stack([-arm[:, 1], arm[:, 0]])
 
 
 def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
-    """Where the points `slave` (2, m) may touch the obstacle; with `turn` from its axis on.
+    """Strip of elements where the points `slave` (2, m) may touch the obstacle.
 
-    ValueError for a circle around a turn.
+    With `turn` (axisymmetric problems), the strip begins at the axis. Raises ValueError for a
+    circle in an axisymmetric problem.
     """
     shape = obstacle.shape
     foot = shape.project(slave)
     depth = float(np.ptp(slave, axis=1).max())
     if isinstance(shape, Circle):
         if turn:
-            raise ValueError("around a turn only flats become strips of elements")
+            raise ValueError("an obstacle of an axisymmetric problem must be a flat, not a circle")
         centre = np.array(shape.centre)[:, None]
         around: Array = np.unwrap(np.sort(np.arctan2(*(foot - centre)[::-1])))
         middle = (around[-1] + around[0]) / 2
@@ -65,7 +69,7 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
 
 
 def _from_axis(reach: float) -> Array:
-    """Radii of nodes, fine near the axis: calculix misses contacts with a wide face there."""
+    """Radii of nodes, fine near the axis, where calculix misses contacts with wide faces."""
     r = np.zeros(2 * RINGS + 1)
     r[::2] = reach * np.linspace(0.0, 1.0, RINGS + 1) ** 2
     r[1::2] = (r[:-1:2] + r[2::2]) / 2
@@ -73,7 +77,7 @@ def _from_axis(reach: float) -> Array:
 
 
 def _strip(out: Array, back: Array, centre: tuple[float, float]) -> Strip:
-    """Cells between two rows (2 k + 1, 2) of nodes; side 1 of each is on `out`."""
+    """Strip of cells between two rows (2 k + 1, 2) of nodes; side 1 of each cell is on `out`."""
     if _turns(out, back):
         out, back = out[::-1], back[::-1]
     n = len(out)
@@ -87,6 +91,6 @@ def _strip(out: Array, back: Array, centre: tuple[float, float]) -> Strip:
 
 
 def _turns(out: Array, back: Array) -> bool:
-    """Whether cells along `out` would be clockwise."""
+    """Whether the node order of cells along `out` would be clockwise."""
     (a, b), (c, d) = out[2] - out[0], back[0] - out[0]
     return bool(a * d - b * c < 0)

@@ -1,4 +1,4 @@
-"""Plane and axisymmetric problems of `fem.plane` as decks for calculix.
+"""Plane and axisymmetric problems of `fem.plane` as input files (decks) for calculix.
 
 Mesh, materials, supports, ties and mean motions are those of the solved problem. Loads are its
 nodal forces, or pressures and centrifugal forces that calculix integrates.
@@ -32,7 +32,7 @@ Materials = Elastic | Mapping[str, Elastic]
 
 @dataclass(frozen=True, kw_only=True)
 class Spin:
-    """Density and speed [rad/s] of a body that rotates about the third axis."""
+    """Density and angular velocity [rad/s] of a body that rotates about the third axis."""
 
     rho: float
     omega: float
@@ -40,10 +40,10 @@ class Spin:
 
 @dataclass(frozen=True, kw_only=True)
 class PlaneDeck:
-    """A solved problem in the form of a calculix deck.
+    """A solved plane problem as a calculix deck.
 
-    `pressures` are the boundaries whose load calculix integrates, in place of the nodal forces of
-    the solution; `spin` is the same for centrifugal forces. `brief` decks request only
+    `pressures` are pressures on boundaries that calculix integrates; they replace the nodal forces
+    of the solution. `spin` does the same for centrifugal forces. `brief` decks request only
     displacements and stresses, not reactions and energies.
     """
 
@@ -65,7 +65,7 @@ class PlaneDeck:
 
     @property
     def depth(self) -> float:
-        """Thickness in the deck."""
+        """Thickness of the body in the deck."""
         return depth(self.solution, self.assumption)
 
     def write(self, path: Path) -> Path:
@@ -86,7 +86,7 @@ class PlaneDeck:
 
     @property
     def kind(self) -> str:
-        """Name of the elements."""
+        """Name of the element type in calculix."""
         return f"{FAMILIES[self.assumption]}{len(self.numbering.cells)}"
 
     def _write_loads(self, deck: TextIO) -> None:
@@ -101,14 +101,14 @@ class PlaneDeck:
 
 
 def depth(solution: PlaneSolution, assumption: Assumption) -> float:
-    """Thickness of a deck: that of the solution; in plane stress, a small one."""
+    """Thickness in a deck: that of the solution, or a small thickness in plane stress."""
     if assumption != "plane stress":
         return solution.thickness
     return THIN * float(np.ptp(solution.basis.mesh.p, axis=1).max())
 
 
 def nodal_forces(numbering: Numbering, f: Array) -> list[Term]:
-    """Forces `f` (unknowns,) on the deck's nodes."""
+    """Forces `f` (unknowns,) as forces on the deck's nodes."""
     loaded = [dof for row in numbering.dofs for dof in row[f[row] != 0]]
     return [(int(numbering.of[d]), int(numbering.component[d]), float(f[d])) for d in loaded]
 
@@ -117,7 +117,10 @@ def write_mesh(
     deck: TextIO, numbering: Numbering, kind: str, materials: Materials, thickness: float, *,
     rho: float | None = None, x: Array | None = None,
 ) -> None:  # fmt: skip
-    """Nodes at `x` (2, nodes), by default those of the mesh, and elements of each material."""
+    """Write nodes and the elements of each material.
+
+    The nodes are at `x` (2, nodes) or, by default, at their positions in the mesh.
+    """
     places = numbering.x if x is None else x
     keywords.nodes(deck, np.arange(1, numbering.count + 1), places.T, "ALL")
     named = {"": materials} if isinstance(materials, Elastic) else dict(materials)
@@ -134,11 +137,11 @@ def write_mesh(
 
 
 class Supports:
-    """Conditions, ties and mean motions of a solution, in the nodes of a deck.
+    """Supports, ties and mean motions of a solution, in the node numbers of a deck.
 
-    Conditions along an axis are fixed nodes; other conditions are equations whose right side is the
-    displacement of a separate node, numbered after the `first` ones. Mean motions `without` an
-    equation are free.
+    Supports along an axis become fixed nodes. Other supports become equations, whose right side is
+    the displacement of an additional node. Additional nodes are numbered after the first `first`
+    nodes. Mean motions in `without` are not constrained.
     """
 
     def __init__(
@@ -166,7 +169,7 @@ class Supports:
         return self.next - 1
 
     def write(self, deck: TextIO) -> None:
-        """Nodes and equations, before the first step."""
+        """Write the additional nodes and the equations; they precede the first step."""
         handles = np.array(list(self.handles.values()), int)
         if handles.size:
             keywords.nodes(deck, handles, np.zeros((handles.size, 2)), "HANDLES")
@@ -206,14 +209,14 @@ class Supports:
         return [(node, i, value) for (node, i), value in found.items()]
 
     def _cut(self) -> Indices:
-        """Numbers of nodes that follow others or lead them, which no equation may eliminate."""
+        """Numbers of tied nodes (followers and leaders), which no other equation may eliminate."""
         if self.solution.held is None:
             return np.zeros(0, int)
         tied = self.solution.held.tied
         return np.unique(self.numbering.of[np.append(tied.follower[0], tied.leader[0])])
 
     def mean(self, k: int) -> list[Term]:
-        """What reads a mean motion, and how forces are spread that hold it."""
+        """Terms of a mean motion by nodes, which also distribute a force that holds it."""
         row = self.rows[k]
         dofs = np.flatnonzero(np.abs(row) > NOTHING * np.abs(row).max())
         number, component = self.numbering.of[dofs], self.numbering.component[dofs]

@@ -1,4 +1,4 @@
-"""Results of calculix: fields at nodes from its .frd, printed tables from its .dat."""
+"""Readers of calculix results: fields at nodes from the .frd file, tables from the .dat file."""
 
 import re
 from pathlib import Path
@@ -10,17 +10,20 @@ Array = NDArray[np.float64]
 
 
 def displacements(frd: Path) -> Array:
-    """Displacements (nodes, 2) in the order of the node numbers, six digits each."""
+    """Displacements (nodes, 2) in the order of the node numbers, with six digits."""
     return nodal(frd, "DISP")[:, :2]
 
 
 def nodal(frd: Path, name: str) -> Array:
-    """Components (nodes, n) of that field in the last increment, in the order of node numbers."""
+    """Components (nodes, n) of a field in the last increment, in the order of the node numbers."""
     return fields(frd, name)[-1]
 
 
 def fields(frd: Path, name: str) -> list[Array]:
-    """Fields of every increment; LookupError if there is none."""
+    """Components (nodes, n) of a field in each increment.
+
+    Raises LookupError if the file does not contain the field.
+    """
     found: list[list[list[float]]] = []
     inside = False
     for line in frd.read_text("ascii").splitlines():
@@ -38,9 +41,9 @@ def fields(frd: Path, name: str) -> list[Array]:
 
 
 def blocks(dat: Path, title: str) -> list[Array]:
-    """Rows of numbers (rows, columns) under each heading that begins with `title`.
+    """Tables (rows, columns) of numbers under each heading that begins with `title`.
 
-    LookupError if there is none.
+    Raises LookupError if the file contains no such table.
     """
     said = dat.read_text("ascii")
     heads = re.findall(rf" {title}[^\n]*\n\s*\n((?:[ ]+[-+.\dE]+[^\n]*\n)+)", said)
@@ -50,22 +53,28 @@ def blocks(dat: Path, title: str) -> list[Array]:
 
 
 def contact_totals(dat: Path, pairs: int = 1) -> Array:
-    """Force x, y, z and moment x, y, z about the origin (pairs, 6) on the slaves, at the end."""
+    """Contact forces x, y, z and moments x, y, z about the origin (pairs, 6), last increment.
+
+    They act on the slave surfaces.
+    """
     return np.array([rows[0] for rows in blocks(dat, "total surface force")[-pairs:]])
 
 
 def contact_areas(dat: Path, pairs: int = 1) -> Array:
-    """Areas (pairs,) in contact, at the end."""
+    """Contact areas (pairs,) in the last increment."""
     return np.array([rows[0, 0] for rows in _headed(dat, "area,")[-pairs:]])
 
 
 def strain_energy(dat: Path) -> float:
-    """Strain energy of all elements at the end."""
+    """Strain energy of all elements in the last increment."""
     return float(blocks(dat, "total internal energy")[-1][0, 0])
 
 
 def buckling_factors(dat: Path) -> Array:
-    """Factors on the loads of a buckling step, the smallest first."""
+    """Factors on the loads of a buckling step, in ascending order.
+
+    Raises LookupError if the file contains no factors.
+    """
     found = re.findall(r"BUCKLING\s+FACTOR\s*\n\s*\n((?:\s+\d+\s+\S+\n)+)", dat.read_text("ascii"))
     if not found:
         raise LookupError(f"{dat.name} has no buckling factors")
@@ -73,12 +82,12 @@ def buckling_factors(dat: Path) -> Array:
 
 
 def iterations(sta: Path) -> int:
-    """Number of iterations of all increments."""
+    """Total number of iterations in all increments."""
     rows = (row.split() for row in sta.read_text("ascii").splitlines())
     return sum(int(row[3]) for row in rows if len(row) > 6 and row[0].isdigit())
 
 
 def _headed(dat: Path, title: str) -> list[Array]:
-    """The row of numbers under each heading that has `title` in it."""
+    """The row of numbers under each heading that contains `title`."""
     found = re.findall(rf"{title}[^\n]*\n\s*\n\s*([^\n]*)", dat.read_text("ascii"))
     return [np.array([[float(word) for word in row.split()]]) for row in found]

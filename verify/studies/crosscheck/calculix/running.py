@@ -1,4 +1,4 @@
-"""Run calculix on a deck and store its output next to the deck."""
+"""Runs of calculix; the output is stored in the folder of the deck."""
 
 import os
 import re
@@ -17,7 +17,7 @@ LAST = 500  # characters of the output of calculix in an error message
 
 @dataclass(frozen=True, kw_only=True)
 class Run:
-    """Wall-clock and processor seconds of one run of `deck`."""
+    """Wall-clock and processor time [s] of one run of `deck`."""
 
     wall: float
     cpu: float
@@ -25,32 +25,33 @@ class Run:
 
     @cached_property
     def u(self) -> Array:
-        """Displacements (nodes, 2) of the last increment."""
+        """Displacements (nodes, 2) in the last increment."""
         return displacements(self.deck.with_suffix(".frd"))
 
 
 def executable() -> str | None:
-    """Path of the calculix solver, or None if there is none."""
+    """Path of the calculix solver, or None if it is not installed."""
     return shutil.which("ccx")
 
 
 def version() -> str:
-    """Version as calculix prints it."""
+    """Version that calculix prints."""
     said = subprocess.run([str(executable()), "-v"], capture_output=True, text=True, check=False)  # noqa: S603
     return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
 
 
 def start() -> float:
-    """Seconds of a process that only prints its version."""
+    """Time [s] of a calculix process that only prints its version."""
     begun = time.perf_counter()
     version()
     return time.perf_counter() - begun
 
 
 def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
-    """Run calculix on `deck`; RuntimeError with its output if it fails or exceeds the `limit`.
+    """Run calculix on `deck`; the `limit` is in seconds.
 
-    `limit` is in seconds. The output is stored next to the deck as a .log file.
+    The output is stored in the folder of the deck as a .log file. Raises RuntimeError with the last
+    part of the output if calculix fails or exceeds the limit.
     """
     command = [str(executable()), "-i", deck.stem]
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
@@ -63,7 +64,9 @@ def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
                 stderr=subprocess.STDOUT, check=False, timeout=limit,
             )  # fmt: skip
         except subprocess.TimeoutExpired:
-            raise RuntimeError(f"calculix took more than {limit:g} s on {deck.name}") from None
+            raise RuntimeError(
+                f"calculix exceeded its limit, {limit:g} s, on {deck.name}"
+            ) from None
     wall, after = time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
     words = log.read_text("utf-8", errors="replace")
     if done.returncode or "*ERROR" in words:

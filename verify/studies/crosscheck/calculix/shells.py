@@ -1,8 +1,8 @@
-"""Shells of `fem.shell` as decks for calculix: eight-node shells with reduced integration.
+"""Shells of `fem.shell` as calculix decks: eight-node shells with reduced integration.
 
-Their nodes are those of the nine-node cells, except the centres. calculix converts them to one
-layer of solids, with rigid knots at supported rotations: a clamp stiffens a part of its first
-cells.
+The nodes are those of the nine-node cells, except the centres. calculix converts the shells to one
+layer of solid elements, with rigid knots at supported rotations. Therefore, a clamp stiffens a part
+of its first cells.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ from verify.studies.crosscheck.calculix.reading import nodal
 
 @dataclass(frozen=True, kw_only=True)
 class ShellDeck:
-    """A solved shell of one thickness, clamped at boundaries, under its nodal forces."""
+    """A solved shell of constant thickness as a calculix deck: clamps and nodal forces."""
 
     solution: ShellSolution
     material: Elastic
@@ -30,7 +30,7 @@ class ShellDeck:
 
     @cached_property
     def used(self) -> Indices:
-        """Nodes of the mesh that the deck has, in its order."""
+        """Nodes of the mesh that the deck contains, in the order of the deck."""
         return np.unique(self.solution.cells[:, :8])
 
     def write(self, path: Path) -> Path:

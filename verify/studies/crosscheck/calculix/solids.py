@@ -1,6 +1,6 @@
-"""Bodies of `fem.solid` as decks for calculix: twenty-node bricks with reduced integration.
+"""Bodies of `fem.solid` as calculix decks: twenty-node bricks with reduced integration.
 
-Their nodes are those of the 27-node cells, except the centres of faces and cells.
+The nodes are those of the 27-node cells, except the centres of faces and cells.
 """
 
 from dataclasses import dataclass
@@ -25,7 +25,10 @@ MIRRORED = (2, 1, 0)  # a left-handed cell has its axes in reverse order
 
 @dataclass(frozen=True, kw_only=True)
 class SolidDeck:
-    """A solved body of one material under prescribed displacements alone."""
+    """A solved body of one material under prescribed displacements only, as a calculix deck.
+
+    Raises ValueError if the problem has loads or guides.
+    """
 
     solution: SolidSolution
     material: Elastic
@@ -33,11 +36,11 @@ class SolidDeck:
 
     def __post_init__(self) -> None:
         if np.any(self.solution.f) or self.solution.conditions.ties:
-            raise ValueError("only prescribed displacements are posed, no loads and no guides")
+            raise ValueError("a solid deck must have prescribed displacements only, no loads")
 
     @cached_property
     def cells(self) -> Indices:
-        """Nodes (cells, 20) from 0."""
+        """Nodes of the bricks, (cells, 20), counted from 0."""
         mesh = self.solution.mesh
         reference = np.rint(2 * np.asarray(mesh.elem().doflocs)).astype(int)
         place = {tuple(row): k for k, row in enumerate(reference.tolist())}

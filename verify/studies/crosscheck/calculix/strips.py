@@ -16,7 +16,10 @@ Indices = NDArray[np.int64]
 
 
 def plane_strain_section(b: float, radius: float | None = None) -> Section:
-    """Per unit of width; a curved bar bends as if EI were (b/R)^2/30 smaller (Golovin, exact)."""
+    """Section of a strip in plane strain per unit of width.
+
+    A curved bar bends as if EI were reduced by (b/R)^2/30 (exact solution of Golovin).
+    """
     E = STEEL.E / (1 - STEEL.nu**2)
     curved = 1 - (b / radius) ** 2 / 30 if radius else 1.0
     return Section(
@@ -26,9 +29,10 @@ def plane_strain_section(b: float, radius: float | None = None) -> Section:
 
 @dataclass(frozen=True)
 class Strip:
-    """Nodes (n, 2) and cells (m, 8) in rows along the line; `across` the nodes of each corner row.
+    """A strip: nodes (n, 2) and cells (m, 8) in rows along its line.
 
-    Cells of piece k are those in pieces[k].
+    `across` contains the nodes of each row of corners. `pieces[k]` is the range of the cells of
+    piece k.
     """
 
     points: Array
@@ -42,7 +46,7 @@ class Strip:
 
 
 def strip(pieces: Sequence[Piece], counts: Sequence[int], b: float) -> Strip:
-    """One cell through the thickness `b`, counts[k] cells along piece k."""
+    """Strip with one cell through the thickness `b` and counts[k] cells along piece k."""
     x, y, heading = _places(pieces, counts).T
     n = np.column_stack([-np.sin(heading), np.cos(heading)])
     offsets = np.array([-b / 2, 0, b / 2])
@@ -64,14 +68,14 @@ def strip(pieces: Sequence[Piece], counts: Sequence[int], b: float) -> Strip:
 
 
 def beams(pieces: Sequence[Piece], counts: Sequence[int]) -> tuple[Array, Indices]:
-    """Points and three-node elements of the centre line, counts[k] along piece k."""
+    """Points and three-node elements of the centre line, with counts[k] elements on piece k."""
     rows = _places(pieces, counts)
     first = np.arange(0, len(rows) - 1, 2)
     return rows[:, :2], np.column_stack([first, first + 2, first + 1])
 
 
 def _places(pieces: Sequence[Piece], counts: Sequence[int]) -> Array:
-    """x, y and heading at the ends and middles of all cells (k, 3)."""
+    """Positions x, y and heading (k, 3) at the ends and middles of all cells."""
     rows = [
         _place(piece, j / (2 * count))
         for piece, count in zip(pieces, counts, strict=True)
@@ -87,5 +91,8 @@ def _place(piece: Piece, share: float) -> tuple[float, float, float]:
 
 
 def section_held(part: Strip, station: int, along: int) -> list[Held]:
-    """A clamp: no movement along the line, and across it of the middle only."""
+    """Supports of a clamp.
+
+    The section cannot move in the direction `along`; only its middle is fixed across it.
+    """
     return [Held(part.across[station], along), Held([part.middle(station)], 1 - along)]

@@ -1,4 +1,4 @@
-"""Strips swept over their width as decks of bricks, one layer of them through the thickness."""
+"""Strips extended over their width, as decks of bricks with one layer through the thickness."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from verify.studies.crosscheck.calculix.strips import Strip, strip
 
 @dataclass(frozen=True, kw_only=True)
 class SweptDeck:
-    """A strip of thickness `b` between the planes z = `levels`, odd ones holding middle nodes.
+    """A strip of thickness `b` between planes z = `levels`, as a calculix deck.
 
-    Symmetric about the first plane, and about the last plane if the edge is `held`. The tail is
-    clamped; the line of the head is displaced along x by `move` without rotation. calculix converts
-    its shells S8R to the same twenty-node bricks with reduced integration, but with rigid knots at
-    supported rotations.
+    Levels with an odd index contain the middle nodes. The strip is symmetric about the first plane
+    and, if the edge is `held`, about the last plane. The tail is clamped. The line of the head is
+    displaced along x by `move` without rotation. calculix converts its shells S8R to the same
+    twenty-node bricks with reduced integration, but with rigid knots at supported rotations.
     """
 
     pieces: Sequence[Piece]
@@ -38,7 +38,7 @@ class SweptDeck:
 
     @cached_property
     def points(self) -> Array:
-        """Places (nodes, 3) of all layers, some of which no brick has."""
+        """Positions (nodes, 3) of all layers; some of these nodes belong to no brick."""
         n = len(self.part.points)
         return np.vstack([
             np.column_stack([self.part.points, np.full(n, z)]) for z in self.levels
@@ -46,7 +46,7 @@ class SweptDeck:
 
     @cached_property
     def bricks(self) -> Indices:
-        """Nodes (bricks, 20) from 0."""
+        """Nodes of the bricks, (bricks, 20), counted from 0."""
         n, last = len(self.part.points), len(self.levels) - 1
         return np.vstack([_bricks(self.part.cells + k * n, n) for k in range(0, last, 2)])
 
@@ -85,6 +85,9 @@ class SweptDeck:
 
 
 def _bricks(cells: Indices, n: int) -> Indices:
-    """Twenty nodes each, from cells of eight in the lower of three planes of `n` nodes."""
+    """Nodes of twenty-node bricks, from eight-node cells in the lowest of three planes.
+
+    Each plane has `n` nodes.
+    """
     corners, edges = cells[:, :4], cells[:, 4:]
     return np.hstack([corners, corners + 2 * n, edges, edges + 2 * n, corners + n])

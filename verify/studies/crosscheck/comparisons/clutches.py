@@ -1,4 +1,4 @@
-"""Locked rings, one pitch of a roller freewheel, of a drawn cup and of a sprag clutch."""
+"""Locked polyhedral rings, and one pitch of roller and sprag clutches, compared with calculix."""
 
 from functools import partial
 from typing import Any
@@ -26,7 +26,7 @@ Points = list[tuple[float, float]]
 
 
 def locked(elastic: bool, refine: int) -> Posed:
-    """Half a sector of the polyhedral ring under pressure against its roller."""
+    """Half a sector of the polyhedral ring under pressure, in contact with a roller."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
@@ -44,7 +44,7 @@ def locked(elastic: bool, refine: int) -> Posed:
 
 
 def freewheel(case: Any) -> Posed:
-    """Cam, roller and race with friction, at a state of the case's sweep."""
+    """Cam, roller and race with friction, at one state of the case's torque sweep."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
@@ -62,7 +62,7 @@ def freewheel(case: Any) -> Posed:
 
 
 def sprag() -> Posed:
-    """Races and sprag with friction; the overlaps that press them are drawn by the races' radii."""
+    """Races and sprag with friction; the races' radii are changed to model the interference."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
     from verify.studies.crosscheck.calculix.numbering import Numbering
@@ -86,7 +86,7 @@ def sprag() -> Posed:
 
 
 def both(forces: Points, moments: list[float], times: float) -> Numbers:
-    """Sizes of the forces on both races per length, and the torques of all bodies on them."""
+    """Absolute forces per length on both races, and absolute torques of all sprags or rollers."""
     (inner, outer), (on_inner, on_outer) = forces, moments
     return {
         "force on the inner part": float(np.hypot(*inner)),
@@ -112,7 +112,7 @@ DRAWN: Any = {
 def quantities(
     normal: tuple[str, str], torque: tuple[str, str], within: Any = HERE
 ) -> tuple[Quantity, ...]:
-    """The four numbers of `both`, with the rows to which they belong."""
+    """The four quantities of `both`, with the rows to which they belong."""
     return (
         Quantity(name="force on the inner part", row=normal[0], symbol="F", unit="N/mm",
                  beside=True, **within),

@@ -37,7 +37,7 @@ SLIPPING = 6  # cells on the half-width of slipping discs
 
 
 def line(case: Any, solve: Any) -> Posed:
-    """Quarters of rollers whose cut is moved until the contact carries the load."""
+    """Quarters of rollers, displaced at their cut until the contact carries the load."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
@@ -69,7 +69,7 @@ def line(case: Any, solve: Any) -> Posed:
 
 
 def sphere(pair: Pair) -> Posed:
-    """A sphere at Hertz's approach, as a body of revolution."""
+    """A sphere at the approach of Hertz's theory, as an axisymmetric body."""
     from fem.contact.point_contact import push
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
@@ -91,7 +91,7 @@ def sphere(pair: Pair) -> Posed:
 
 
 def fit(which: Fit) -> Posed:
-    """Quarters of two rings, the inner one pressed into the outer one."""
+    """Quarters of two rings with an interference fit."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
@@ -117,7 +117,7 @@ def fit(which: Fit) -> Posed:
 
 
 def slip(stage: float) -> Posed:
-    """Pressed half discs; the tangential load rises to Q_max, then falls to `stage` Q_max."""
+    """Pressed half discs; the tangential load increases to Q_max, then changes to `stage` Q_max."""
     from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem

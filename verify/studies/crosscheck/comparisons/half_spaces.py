@@ -33,7 +33,7 @@ GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 
 def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) -> Posed:
-    """The roller of the case on the half-space, with its crown or another one."""
+    """The roller of the case on the half-space, with the crown of the case or with `crown`."""
     q: Any = case.inputs()
     found, _ = timed(lambda: pressed(q, LEVEL, crown=crown(q)))
     own = found.contact.contact
@@ -50,12 +50,12 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
 
 def even(name: str) -> Callable[[Any], Callable[[Array], Array]]:
-    """The crown of that name for an even pressure, of any roller."""
+    """Function that gives the crown `name`, which is designed for an even pressure, of a roller."""
     return lambda q: even_crowns(q)[name]
 
 
 def sphere() -> Posed:
-    """A sphere on a half-space of the case's materials."""
+    """A sphere on a half-space, with the materials of the case."""
     q = Spheres()
     R, a = q.hertz["R"], q.width
     E_star = 3 * q.P * R / (4 * a**3)
@@ -86,7 +86,7 @@ def press(shape: Array, cell: tuple[float, float], E_star: float, load: float) -
 def asked(
     shape: Array, cell: tuple[float, float], E_star: float, load: float
 ) -> dict[str, Any]:  # fmt: skip
-    """The input of the script of tamaas."""
+    """Input data for the script that runs tamaas."""
     return {
         "gap": shape.tolist(), "cell": list(cell), "E_star": E_star, "load": load,
         "tolerance": TOLERANCE, "limit": LIMIT,

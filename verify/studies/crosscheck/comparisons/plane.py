@@ -22,14 +22,14 @@ AVERAGED = 1e-3  # of stresses at nodes
 
 @dataclass(frozen=True)
 class Fields:
-    """Fields at the nodes of a deck of calculix that was solved at `path`."""
+    """Fields at the nodes of a calculix deck that was solved in the file `path`."""
 
     deck: "PlaneDeck"
     path: Path
 
     @cached_property
     def solution(self) -> "PlaneSolution":
-        """The project's solution with the displacements replaced by calculix's."""
+        """Solution of the project with the displacements replaced by those of calculix."""
         from verify.studies.crosscheck.calculix.reading import displacements
 
         u = displacements(self.path.with_suffix(".frd"))[: self.deck.numbering.count]
@@ -44,14 +44,14 @@ class Fields:
 
     @property
     def energy(self) -> float:
-        """Strain energy by calculix, for the solution's thickness."""
+        """Strain energy by calculix, for the thickness of the project's solution."""
         from verify.studies.crosscheck.calculix.reading import strain_energy
 
         share = self.deck.depth / self.deck.solution.thickness
         return strain_energy(self.path.with_suffix(".dat")) / share
 
     def hoop(self, boundary: str) -> float:
-        """Mean of the hoop stresses at the nodes of a boundary about the origin."""
+        """Mean hoop stress about the origin at the nodes of a boundary."""
         number = self.deck.numbering.nodes(boundary) - 1
         x, y = self.deck.numbering.x[:, number]
         xx, yy, _, xy = self.stress[number, :4].T
@@ -62,7 +62,7 @@ def posed(
     deck: "PlaneDeck", ours: Numbers, seconds: float, read: Callable[[Fields], Numbers],
     name: str = "deck",
 ) -> Posed:  # fmt: skip
-    """The problem of `deck`, of which `read` has the same numbers."""
+    """Problem of `deck` for comparison; `read` gives the same numbers from calculix."""
     return Posed(
         ours=ours, seconds=seconds, unknowns=deck.unknowns,
         write=lambda folder: deck.write(folder / f"{name}.inp"),
@@ -83,5 +83,5 @@ def hoop(solution: "PlaneSolution", boundary: str) -> float:
 
 
 def radial(solution: "PlaneSolution", point: tuple[float, float]) -> float:
-    """Displacement of the node at `point`, away from the origin."""
+    """Radial displacement away from the origin of the node at `point`."""
     return float(np.dot(solution.displacement_at(point), point) / np.hypot(*point))

@@ -1,4 +1,4 @@
-"""Rings under pressure, under sprags, in rotation, and polyhedral rings, compared with calculix."""
+"""Rings under pressure, sprag forces and rotation, and polyhedral rings, against calculix."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -41,7 +41,7 @@ NODAL = "calculix extrapolates stresses to the nodes and averages them there"
 
 
 def lame(assumption: "Assumption") -> Posed:
-    """A thick ring under pressure in its bore and on its rim; calculix integrates the pressure."""
+    """A thick ring with pressure in the bore and on the rim; calculix integrates the pressure."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring
@@ -114,7 +114,7 @@ def rotation() -> Posed:
 
 
 def sprags(loaded: Wall) -> Posed:
-    """Half a pitch of a race under its sprags, guided at both sections, one of them inclined."""
+    """Half a pitch of a race under sprag forces, guided at both sections, one of them inclined."""
     from fem.plane.material import Elastic
     from fem.plane.patch import polar_nodes
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
@@ -155,7 +155,7 @@ def sprags_quantities(loaded: str, far: str) -> tuple[Quantity, ...]:
 
 
 def polyhedral(assumption: "Assumption") -> Posed:
-    """Half a sector of the polyhedral ring under pressure, with guides at both sections."""
+    """Half a sector of the polyhedral ring under pressure, guided at both sections."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
@@ -175,7 +175,7 @@ def polyhedral(assumption: "Assumption") -> Posed:
 
 
 def hub(corner: bool) -> Posed:
-    """The same under the hub's force at e, or in the corner, at single nodes."""
+    """Half a sector of the polyhedral ring under the hub's force at e or at the corner."""
     from fem.plane.material import Elastic
     from fem.plane.sectors import radial
     from verify.studies.crosscheck.calculix.plane import PlaneDeck

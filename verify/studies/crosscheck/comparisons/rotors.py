@@ -30,7 +30,7 @@ MODES = 6
 
 
 def shaft(turning: bool) -> Posed:
-    """A uniform shaft in hard bearings."""
+    """A uniform shaft in stiff bearings, with or without rotation."""
     from fem.rotor.model import Element, Material, Rotor, Shaft, Support
 
     q: Any = SHAFT.inputs()
@@ -43,7 +43,7 @@ def shaft(turning: bool) -> Posed:
 
 
 def step(turning: bool) -> Posed:
-    """A shaft with a thick part in elastic bearings."""
+    """A shaft with a step in diameter in elastic bearings, with or without rotation."""
     from verify.cases.rotor.step.reference import beam
 
     q: Any = STEP.inputs()
@@ -51,7 +51,7 @@ def step(turning: bool) -> Posed:
 
 
 def system(speeds: Sequence[float]) -> Posed:
-    """Two coaxial shafts with discs and bearings between them, both at the same speed."""
+    """Two coaxial shafts at the same speed, with discs and with bearings between the shafts."""
     q: Any = SYSTEM.inputs()
     alike = q.model_copy(update={
         "shafts": tuple(s.model_copy(update={"ratio": 1.0}) for s in q.shafts),
@@ -65,10 +65,10 @@ def system(speeds: Sequence[float]) -> Posed:
 
 
 def sprags(node: int) -> Posed:
-    """Both rotors of the paper with bearings and clutch between them, under the rig's unbalances.
+    """Both rotors of the paper, joined by bearings and clutch, under the unbalances of the rig.
 
-    Bearings in ROSS act in x and y only: both sides omit the tilting and torsional stiffness of the
-    clutch, the axial stiffness of bearings, and the drive.
+    Bearings in ROSS act in x and y only. Therefore, both solvers omit the tilting and torsional
+    stiffness of the clutch, the axial stiffness of bearings, and the drive.
     """
     from fem.rotor.model import Link, Support
 
@@ -88,7 +88,7 @@ def sprags(node: int) -> Posed:
 def posed(
     rotor: "Rotor", speeds: Sequence[float], unbalance: dict[str, Any] | None = None
 ) -> Posed:
-    """Frequencies at each speed, and of an unbalance the probe's orbit."""
+    """Problem of `rotor`: frequencies at each speed and, with an unbalance, the probe's orbit."""
     from fem.rotor.modes import modes
     from fem.rotor.response import unbalance_response
     from verify.studies.crosscheck.rotors import asked, write

@@ -1,4 +1,4 @@
-"""The round ring that pressure expands to its rollers, compared with calculix."""
+"""The round ring that pressure expands until it touches the rollers, compared with calculix."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ NODAL = "stresses by the project from calculix's displacements"
 
 
 def expanded(assumption: Any) -> Posed:
-    """A quarter of the ring under pressure in its bore, which calculix integrates."""
+    """A quarter of the ring under pressure in its bore; calculix integrates the pressure."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring

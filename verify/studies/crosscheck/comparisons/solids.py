@@ -1,4 +1,4 @@
-"""A loop of the accordion spring as solids and as a shell, compared with calculix' bricks."""
+"""A loop of the accordion spring as solids and as a shell, compared with bricks of calculix."""
 
 from functools import partial
 from pathlib import Path
@@ -23,7 +23,7 @@ BRICKS = "27-node cells of the project beside 20-node ones of reduced integratio
 
 
 def loop(held: bool) -> Posed:
-    """The loop as 27-node solids; its edges are free, or `held` in plane strain."""
+    """The loop as 27-node solids; its edges are free or, with `held`, in plane strain."""
     from fem.solid.solve import solve_solid
     from meshes.solid.strip import solid_strip
     from verify.studies.crosscheck.calculix.reading import strain_energy
@@ -52,13 +52,13 @@ def loop(held: bool) -> Posed:
 
 
 def narrow() -> Any:
-    """The case's inputs with a narrow strip."""
+    """Inputs of the case with a narrow strip."""
     q: Any = WIDTH.inputs()
     return q.model_copy(update={"h": WIDE * q.b})
 
 
 def stiffness(energy: float) -> float:
-    """Stiffness of the whole width, from the energy of half the width."""
+    """Stiffness of the complete width, from the strain energy of half the width."""
     return 2 * 2 * energy / MOVED**2
 
 

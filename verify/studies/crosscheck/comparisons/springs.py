@@ -1,4 +1,4 @@
-"""The accordion spring as a strip of plane cells, straight and at large displacement."""
+"""The accordion spring as a strip of plane cells, at small and at large displacement."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -44,7 +44,7 @@ SMALL = 1e-3
 
 
 def continuum(assumption: Any) -> Posed:
-    """The spring as a plane body under 1 N, on the same cells."""
+    """The spring as a plane body under a force of 1 N, on the same cells."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.spring.strip import strip
@@ -77,7 +77,7 @@ def continuum(assumption: Any) -> Posed:
 
 
 def accordion(tail: Any, head: Any) -> Posed:
-    """The frame of curved elements under 1 N, and a strip about the same line."""
+    """The frame of curved elements under 1 N, compared with a strip along the same line."""
     given: Any = ACCORDION.inputs()
     q = given.held(Ends("", "", head, tail))
     solved, seconds = timed(lambda: curved_frame(q, line_of(q, 2 * LEVEL)))
@@ -99,7 +99,7 @@ def accordion(tail: Any, head: Any) -> Posed:
 
 
 def aside() -> Posed:
-    """Lateral displacement of the guided head without load."""
+    """Lateral stiffness of the guided head without axial load."""
     q: Any = BUCKLING.inputs()
     path = q.path | {"tail": "arc"}
     one = spring(q, path, q.b, LEVEL)
@@ -121,7 +121,7 @@ def aside() -> Posed:
 
 
 def buckled(tail: str) -> Posed:
-    """The linear buckling load of the spring whose head is free."""
+    """Linear buckling load of the spring with a free head."""
     q: Any = BUCKLING.inputs()
     path = q.path | {"tail": tail}
     one = spring(q, path, q.b, LEVEL)
@@ -140,7 +140,7 @@ def buckled(tail: str) -> Posed:
 
 
 def drift(share: float) -> Posed:
-    """A free head under a dead force, far beyond small displacements."""
+    """Spring with a free head at large displacement, under a force of constant direction."""
     q: Any = BUCKLING.inputs()
     path = q.path | {"tail": "arc"}
     one = spring(q, path, q.b, LEVEL)
@@ -176,7 +176,7 @@ def curve() -> Posed:
                  tail="mid-leaf")  # fmt: skip
     found, seconds = timed(lambda: fem_compress(own, PRESSED, per_arc=LEVEL))
     if not found.press[0].sum() == 0 < found.press[-1].sum():
-        raise ArithmeticError("the tips touch too early, or never")
+        raise ArithmeticError("the tips must be separated at the first and touch at the last step")
     ours = dict(zip((APART, TOUCHING), found.F.tolist(), strict=True))
 
     from fem.plane.material import Elastic
@@ -197,9 +197,10 @@ def posed(
     q: Any, path: Mapping[str, Any], problem: "Callable[[Strip], dict[str, Any]]", ours: Numbers,
     seconds: float, read: "Callable[[Answer], Numbers] | None", unit: float = 1.0,
 ) -> Posed:  # fmt: skip
-    """A strip about the line `path` in plane stress; without `read` a buckling factor is read.
+    """Problem of a strip along the line `path` in plane stress.
 
-    `unit` [N] is the deck's unit of force, also that of the loads of `problem`.
+    Without `read`, the buckling factor is read from the results. `unit` [N] is the unit of force in
+    the deck, also of the loads in `problem`.
     """
     from fem.plane.material import Elastic
     from meshes.spring import path as line

@@ -24,7 +24,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """The inner hub displaced and tilted under T, and then returned."""
+    """The inner hub, displaced and tilted under T, then rotated back by a small angle."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
@@ -42,7 +42,7 @@ def struts() -> Posed:
 
 
 def named(loads: Array) -> dict[str, float]:
-    """Lateral force, tilting moment and torque (2, 3) by name."""
+    """Lateral force, tilting moment and torque (2, 3) of both steps, by name."""
     return {
         f"{name}{words}": float(value)
         for row, words in zip(loads, ("", ", back"), strict=True)
@@ -51,9 +51,10 @@ def named(loads: Array) -> dict[str, float]:
 
 
 def written(rest: "Joint", moves: Array, path: Path) -> Path:
-    """The deck: a spring for each strut, with its present force, between fixed and joined nodes.
+    """Write the deck: a nonlinear spring for each strut between fixed nodes and the inner hub.
 
-    An additional spring on a separate node gives calculix an unknown to solve for.
+    The force law of the springs is a table. An additional spring on a separate node gives calculix
+    an unknown to solve for.
     """
     from fem.rotor.struts_kinds import Pinned
     from verify.studies.crosscheck.calculix import keywords
@@ -96,7 +97,7 @@ def written(rest: "Joint", moves: Array, path: Path) -> Path:
 
 
 def holding(deck: Path) -> Array:
-    """These values (2, 3) from calculix's tables: in each step the centre, then its rotation."""
+    """Lateral force, tilting moment and torque (2, 3) of both steps, from calculix's tables."""
     from verify.studies.crosscheck.calculix.reading import blocks
 
     centre, turn = (

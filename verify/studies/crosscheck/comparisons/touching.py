@@ -25,14 +25,17 @@ PENALTY = (
 
 @dataclass(frozen=True)
 class Touched:
-    """Results of a deck of calculix with contact, solved at `path`; forces for the whole width."""
+    """Results of a calculix deck with contact, solved in the file `path`.
+
+    Forces are those of the complete width of the problem.
+    """
 
     deck: "ContactDeck"
     path: Path
 
     @cached_property
     def u(self) -> Array:
-        """Displacements (nodes, 2) from the places in the mesh, at the end."""
+        """Displacements (nodes, 2) from the positions in the mesh, in the last increment."""
         from verify.studies.crosscheck.calculix.reading import displacements
 
         u = displacements(self.path.with_suffix(".frd"))[: self.deck.numbering.count]
@@ -40,7 +43,7 @@ class Touched:
 
     @cached_property
     def solution(self) -> "PlaneSolution":
-        """The project's solution with the displacements replaced by calculix's."""
+        """Solution of the project with the displacements replaced by those of calculix."""
         return replace(self.deck.states[-1].plane, u=self.deck.numbering.spread(self.u))
 
     @cached_property
@@ -51,28 +54,28 @@ class Touched:
         return contact_totals(self.path.with_suffix(".dat"), pairs) / self.deck.told
 
     def force(self, pair: int = 0) -> tuple[float, float]:
-        """Force (x, y) on the master."""
+        """Force (x, y) on the master surface of a pair."""
         x, y = -self._on_slaves[pair, :2]
         return float(x), float(y)
 
     def moment(self, pair: int = 0) -> float:
-        """Moment of the contact's force on the master about the origin."""
+        """Moment of the contact force on the master surface about the origin."""
         return -float(self._on_slaves[pair, 5])
 
     @cached_property
     def pressures(self) -> Array:
-        """Contact pressures (nodes,) at the end, zero if nothing touches."""
+        """Contact pressures (nodes,) in the last increment; zero at nodes without contact."""
         from verify.studies.crosscheck.calculix.reading import nodal
 
         return nodal(self.path.with_suffix(".frd"), "CONTACT")[:, 3]
 
     def peak(self, pair: int = 0) -> float:
-        """Largest pressure at a node of the slave."""
+        """Largest pressure at a node of the slave surface."""
         trace = self.deck.surfaces.slaves[pair]
         return float(self.pressures[self.deck.numbering.of[trace.dofs[0]] - 1].max())
 
     def half_width(self, pair: int = 0) -> float:
-        """Half the length that is in contact."""
+        """Half the length of the contact."""
         from verify.studies.crosscheck.calculix.reading import contact_areas
 
         pairs = len(self.deck.surfaces.pairs)
@@ -84,7 +87,7 @@ def posed(
     deck: "ContactDeck", ours: Numbers, seconds: float, read: Callable[[Touched], Numbers],
     name: str = "deck",
 ) -> Posed:  # fmt: skip
-    """The problem of `deck`, of which `read` has the same numbers."""
+    """Problem of `deck` for comparison; `read` gives the same numbers from calculix."""
     return Posed(
         ours=ours, seconds=seconds, unknowns=deck.unknowns,
         write=lambda folder: deck.write(folder / f"{name}.inp"),
@@ -93,6 +96,6 @@ def posed(
 
 
 def along_first_moment(touch: "Touch") -> float:
-    """Half-width of an elliptic pressure on x >= 0 by its mean distance from the axis."""
+    """Half-width of an elliptic pressure on x >= 0, from its mean distance from the axis."""
     x, load = touch.mortar.points.x[0], touch.p * touch.weight
     return float(3 * np.pi / 4 * (load @ x) / load.sum())

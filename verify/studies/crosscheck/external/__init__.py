@@ -1,1 +1,1 @@
-"""Scripts for the separate environment of second solvers: JSON in, JSON out."""
+"""Scripts for the separate environment of the second solvers; input and output are JSON files."""

@@ -1,4 +1,4 @@
-"""ROSS on a rotor from a file, in a separate Python environment with ROSS.
+"""Script that runs ROSS on a rotor from a file, in a separate Python environment.
 
 python ross_rotor.py ASKED.json ANSWER.json
 """
@@ -11,12 +11,15 @@ from typing import Any
 
 
 def main(asked: Path, answer: Path) -> None:
-    """Solve the problem `asked`, in the form of `verify.studies.crosscheck.rotors`."""
+    """Solve the problem in the file `asked`, which `verify.studies.crosscheck.rotors` wrote."""
     answer.write_text(json.dumps(solve(json.loads(asked.read_text("utf-8")))), "utf-8")
 
 
 def solve(asked: Any) -> dict[str, Any]:
-    """Frequencies [rad/s] at each speed, orbits' large half axes [m]; seconds without imports."""
+    """Frequencies [rad/s] at each speed, major semi-axes of the orbits [m], and solution time [s].
+
+    The time excludes imports.
+    """
     import ross
 
     start = time.perf_counter()
@@ -30,7 +33,7 @@ def solve(asked: Any) -> dict[str, Any]:
 
 
 def built(ross: Any, asked: Any) -> Any:
-    """The rotor of one shaft or of several at the same speed."""
+    """ROSS model of one shaft or of several coaxial shafts at the same speed."""
     shafts, nodes = [], 0
     for k, pieces in enumerate(asked["shafts"]):
         elements = []
@@ -51,7 +54,7 @@ def built(ross: Any, asked: Any) -> Any:
 
 
 def frequencies(rotor: Any, speed: float, count: int) -> list[float]:
-    """The lowest `count` damped frequencies [rad/s], forward and backward ones."""
+    """The lowest `count` damped frequencies [rad/s], forward and backward."""
     import numpy as np
 
     found = rotor.run_modal(speed, num_modes=4 * count + 8, sparse=False)
@@ -59,7 +62,7 @@ def frequencies(rotor: Any, speed: float, count: int) -> list[float]:
 
 
 def orbit(rotor: Any, unbalance: Any) -> list[float]:
-    """Large half axis of the probe's orbit at each speed."""
+    """Major semi-axis of the probe's orbit at each speed."""
     import numpy as np
 
     speeds = np.array(unbalance["speeds"], float)

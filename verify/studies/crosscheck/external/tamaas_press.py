@@ -1,4 +1,4 @@
-"""tamaas on a gap from a file, in a separate Python environment with numpy and tamaas.
+"""Script that runs tamaas on a gap from a file, in a separate Python environment.
 
 python tamaas_press.py ASKED.json ANSWER.json
 """
@@ -11,12 +11,12 @@ from typing import Any
 
 
 def main(asked: Path, answer: Path) -> None:
-    """Solve the contact `asked`: gap (nx, ny), cell, E_star, load, tolerance, limit."""
+    """Solve the contact in the file `asked`: gap (nx, ny), cell, E_star, load, tolerance, limit."""
     answer.write_text(json.dumps(press(json.loads(asked.read_text("utf-8")))), "utf-8")
 
 
 def press(asked: Any) -> dict[str, Any]:
-    """Pressure (nx, ny), seconds without imports, the error and the version of the solver."""
+    """Pressure (nx, ny), solution time without imports [s], error, and version of tamaas."""
     import numpy as np
     import tamaas
 
