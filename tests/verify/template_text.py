@@ -3,7 +3,7 @@
 import re
 import tomllib
 
-EXAMPLES = "# Optional too"
+EXAMPLES = "# Also optional"
 CONTINUED = re.compile(r"\n(?:# )?#? +#   ")  # a long comment
 HIDDEN = re.compile(r"^# (\w+ = )")
 

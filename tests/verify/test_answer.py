@@ -204,7 +204,7 @@ def test_a_reference_without_a_value_does_not_refute_the_formulas(judged):
     assert why_not_solved(rows).startswith("not converged")
     unsolved = with_rows(of_paper, rows)
     assert unsolved.verdict is Verdict.CANNOT_SAY
-    assert "nothing was compared" in unsolved.reasons[0]
+    assert "no value was compared" in unsolved.reasons[0]
     assert not why_not_solved([*rows, replace(result.rows[0], status=Status.FAIL)])
     for system in ("mm", "inch", "si"):
         shown = in_units(result, system).rows

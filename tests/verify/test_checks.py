@@ -259,10 +259,14 @@ def test_a_formula_becomes_exact_with_the_exponent_of_theory(d0, exponent, statu
 def test_points_and_errors_without_a_fit_fail():
     (row,) = rows_of(limit(lambda c: ([0.1, 0.08, 0.05, 0.02], [0.1] * 4, [1e-6] * 4), 1.0))
     assert row.status is Status.FAIL
-    assert row.reason.startswith("no limit: a limit needs four points over a decade")
+    assert row.reason.startswith(
+        "the limit cannot be computed: a limit requires at least four points over a decade"
+    )
     (row,) = rows_of(order(lambda c: (list(FOUR), [1e-2, 1e-3, 0.0, 1e-5])))
     assert row.status is Status.FAIL
-    assert row.reason.startswith("no order: an order needs four positive errors")
+    assert row.reason.startswith(
+        "the order cannot be computed: the order of convergence requires at least four positive errors"
+    )
 
 
 def test_a_fact_has_its_margin_in_its_unit():

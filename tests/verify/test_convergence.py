@@ -164,8 +164,8 @@ def test_a_next_term_of_half_the_leading_one_stays_within_the_uncertainty_of_an_
 @pytest.mark.parametrize(
     ("h", "values", "message"),
     [
-        ((1.0, 0.5), (4.0, 2.0, 1.0, 0.5), "2 mesh sizes for 4 values"),
-        ((1.0, 1.0, 0.5, 0.1), (4.0, 2.0, 1.0, 0.5), "decrease"),
+        ((1.0, 0.5), (4.0, 2.0, 1.0, 0.5), "got 2 sizes and 4 values"),
+        ((1.0, 1.0, 0.5, 0.1), (4.0, 2.0, 1.0, 0.5), "decreasing"),
         ((1.0, 0.5, 0.1, 0.0), (4.0, 2.0, 1.0, 0.5), "positive"),
         ((math.inf, 0.5, 0.2, 0.1), (4.0, 2.0, 1.0, 0.5), "positive"),
         ((1.0, 0.5, 0.2, 0.1), (4.0, 2.0, 1.0, math.nan), "must be finite"),

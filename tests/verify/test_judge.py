@@ -115,7 +115,7 @@ def test_a_formula_of_the_other_sign_is_judged_by_its_size_and_zero_is_refused()
     assert sharp.status is Status.FAIL
     zero = judge.approximation(0.0, 1.0, U=0.01, interval=(-1.5, 0.5))
     assert (zero.status, zero.detects) == (Status.FAIL, None)
-    assert zero.reason.startswith("the formula is zero")
+    assert zero.reason.startswith("the formula gives zero")
 
 
 def test_a_reference_decides_as_long_as_it_is_more_than_its_uncertainty_with_a_reason():

@@ -1,1 +1,1 @@
-"""Answer for a user's part: verdict, number to design with, margin, limits."""
+"""Answer of `check` for a user's part: verdict, design value, margin and limits."""

@@ -1,4 +1,4 @@
-"""The answer about a part: whether it holds, its design value, its limits and margin."""
+"""The answer for a part: whether the part holds, its design value, its limits and its margin."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ ROUND_OFF = 1e-9  # relative; a value equal to the limit satisfies it
 
 
 class Verdict(StrEnum):
-    """Statement of the formulas about the part."""
+    """Verdict of the formulas on a part."""
 
     HOLDS = "holds"
     FAILS = "fails"
@@ -31,10 +31,11 @@ class Quantity:
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion:
-    """A value [SI] and its limit [SI]; with `minimum`, the value must not be below the limit.
+    """A computed value [SI] and its limit [SI].
 
-    `source` is the source of the limit; `assumed` states that it was not given; `doubt` is the
-    reason why a value within the limit is not sufficient.
+    With `minimum`, the value must not be below the limit; otherwise, the value must not exceed the
+    limit. `source` is the source of the limit. `assumed` is True if the file does not give the
+    limit. `doubt` is the reason why a value within the limit is not sufficient.
     """
 
     key: str
@@ -49,7 +50,10 @@ class Criterion:
 
     @property
     def margin(self) -> float:
-        """Limit over value, for a minimum value over limit; met if at least 1."""
+        """Margin [1]: limit divided by value; for a minimum, value divided by limit.
+
+        The criterion is met if the margin is at least 1.
+        """
         above, below = (self.value, self.limit) if self.minimum else (self.limit, self.value)
         if below <= 0:
             return math.inf
@@ -63,9 +67,9 @@ class Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """The criteria of a part, other causes of failure, and unknown values.
+    """Criteria of a part, other causes of failure, and unknown quantities.
 
-    `remarks` state effects that the criteria do not include.
+    `remarks` describe effects that the criteria do not include.
     """
 
     design: Quantity | None
@@ -76,20 +80,26 @@ class Answer:
 
     @property
     def verdict(self) -> Verdict:
-        """A criterion that is not met takes precedence over an unknown one."""
+        """Verdict of the part.
+
+        A criterion that is not met takes precedence over an unknown quantity.
+        """
         if self.failures or not all(c.is_met for c in self.criteria):
             return Verdict.FAILS
         return Verdict.CANNOT_SAY if self.unknowns or not self.criteria else Verdict.HOLDS
 
     @property
     def limiting(self) -> Criterion | None:
-        """The criterion with the smallest margin; a doubtful one only if all are doubtful."""
+        """Criterion with the smallest margin.
+
+        Criteria with a doubt count only if all have a doubt.
+        """
         deciding = [c for c in self.criteria if not c.doubt] or self.criteria
         return min(deciding, key=lambda c: c.margin, default=None)
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Reasons, in words, why the verdict is not "holds", if no margin shows this."""
+        """Reasons for a verdict other than "holds" that no margin states."""
         if self.verdict is Verdict.FAILS:
             return self.failures
         if self.criteria or self.unknowns:

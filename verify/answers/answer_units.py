@@ -1,4 +1,4 @@
-"""An answer of `check` in the units of a system: inputs, values, rows, sentences and JSON."""
+"""Conversion of an answer of `check` into the units of a system: values, texts and JSON."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -17,7 +17,7 @@ Displayed = TypeVar("Displayed", FormulaValue, InputValue, Assumed)
 
 
 def in_units(result: CaseResult, system: System) -> CaseResult:
-    """The result with inputs, values, rows and sentences in the units of a system."""
+    """Result of a case with inputs, values, rows and sentences in the units of `system`."""
     if not DISPLAYED[system]:
         return result
     return replace(
@@ -31,7 +31,7 @@ def in_units(result: CaseResult, system: System) -> CaseResult:
 
 
 def dynamic_in_units(found: DynamicResult | None, system: System) -> DynamicResult | None:
-    """Results of --dynamic in the units of a system."""
+    """Results of `check --dynamic` in the units of `system`."""
     if found is None or not DISPLAYED[system]:
         return found
     return replace(
@@ -42,17 +42,20 @@ def dynamic_in_units(found: DynamicResult | None, system: System) -> DynamicResu
 
 
 def outputs_in(outputs: Sequence[Output], system: System) -> tuple[Output, ...]:
-    """Outputs of a case with the units of a system."""
+    """Outputs of a case with units of `system`."""
     return tuple(replace(one, unit=unit_in(one.unit, system)) for one in outputs)
 
 
 def assumed_in(assumed: Sequence[Assumed], system: System) -> tuple[Assumed, ...]:
-    """Assumed inputs in the units of a system."""
+    """Assumed inputs in the units of `system`."""
     return tuple(_number(one, system) for one in assumed)
 
 
 def record_in_units(record: Any, system: System) -> Any:
-    """JSON with every `value`, `at` or `limit` of a `unit` converted, except printed numbers."""
+    """JSON record in the units of `system`.
+
+    Every `value`, `at` or `limit` with a `unit` is converted, except numbers printed in a paper.
+    """
     if isinstance(record, list):
         return [record_in_units(one, system) for one in record]
     if not isinstance(record, dict):
@@ -89,7 +92,10 @@ def _value(one: FormulaValue, system: System) -> FormulaValue:
 
 
 def _input(one: InputValue, system: System) -> InputValue:
-    """An input; a table of inputs is a sentence."""
+    """An input in the units of `system`.
+
+    Of a table of inputs, only the description is converted.
+    """
     if one.value == "":
         return replace(one, what=text_in(one.what, system))
     return _number(one, system)

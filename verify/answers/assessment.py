@@ -1,4 +1,4 @@
-"""Collects the criteria of one part."""
+"""Collection of the criteria of one part."""
 
 import math
 from dataclasses import dataclass, field
@@ -18,10 +18,10 @@ from verify.core.inputs import Inputs, meta
 
 @dataclass
 class Assessment:
-    """The criteria for the inputs and values of a case; `design` is the design value.
+    """Criteria for one part, collected from the inputs and values of a case.
 
-    Without `with_design`, a design value that takes long to compute may be omitted. `assumed` are
-    the names of the inputs that the file does not give.
+    `design` is the design value. If `with_design` is False, a design value that takes long to
+    compute may be omitted. `assumed` contains the names of the inputs that the file does not give.
     """
 
     design: Quantity | None = None
@@ -40,7 +40,7 @@ class Assessment:
         )  # fmt: skip
 
     def below_input(self, key: str, what: str, value: float, inputs: Inputs, name: str) -> None:
-        """`value` [SI] must not exceed the input `name` of `inputs`."""
+        """Add the criterion that `value` [SI] must not exceed the input `name` of `inputs`."""
         about, is_assumed = meta(type(inputs).model_fields[name]), name in self.assumed
         source = f"{'' if is_assumed else f'{GIVEN} '}{about['symbol'] or name}, {about['what']}"
         limit = getattr(inputs, name)
@@ -48,20 +48,20 @@ class Assessment:
 
     def at_most(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
                 *, assumed: bool = False, doubt: str = "") -> None:  # fmt: skip
-        """`value` [SI] must not exceed `limit` [SI]."""
+        """Add the criterion that `value` [SI] must not exceed `limit` [SI]."""
         self._add(Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
                             assumed=assumed, doubt=doubt))  # fmt: skip
 
     def at_least(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
                  *, assumed: bool = False, doubt: str = "") -> None:  # fmt: skip
-        """`value` [SI] must not be below `limit` [SI]."""
+        """Add the criterion that `value` [SI] must not be below `limit` [SI]."""
         self._add(Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
                             assumed=assumed, minimum=True, doubt=doubt))  # fmt: skip
 
     def stress(
         self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"
     ) -> None:
-        """Criterion for a stress [Pa], by magnitude, against the strength of the part."""
+        """Add the criterion that the magnitude of a stress [Pa] must not exceed the strength."""
         if strength.value is None:
             self.unknowns.append(f"{what} {abs(value) / 1e6:.4g} MPa: {strength.source}; {option}")
             return
@@ -73,9 +73,12 @@ class Assessment:
         given: float | None = None, contact: Literal["line", "point"] = "line",
         option: str = "give p_lim in freewheel-clutch or sprag-clutch",
     ) -> None:  # fmt: skip
-        """Criterion for a contact pressure [Pa], with the `given` limit or that of the standard.
+        """Add the criterion for a contact pressure `p` [Pa].
 
-        If the pressure is within the given limit but exceeds that of the standard, it is undecided.
+        The limit is the `given` one or that of the standard.
+
+        If the pressure is within the given limit but exceeds the limit of the standard, the
+        criterion is undecided.
         """
         point = contact == "point"
         limit = contact_pressure(given, *moduli, point=point)

@@ -1,4 +1,4 @@
-"""The first lines of `check`: verdict, design value, margin, limiting criterion."""
+"""First lines of `check` on the terminal: verdict, design value, margin, limiting criterion."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,10 @@ LARGE = 1000.0  # a margin beyond it is no information
 
 
 def headline(name: str, answer: Answer, notes: Sequence[str], system: System = "mm") -> list[str]:
-    """Verdict, design value and margin as lines; `notes` follow the verdict's reasons."""
+    """Lines with verdict, design value and margin.
+
+    The `notes` follow the reasons of the verdict.
+    """
     lines = [f"{name}: {answer.verdict}{_because(answer, system)}"]
     if answer.design is not None:
         lines.append(f"  design value: {_quantity(answer.design, system)}, {answer.design.what}")
@@ -22,7 +25,7 @@ def headline(name: str, answer: Answer, notes: Sequence[str], system: System = "
 
 
 def limits(answer: Answer, system: System = "mm") -> list[tuple[str, ...]]:
-    """Every criterion as cells: state, quantity, value, limit, margin, source."""
+    """Cells of every criterion: state, quantity, value, limit, margin, source."""
     found = [
         (_state(c), c.what, number(c.value, c.unit, system),
          f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit, system)}", f"margin {margin(c)}",
@@ -39,7 +42,7 @@ def _state(criterion: Criterion) -> str:
 
 
 def number(value: float, unit: str, system: System = "mm") -> str:
-    """A value [SI] in its display unit or in a unit system, with four digits."""
+    """Text of a value [SI] in its display unit or in the units of `system`, with four digits."""
     unit = unit_in(unit, system)
     size = value / units.factor(unit)
     text = f"{size:.0f}" if WHOLE[0] <= abs(size) < WHOLE[1] else f"{size:.4g}"
@@ -47,7 +50,7 @@ def number(value: float, unit: str, system: System = "mm") -> str:
 
 
 def margin(criterion: Criterion) -> str:
-    """The margin with three digits."""
+    """Text of a margin with three digits."""
     if criterion.margin >= LARGE:
         return f"above {LARGE:g}"
     return f"{criterion.margin:#.3g}".rstrip(".")

@@ -1,4 +1,4 @@
-"""Criteria of rollers, spheres and crowned rollers in contact."""
+"""Criteria for rollers, spheres and crowned rollers in contact."""
 
 from typing import Any
 
@@ -10,14 +10,14 @@ OTHER = "no limit is known for this material"
 
 
 def line(q: Any, v: Values, part: Assessment) -> None:
-    """Hertz's pressure of a line contact, and the shear stress below it if R_p is given."""
+    """Criteria of a line contact: Hertzian pressure, and subsurface shear if R_p is given."""
     moduli = (q.E,) if hasattr(q, "E") else (q.E_1, q.E_2)
     part.pressure("contact_pressure", "Hertzian pressure", v["p_0"], *moduli, option=OTHER)
     _subsurface(q, v["tau_max"], part)
 
 
 def sphere(q: Any, v: Values, part: Assessment) -> None:
-    """Hertz's pressures of the point contacts with a flat and with the second sphere."""
+    """Criteria of both point contacts of a sphere (with a flat and with a second sphere)."""
     for key, body, p in (
         ("flat", "flat", v["p_0_flat"]), ("sphere", "second sphere", v["p_0"]),
     ):  # fmt: skip
@@ -27,36 +27,37 @@ def sphere(q: Any, v: Values, part: Assessment) -> None:
 
 
 def slip(q: Any, v: Values, part: Assessment) -> None:
-    """Hertz's pressure of the roller that carries an alternating tangential force."""
+    """Criterion of a roller under an alternating tangential force: Hertzian pressure."""
     p = v["p_0"]
     part.pressure("contact_pressure", "Hertzian pressure", p, q.E, option=OTHER)
 
 
 def roller(q: Any, v: Values, part: Assessment) -> None:
-    """Largest pressure along a crowned roller; ends that carry load are not decided."""
+    """Criterion of a crowned roller: largest pressure along it; loaded ends are left undecided."""
     p = v["p_max"]
     part.pressure("contact_pressure", "largest pressure away from the ends", p, q.E_1, q.E_2,
                   option=OTHER)  # fmt: skip
     if q.loaded_ends:
         part.unknowns.append(
-            "the ends of the roller carry load: the pressure there has no limit in this model and "
-            "grows with the number of strips; a crown removes it"
+            "the ends of the roller carry load: the pressure at the ends is unbounded in this "
+            "model and "
+            "increases with the number of strips; a crown unloads the ends"
         )
 
 
 def crowns(q: Any, v: Values, part: Assessment) -> None:
-    """Pressure of Lundberg's crown away from the ends."""
+    """Criterion of a roller with Lundberg's crown: pressure at mid-length."""
     part.pressure("contact_pressure", "pressure at mid-length, Lundberg's crown",
                   v["p_mid"], q.E_1, q.E_2, option=OTHER)  # fmt: skip
 
 
 def end_face(q: Any, v: Values, part: Assessment) -> None:
-    """Pressure of a crowned roller at mid-length; that at its end face is not a criterion."""
+    """Criterion of a crowned roller: pressure at mid-length; the end face has no criterion."""
     part.pressure("contact_pressure", "pressure at mid-length, crowned", v["p_mid"],
                   q.E_1, q.E_2, option=OTHER)  # fmt: skip
     part.unknowns.append(
-        "the pressure at the end face is not limited by this model: compare the load on the end "
-        "zones with that of the crowned roller"
+        "the pressure at the end face is unbounded in this model: compare the load on the end "
+        "zones with the load on the end zones of the crowned roller"
     )
 
 

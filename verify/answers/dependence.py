@@ -15,7 +15,10 @@ MOST = 4  # inputs that are named
 
 
 def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tuple[str, ...]:
-    """Change of the smallest margin with the assumed inputs; empty if none is assumed."""
+    """Sentences about the change of the smallest margin with the assumed inputs.
+
+    Empty if none is.
+    """
     if not assumed:
         return ()
     names = frozenset(one.name for one in assumed)
@@ -32,7 +35,10 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
 
 
 def _margin(case: Case, assumed: frozenset[str], inputs: Inputs, values: Values) -> float | None:
-    """The smallest margin, 0 if the part fails for another reason."""
+    """Smallest margin; 0 if the part fails for a reason other than a criterion.
+
+    None without criteria.
+    """
     found = answer(case, inputs, values, assumed=assumed, with_design=False)
     if found.failures:
         return 0.0
@@ -49,6 +55,6 @@ def _sentence(one: Influence, margin: float) -> str:
 
 
 def _changed(change: float, margin: float) -> str:
-    """A relative change of the margin, and whether the part then fails."""
+    """Text of a relative change of the margin; it states whether the part then fails."""
     text = f"{change:+.0%}" if math.isfinite(change) else "no bound"
     return f"{text} (fails)" if margin >= 1 > (1 + change) * margin else text

@@ -1,4 +1,4 @@
-"""Additions to the answer of the formulas by an engagement in time and by finite elements."""
+"""Correction of an answer of the formulas by a simulation in time and by finite elements."""
 
 import math
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ SAME_VALUE = 1e-9  # relative; the design value in a row's unit
 
 
 def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
-    """The answer with the verdict of the computation in time."""
+    """Answer corrected by the verdict of the simulation in time."""
     if dynamic.verdict in HOLDS:
         return answer
     reason = dynamic.first[0] if dynamic.first else f"{dynamic.what}: {dynamic.verdict}"
@@ -28,13 +28,13 @@ def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
 
 
 def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
-    """The answer after finite elements judged the formulas: if a row failed, it is undecided."""
+    """Answer after comparison with a reference: undecided if a row failed or was not run."""
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed:
         return answer
     more = f" and {len(failed) - 1} more" if len(failed) > 1 else ""
     if not_solved := why_not_solved(rows):
-        reason = f"nothing was compared, the reference was {not_solved}"
+        reason = f"no value was compared because the reference was {not_solved}"
     else:
         reason = (
             f"the reference does not confirm the formulas: row {failed[0].quantity!r}{more} failed"
@@ -43,7 +43,10 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 
 
 def why_not_solved(rows: Sequence[Row]) -> str:
-    """Reason why no failed row has a value of the reference; empty if one has."""
+    """Reason why no failed row has a reference value.
+
+    Empty if a failed row has a reference value.
+    """
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed or any(row.reference is not None for row in failed):
         return ""
@@ -51,7 +54,7 @@ def why_not_solved(rows: Sequence[Row]) -> str:
 
 
 def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
-    """The design value by the reference of the row that has it; empty if no row has."""
+    """Sentence with the reference value of the design value; empty without a design value."""
     if answer.design is None:
         return ""
     value, unit = answer.design.value, answer.design.unit
@@ -65,7 +68,10 @@ def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
             other = number(row.reference * factor, unit)
             off = (row.analytic - row.reference) / row.reference
             return f"{by}: {other}; the formula differs by {off:+.2%}"
-    return "the design value itself has no reference; the rows below compare what it follows from"
+    return (
+        "the design value itself has no reference; the rows below compare the quantities "
+        "from which it is computed"
+    )
 
 
 def _is_same_quantity(unit: str, other: str) -> bool:

@@ -1,4 +1,4 @@
-"""Criteria of roller freewheels: friction, contact pressure, tilting, end of the cams."""
+"""Criteria of roller freewheels: friction, contact pressure, tilting, end of the cam flats."""
 
 import math
 from typing import Any
@@ -19,40 +19,44 @@ MARGIN = "required friction coefficient"
 
 
 def under_torque(q: Any, v: Values, part: Assessment) -> None:
-    """Contact pressures; friction is not an input of these cases."""
+    """Criteria under torque: contact pressures. Friction is not an input of these cases."""
     _pressures(q, v, part)
     part.unknowns.append(
-        f"the friction coefficient is not an input: the clutch grips above {v['mu_T']:.4g}; case "
+        "the friction coefficient is not an input: the clutch locks if it exceeds "
+        f"{v['mu_T']:.4g}; case "
         "freewheel-clutch compares it with μ"
     )
 
 
 def cup(q: Any, v: Values, part: Assessment) -> None:
-    """Contact pressures, and the largest torque before the rollers pass between cam and shaft."""
+    """Criteria of an outer cam: contact pressures, and the torque at pop-through."""
     part.at_most("torque", "torque", q.T, v["T_max"], "N m", "largest torque before pop-through")
     under_torque(q, v, part)
 
 
 def with_axial_load(q: Any, v: Values, part: Assessment) -> None:
-    """Friction under torque and axial load, and the pressure on the flat."""
+    """Criteria under torque and axial load: friction, and pressure on the flat."""
     part.below_input("friction", MARGIN, v["mu_req"], q, "mu")
     _flat_pressure(q, v["N"], v.get("pressure", 1.0), part)
 
 
 def load_paths(q: Any, v: Values, part: Assessment) -> None:
-    """Largest required friction of the three load cases of the test rig."""
+    """Criteria of the three load cases of the test rig: largest required friction coefficient."""
     part.below_input("friction_torque", f"{MARGIN} under torque alone", v["mu_T"], q, "mu")
     for case in (1, 2, 3):
         if f"peak_{case}" in v:
             part.below_input(f"friction_load_case_{case}", f"{MARGIN}, load case {case}",
                          v[f"peak_{case}"], q, "mu")  # fmt: skip
         else:
-            part.unknowns.append(f"load case {case}: no required friction with these inputs")
+            part.unknowns.append(
+                f"load case {case}: the formulas give no required friction "
+                "coefficient with these inputs"
+            )
     _flat_pressure(q, v["N"], 1.0, part)
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
-    """Friction, pressure with the tilted rollers' ends, tilting, ends of the cam flats."""
+    """Criteria of the tool: friction, contact pressure, tilting, ends of the cam flats."""
     if q.T < 0:
         part.unknowns.append("the torque acts against the locking direction: the clutch overruns")
         return
@@ -60,7 +64,9 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     part.below_input("friction_unloaded", what, v["mu_0"], q, "mu")
     if q.T == 0:
         if q.F_ax > 0:
-            part.failures.append("no torque presses the rollers: the axial load meets no friction")
+            part.failures.append(
+                "without torque the rollers are not pressed on: no friction carries the axial load"
+            )
         elif part.with_design and v["mu_0"] <= q.mu:
             part.design = _permissible(q)
         return
@@ -84,23 +90,24 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _permissible(q: Any) -> Quantity | None:
-    """The largest torque at this axial load, parts without tolerances."""
+    """Largest permissible torque at the given axial load, for parts without tolerances."""
     exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
     under = criteria_under(exact, lambda one: one.values, clutch)
     return permissible(q.duty.of_torque, q.T, " at this axial load", under)
 
 
 def _flat_pressure(q: Any, N: float, factor: float, part: Assessment) -> None:
-    """Criterion for the larger Hertz pressure on the flat, times the `factor` of the tilt."""
+    """Add the criterion for the Hertzian pressure on the flat, times the `factor` for tilt."""
     E_star = q.E / (2 * (1 - q.nu**2))
     p = float(hertz_line.peak_pressure(P=N / q.L, R=q.r, E_star=E_star))
     part.pressure("contact_pressure", "largest contact pressure", factor * p, q.E)
 
 
 def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
-    """Hoop stress of the outer ring under the forces of its rollers, as in case ring-loads-outer.
+    """Add the criterion for the hoop stress of the outer ring under its roller forces.
 
-    A housing is taken as part of the ring, as R_a is.
+    The stress is computed as in the case ring-loads-outer. A housing counts as part of the ring,
+    because R_a includes it.
     """
     E = _moduli(q)[2]
     try:
@@ -111,15 +118,15 @@ def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
         return
     strength = yield_strength(None, E, wall=q.R_a - q.R)
     part.stress("hoop_stress_ring", "hoop stress of the outer ring", stress, strength,
-                "ring-loads-outer takes R_p")  # fmt: skip
+                "case ring-loads-outer accepts R_p")  # fmt: skip
 
 
 def _within_tolerances(v: Values, part: Assessment) -> None:
-    """If clutches within the tolerances slip or do not wedge, the answer is "cannot say"."""
+    """Make the answer "cannot say" if clutches within the tolerances slip or do not wedge."""
     lost = sum(v.get(key, 0.0) for key in ("P_slip", "P_no_wedge", "P_no_state"))
     if lost > LOST:
         part.unknowns.append(
-            f"{lost:.3g} of the clutches within the tolerances slip or do not wedge"
+            f"a fraction {lost:.3g} of the clutches within the tolerances slips or does not wedge"
         )
 
 

@@ -8,7 +8,7 @@ GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
 
 
 def identifier(key: str) -> str:
-    """The key of a value as an identifier: "K mid 3" as "K_mid_3", "a/R" as "a_per_R"."""
+    """Key of a value as an identifier: "K mid 3" gives "K_mid_3", "a/R" gives "a_per_R"."""
     for sign, word in WORDS.items():
         key = key.replace(sign, word)
     plain = "".join(_ascii(c) for c in key)

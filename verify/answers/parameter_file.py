@@ -1,4 +1,4 @@
-"""A parameter file in the form for commands: its case, its inputs and values of the formulas."""
+"""Reading of a parameter file for commands: its case, its inputs and the values of the formulas."""
 
 import math
 import shlex
@@ -32,7 +32,10 @@ DEFAULTS = {
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterFile:
-    """Content of a file: `assumed` are the inputs that it omits, `system` is its unit system."""
+    """Content of a parameter file.
+
+    `assumed` contains the inputs that the file omits; `system` is the unit system of the file.
+    """
 
     name: str
     case: Case
@@ -43,7 +46,7 @@ class ParameterFile:
 
 
 def read(path: Path) -> ParameterFile:
-    """The parameter file at `path`; InputError states the error in one line."""
+    """Content of the parameter file at `path`. Raises InputError with a message of one line."""
     case_id, name, raw = read_parameter_file(path)
     case = _case(case_id, path)
     try:
@@ -58,9 +61,10 @@ def read(path: Path) -> ParameterFile:
 def completed(
     case: Case, raw: Mapping[str, Any], *, name: str, where: str, named: str = ""
 ) -> ParameterFile:
-    """Completed inputs of a case from the raw inputs of a file with the name `where`; InputError.
+    """Completed inputs of a case, from the raw inputs of a file with the name `where`.
 
-    `named` is the name of the case in the file, by default its id.
+    `named` is the name of the case in the file, by default its id. Raises InputError if an input is
+    wrong.
     """
     case_id = named or case.id
     try:
@@ -74,10 +78,10 @@ def completed(
 
 
 def _with_defaults(case_id: str, message: str) -> str:
-    """The case of the same part whose inputs are optional, if some inputs are missing."""
+    """Advice if inputs are missing: case of the same part whose inputs are optional."""
     other = DEFAULTS.get(case_id)
     return (
-        f"; case {other} assumes inputs that are left out" if other and MISSING in message else ""
+        f"; case {other} assumes values for omitted inputs" if other and MISSING in message else ""
     )
 
 
@@ -92,16 +96,18 @@ def _case(case_id: str, path: Path) -> Case:
 
 
 def _values(case: Case, inputs: Inputs, where: str) -> Values:
-    """All values of the formulas [SI]; InputError if one is not finite."""
+    """All values of the formulas [SI]. Raises InputError if a value is not finite."""
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             values = case.analytic(inputs)
     except FloatingPointError as error:
-        reason = "the formulas divide by zero or overflow with these values"
+        reason = "with these inputs, the formulas divide by zero or overflow"
         raise InputError(f"{where}: inputs: {reason} ({error})") from error
     except (ValueError, ArithmeticError) as error:
         reason = shorten(str(error), LONGEST_RULE, placeholder=" …")  # in one line, also of arrays
         raise InputError(f"{where}: inputs: {reason}") from error
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:
-        raise InputError(f"{where}: inputs: {wild[0]} is not finite with these inputs")
+        raise InputError(
+            f"{where}: inputs: the value {wild[0]} of the formulas is not finite with these inputs"
+        )
     return values

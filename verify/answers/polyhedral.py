@@ -12,7 +12,7 @@ EXPELLED = "the rollers are expelled from the wedge: tan(α/2) exceeds the frict
 
 
 def round_ring(q: Any, v: Values, part: Assessment) -> None:
-    """Tresca stress in the bore of the round ring that is expanded to its rollers."""
+    """Criterion of a round ring expanded to its rollers: Tresca stress in the bore."""
     per_pressure = 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
     stress = per_pressure * v["p"]
@@ -20,14 +20,14 @@ def round_ring(q: Any, v: Values, part: Assessment) -> None:
 
 
 def ring(q: Any, v: Values, part: Assessment) -> None:
-    """Stress in the fillets when the ring reaches its rollers, or under the pressure p_t."""
+    """Criterion of a polyhedral ring: hoop stress in the fillets."""
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
     part.stress("fillet_stress", "hoop stress in the fillets", v["fillet"], strength)
 
 
 def locking(q: Any, v: Values, part: Assessment) -> None:
-    """Reach of the rollers, stress in the fillets, pressure on the rollers."""
-    part.at_least("pressure", "pressure p_t beside p_1r, from which the ring reaches its rollers",
+    """Criteria of locking: contact of ring and rollers, stress in the fillets, contact pressure."""
+    part.at_least("pressure", "pressure p_t; at p_1r the ring reaches its rollers",
                   q.p_t, v["p_1r"], "MPa", "Eq. 11")  # fmt: skip
     ring(q, v, part)
     if "p_0" in v:
@@ -35,7 +35,7 @@ def locking(q: Any, v: Values, part: Assessment) -> None:
 
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
-    """Required friction of a free roller, and its pressure."""
+    """Criteria of a free roller in the wedge: required friction and Hertzian pressure."""
     part.below_input("friction", "required friction coefficient tan(α/2)",
                      math.tan(q.alpha / 2), q, "mu")  # fmt: skip
     p = v["p_0"] * math.sqrt(1 + q.d / (q.D_i - 2 * q.d))
@@ -44,18 +44,19 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
-    """Torque against the target torque, stress in the fillets, pressure on the rollers."""
+    """Criteria of the tool: torque, stress in the fillets, pressures of the rollers."""
     if q.alpha is not None and math.tan(q.alpha / 2) >= q.mu:
         part.failures.append(EXPELLED)
     elif q.p_t <= v["p_1r"]:
         part.failures.append(
-            f"p_t = {q.p_t / 1e6:.4g} MPa does not reach the rollers: needs p_1r = "
+            f"at p_t = {q.p_t / 1e6:.4g} MPa the ring does not reach the rollers: this requires "
+            "p_1r = "
             f"{v['p_1r'] / 1e6:.4g} MPa, and {_pressure_for_torque(v)}"
         )
     elif "M_el" not in v:
         part.unknowns.append(
-            "the hub force alone wedges the rollers: pressure does not limit the torque, strength "
-            "does; a larger e or a smaller μ avoids this"
+            "the hub force alone wedges the rollers: the strength limits the torque, not the "
+            "pressure; a larger e or a smaller μ avoids this"
         )
     else:
         _torque(q, v, part)
@@ -67,7 +68,10 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _torque(q: Any, v: Values, part: Assessment) -> None:
-    """Torque in plane strain, the safe bound of a ring of finite width, and the required cage."""
+    """Add the criterion for the torque, and a remark if a cage is required.
+
+    The design value is the torque in plane strain, the safe bound for a ring of finite width.
+    """
     narrow, safe = v["M_el"], min(v["M_el"], v.get("M_wide", v["M_el"]))
     part.design = Quantity(
         key="permissible_torque", symbol="M_el", value=safe, unit="N m",
@@ -85,7 +89,7 @@ def _torque(q: Any, v: Values, part: Assessment) -> None:
                   "N m", "target torque M_t, given", doubt=doubt)  # fmt: skip
     if v["alpha_need"] > v["alpha_ring"]:
         part.remarks.append(
-            "this requires a cage: without one the wedge of "
+            "this torque requires a cage: without a cage, the wedge of "
             f"{math.degrees(v['alpha_ring']):.2g} deg carries {v['M_ring']:.3g} N m"
         )
 

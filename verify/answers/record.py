@@ -1,4 +1,4 @@
-"""The answer as JSON; `check.schema.json` describes it."""
+"""Conversion of an answer into JSON, which check.schema.json describes."""
 
 import math
 from typing import Any
@@ -8,7 +8,7 @@ from verify.core import units
 
 
 def answer_record(answer: Answer) -> dict[str, Any]:
-    """Verdict, reasons, design value, margin and criteria in display units."""
+    """JSON record of an answer: verdict, reasons, design value, margin, criteria; display units."""
     worst = None if answer.failures else answer.limiting
     return {
         "verdict": str(answer.verdict),
@@ -22,7 +22,7 @@ def answer_record(answer: Answer) -> dict[str, Any]:
 
 
 def finite(value: float) -> float | None:
-    """The value, None if JSON has no number for it."""
+    """The value, or None for a value that JSON cannot represent (infinity or nan)."""
     return value if math.isfinite(value) else None
 
 

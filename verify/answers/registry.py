@@ -1,4 +1,4 @@
-"""The answer of every case: its design value, and the criteria that apply."""
+"""Answers of all cases: the design value and the criteria of each case."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -11,16 +11,18 @@ from verify.answers.keys import identifier
 from verify.core.case import Case, Values
 from verify.core.inputs import Inputs
 
-NO_PART = "this case maps the error of a formula; it has no part, no load and no limit"
-NO_LIMITS = "this case declares no limits for the part"
+NO_PART = (
+    "this case determines the error of a formula over a range; it has no part, no load and no limit"
+)
+NO_LIMITS = "this case defines no limits for the part"
 
 
 @dataclass(frozen=True)
 class Rule:
-    """The output that is the design value of a case, and the function for its criteria.
+    """Rule for the answer of a case: key of its design value, and the function for its criteria.
 
-    The function is given as MODULE.NAME in this package; only the cases of a module import it.
-    Without a function, there are no criteria, for the reason `without`.
+    The function is given as MODULE.NAME in this package; a module is imported only if one of its
+    cases is checked. Without a function there are no criteria, and `without` states the reason.
     """
 
     design: str
@@ -28,7 +30,7 @@ class Rule:
     without: str = NO_PART
 
     def assess(self, inputs: Any, values: Values, part: Assessment) -> None:
-        """Collect the criteria of a part."""
+        """Add the criteria of a part to `part`."""
         if not self.criteria:
             part.unknowns.append(self.without)
             return
@@ -93,9 +95,10 @@ def answer(
     case: Case, inputs: Inputs, values: Values, *, assumed: Iterable[str] = (),
     with_design: bool = True,
 ) -> Answer:  # fmt: skip
-    """The answer to a user's `inputs`; `assumed` names the inputs that were not given.
+    """Answer for a part with the given `inputs`.
 
-    `values` are results of the formulas. If only the criteria are needed, `with_design` is False.
+    `values` are results of the formulas; `assumed` contains the names of the inputs that were not
+    given. Pass with_design=False if only the criteria are needed.
     """
     rule = RULES.get(case.id) or _outside(case)
     part = Assessment(design=_output(case, rule.design, values), with_design=with_design,
@@ -105,7 +108,7 @@ def answer(
 
 
 def _outside(case: Case) -> Rule:
-    """The rule of a case outside the suite: its first formula that is compared, and no criteria."""
+    """Rule of a case outside the suite: design value by its first formula, no criteria."""
     first = next((one.key for one in case.outputs if one.judged), "")
     return Rule(first, without=NO_LIMITS)
 

@@ -9,11 +9,13 @@ from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.core.case import Values
 
-SPRAG_LOAD = "the stress by the sprag forces F is not included: ring-loads-inner, -outer have it"
+SPRAG_LOAD = (
+    "the stress due to the sprag forces F is not included: see ring-loads-inner, ring-loads-outer"
+)
 
 
 def under_pressure(q: Any, _: Values, part: Assessment) -> None:
-    """Tresca stress at bore and rim of a ring that is free along its axis."""
+    """Criteria of a ring under pressure that is free in the axial direction: stress, buckling."""
     loads = {"r_i": q.r_i, "r_o": q.r_o, "p_i": q.p_i, "p_o": q.p_o}
     hoop = lame.stresses([q.r_i, q.r_o], **loads)[1]
     radial = np.array([-q.p_i, -q.p_o])
@@ -28,14 +30,14 @@ def under_pressure(q: Any, _: Values, part: Assessment) -> None:
 
 
 def under_sprags(q: Any, v: Values, part: Assessment) -> None:
-    """Hoop stress between the forces and pressure below them."""
+    """Criteria of a race under sprag forces: hoop stress and contact pressure."""
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
     part.stress("hoop_stress", "hoop stress of the race", v["stress scale"], strength)
     part.pressure("contact_pressure", "contact pressure under a sprag", v["p_0"], q.E)
 
 
 def rotating(q: Any, v: Values, part: Assessment) -> None:
-    """Hoop stress of a rotating race at its bore."""
+    """Criterion of a rotating race: hoop stress at its bore."""
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
     stress = v["hoop_bore"]
     part.stress("hoop_stress", "hoop stress of the race at its bore", stress, strength)
@@ -43,7 +45,7 @@ def rotating(q: Any, v: Values, part: Assessment) -> None:
 
 
 def pressed_together(q: Any, v: Values, part: Assessment) -> None:
-    """Tresca stress of both rings of a press fit."""
+    """Criteria of a press fit: Tresca stress of both rings."""
     p = v["p"]
     surfaces = {"inner_bore": q.p_i, "inner_rim": p, "outer_bore": p, "outer_rim": q.p_o}
     tresca = {
@@ -56,4 +58,4 @@ def pressed_together(q: Any, v: Values, part: Assessment) -> None:
         worst = max(tresca[f"{ring}_bore"], tresca[f"{ring}_rim"])
         part.stress(f"tresca_stress_{ring}", f"Tresca stress of the {ring} ring", worst, strength)
     if p <= 0:
-        part.failures.append("the rings do not press on each other")
+        part.failures.append("the rings are not in contact: the fit pressure is not positive")

@@ -1,4 +1,4 @@
-"""Criteria of rotors: distance of critical speeds from the operating speeds."""
+"""Criteria of rotors: separation of critical speeds from the operating speeds."""
 
 import math
 from collections.abc import Sequence
@@ -18,29 +18,29 @@ MODES = 3  # whose whirl frequencies the formulas of a shaft give
 
 
 def link(q: Any, _: Values, part: Assessment) -> None:
-    """All sprags in contact under the uneven load."""
+    """Criterion of a sprag clutch as a link: all slices of the sprags are in contact."""
     if count := open_slices(q, "together"):
         part.failures.append(f"{count} slices of the sprags are without contact")
-    part.unknowns.append("stiffnesses have no limit by themselves: use them as a link of a rotor")
+    part.unknowns.append("a stiffness has no limit: use the stiffnesses as a link in a rotor model")
 
 
 def shaft(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of the shaft against its critical speeds, by Timoshenko's beam."""
+    """Criterion of a shaft: separation of its speed from the critical speeds."""
     higher = [v[f"whirl_{k}_forward"] for k in range(2, MODES + 1)]
     _separated(q.n, [v["critical"], *higher], part)
 
 
 def stepped(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of a stepped shaft relative to its critical speeds, by the 45° rule."""
+    """Criterion of a stepped shaft: separation of its speed from the critical speeds (45° rule)."""
     higher = [v[f"whirl_{k}_forward_cone"] for k in range(2, MODES + 1)]
     _separated(q.n, [v["critical_cone"], *higher], part)
 
 
 def system(q: Any, _: Values, part: Assessment) -> None:
-    """Distance of every critical speed from the operating range."""
+    """Criterion of a rotor: separation of every critical speed from the operating range."""
     found = criticals(q)
     if not found:
-        part.unknowns.append("no critical speed was found in the range that was searched")
+        part.unknowns.append("no critical speed was found in the searched range")
         return
     nearest = min(found, key=lambda c: abs(distance(q, c.speed)))
     part.design = Quantity(
@@ -63,14 +63,19 @@ def system(q: Any, _: Values, part: Assessment) -> None:
 
 
 def sprag_rotor(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of the test rig against the forward critical speeds of the central system."""
+    """Criterion of the test rig: separation of its speed from the forward critical speeds."""
     orders = [v[f"critical_forward_{k}"] for k in (1, 3, 5)]
     _separated(q.rig_speed, orders, part)
-    part.unknowns.append("the dimensions are fitted to three critical speeds, not measured")
+    part.unknowns.append(
+        "the dimensions of the rotor are fitted to three critical speeds, not measured"
+    )
 
 
 def _separated(speed: float, critical: Sequence[float], part: Assessment) -> None:
-    """A speed [rad/s] against the nearest of the rising critical speeds [rad/s]."""
+    """Add the criterion for a speed [rad/s] and the nearest of the critical speeds [rad/s].
+
+    `critical` must be in ascending order.
+    """
     if not critical:
         part.unknowns.append("no critical speed was found")
         return
@@ -78,14 +83,14 @@ def _separated(speed: float, critical: Sequence[float], part: Assessment) -> Non
     _distance(speed, speed, SEPARATION, nearest, part, assumed=True)
     if speed > critical[-1]:
         part.unknowns.append(
-            f"the speed is above the highest critical speed that is computed, "
+            f"the speed is above the highest computed critical speed, "
             f"{critical[-1] / RPM:.5g} r/min"
         )
 
 
 def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
               *, assumed: bool) -> None:  # fmt: skip
-    """A critical speed [rad/s] against the range of speeds [rad/s], widened by the margin."""
+    """Add the criterion for a critical speed [rad/s] and the speed range [rad/s] plus margin."""
     share = f"separation margin of {margin:.0%}"
     if critical < low:
         part.at_most("separation", "critical speed below the operating speed", critical,

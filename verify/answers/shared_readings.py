@@ -1,4 +1,7 @@
-"""Assumptions that formula and reference share: their agreement does not verify these."""
+"""Assumptions that formula and reference share.
+
+Their agreement does not verify these assumptions.
+"""
 
 from collections.abc import Mapping
 from typing import Any
@@ -25,9 +28,9 @@ ELASTIC = SharedReading(
 
 
 def shared_readings(case_id: str, inputs: Any, values: Values) -> tuple[SharedReading, ...]:
-    """The assumptions that both sides of a case share, with their effects for these inputs.
+    """Assumptions that formula and reference of a case share, with their effects for these inputs.
 
-    `values` are results of the case's formulas. A case outside the suite states none.
+    `values` are results of the case's formulas. The result is empty for a case outside the suite.
     """
     if case_id not in SHARED:
         return ()

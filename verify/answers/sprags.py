@@ -1,4 +1,4 @@
-"""Criteria of sprag clutches at rest and in their engagement."""
+"""Criteria of sprag clutches at rest and during engagement."""
 
 import math
 from typing import Any
@@ -18,17 +18,22 @@ from verify.core.case import Values
 
 FRICTION = "required friction coefficient tan ν of the inner contact"
 NO_CROWN = (
-    "without a crown (z_m = 0) the pressure at the sprag's ends grows with the number of slices"
+    "without a crown (z_m = 0), the pressure at the sprag's ends increases with the number of "
+    "slices"
 )
 MISSING = "give p_lim"
 ROLLS_OVER = "the sprags reach the end of their profile and roll over"
 STATIC_ONLY = (
-    "the pressure is that at rest; the first peak of an engagement is larger, see sprag-crown"
+    "the pressure is the static one; in the first peak of an engagement it is larger, see "
+    "sprag-crown"
 )
 
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
-    """Roll-over torque and contact pressures; friction is not an input of this case."""
+    """Criteria of a sprag in the wedge: roll-over torque and contact pressures.
+
+    Friction is not an input of this case.
+    """
     if "T_roll" in v:  # a disc has no flank
         part.at_most(
             "torque", "torque", q.T, v["T_roll"], "N m", "a contact reaches the sprag's flank"
@@ -36,13 +41,13 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
     for key, place in (("p_i", "inner"), ("p_e", "outer")):
         part.pressure(f"contact_pressure_{place}", f"pressure at the {place} race", v[key], q.E)
     part.unknowns.append(
-        f"the friction coefficient is not an input: the sprags grip above {v['mu_i']:.4g}; "
+        f"the friction coefficient is not an input: the sprags lock if it exceeds {v['mu_i']:.4g}; "
         "case sprag-clutch compares it with μ_s"
     )
 
 
 def clutch(q: Any, _v: Values, part: Assessment) -> None:
-    """Friction, pressures, end of the profile and yielding of the races, torque rising slowly."""
+    """Criteria under a slowly increasing torque: friction, pressure, roll-over, yielding."""
     state = verdict(q)
     if part.with_design:
         part.design = _permissible(q)
@@ -68,14 +73,14 @@ def clutch(q: Any, _v: Values, part: Assessment) -> None:
 
 
 def _permissible(q: Any) -> Quantity | None:
-    """The largest slowly rising torque, with the crown that was given or assumed for the part."""
+    """Largest slowly increasing torque, with the crown that was given or assumed for the part."""
     part_as_made = q.model_copy(update={"Q": crowned_for(q)})
     under = criteria_under(part_as_made, lambda _q: {}, clutch)
     return permissible(as_torque_grows(q), q.T, ", quasi-static", under)
 
 
 def engagement(q: Any, v: Values, part: Assessment) -> None:
-    """Friction and rolling over during the first peak of a torque that rises suddenly."""
+    """Criteria at the first peak of a suddenly applied torque: friction, roll-over and pressure."""
     if "N_max" not in v or q.rolls_over:
         part.failures.append(ROLLS_OVER)
         return
@@ -86,7 +91,7 @@ def engagement(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stick_slip(q: Any, v: Values, part: Assessment) -> None:
-    """Static friction against the friction at the start of sliding; pressure at rest."""
+    """Criteria of stick-slip: required friction coefficient, and contact pressure at rest."""
     if "mu_b" not in v:
         part.failures.append(ROLLS_OVER)
         return
@@ -97,7 +102,7 @@ def stick_slip(q: Any, v: Values, part: Assessment) -> None:
 
 
 def crown(q: Any, v: Values, part: Assessment) -> None:
-    """Largest pressure of the first peak along the crowned sprag."""
+    """Criteria of a crowned sprag: friction, and largest pressure in the first peak."""
     if "p_peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return
@@ -109,7 +114,10 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
 
 
 def optimum(q: Any, v: Values, part: Assessment) -> None:
-    """Friction and pressure under the static load; the optimum itself needs `check --fem`."""
+    """Criteria of the optimal crown under the static load: friction and pressure.
+
+    The optimum itself is only computed by `check --fem`.
+    """
     part.below_input("friction", FRICTION, v["mu_req"], q, "mu_s")
     part.pressure("contact_pressure", "largest pressure under the static load", v["static_peak"],
                   q.E, given=q.p_lim, option=MISSING)  # fmt: skip
@@ -117,7 +125,7 @@ def optimum(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _largest_pressure(q: Any, N: float, when: str, part: Assessment) -> None:
-    """Largest pressure along the crowned sprag on the inner race under `N` [N]."""
+    """Add the criterion for the largest pressure on the inner race under the force `N` [N]."""
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
     p = float(pressed(q, N).peak_pressure.max())
@@ -128,5 +136,5 @@ def _largest_pressure(q: Any, N: float, when: str, part: Assessment) -> None:
 def _yield_is_elsewhere(q: Any, part: Assessment) -> None:
     if q.R_p is not None:
         part.remarks.append(
-            "this case does not compare the races' stress with R_p: sprag-clutch does"
+            "this case does not compare the stress of the races with R_p: use case sprag-clutch"
         )

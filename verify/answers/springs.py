@@ -1,4 +1,4 @@
-"""Criteria of the accordion spring, and the stiffness to design it with."""
+"""Criteria and design stiffness of the accordion spring."""
 
 import math
 from typing import Any
@@ -21,7 +21,10 @@ NO_FORCE = "no working force F is given: neither stress nor deflection is checke
 
 
 def free_stage(q: Any, v: Values, part: Assessment) -> None:
-    """Recommended stiffness, bending stress and deflection under the working force."""
+    """Criteria of the free stage: bending stress and deflection.
+
+    The design value is the stiffness.
+    """
     leaf = (q.L1 + 2 * q.R * math.cos(q.alpha)) / math.sin(q.alpha)
     f = float(width_factor(q.h, leaf, nu=q.nu))
     k = f * v["k"]
@@ -38,7 +41,7 @@ def free_stage(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stages(q: Any, v: Values, part: Assessment) -> None:
-    """Bending stress and deflection, and the displacement at the first contact of leaves."""
+    """Criteria of both stages: bending stress, and deflection up to the first contact of leaves."""
     if q.F is None:
         part.unknowns.append(NO_FORCE)
         return
@@ -48,7 +51,10 @@ def stages(q: Any, v: Values, part: Assessment) -> None:
 
 
 def curve(q: Any, v: Values, part: Assessment) -> None:
-    """Force at the stroke by two straight lines, its stress, and the largest stroke of Eq. 12."""
+    """Criteria of the curve: stress at the stroke, and stroke within Eq. 12.
+
+    The design value is the force at the stroke, by two straight lines.
+    """
     U_A = v.get("U_A", math.inf)
     U = min(q.stroke, U_A)
     force = v["k1"] * U + (v["k2"] * (q.stroke - U) if "k2" in v else 0.0)
@@ -58,7 +64,9 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
         "FOLDER` draws the curve",
     )  # fmt: skip
     if "stroke" in part.assumed:
-        part.unknowns.append("no stroke is given: the force is that at 0.6 L_0, the end of Eq. 12")
+        part.unknowns.append(
+            "no stroke is given: the force is computed at 0.6 L_0, the largest stroke of Eq. 12"
+        )
         return
     bending_stress(q, force, part)
     L0 = float(frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha))
@@ -66,7 +74,7 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
 
 
 def compared(_q: Any, _v: Values, part: Assessment) -> None:
-    """A comparison of formulas without a working force."""
+    """No criterion: a comparison of formulas has no working force."""
     part.unknowns.append(
         "this case compares formulas and has no working force: spring-accordion checks stress and "
         "deflection"
@@ -74,7 +82,7 @@ def compared(_q: Any, _v: Values, part: Assessment) -> None:
 
 
 def buckling(q: Any, v: Values, part: Assessment) -> None:
-    """Working force of a free head against the critical force."""
+    """Criterion of buckling: working force on a free head against the smallest critical force."""
     if q.F is None:
         part.unknowns.append("no working force F is given: it is not compared with F_cr")
         return
@@ -88,15 +96,15 @@ def buckling(q: Any, v: Values, part: Assessment) -> None:
 
 
 def bending_stress(q: Any, F: float, part: Assessment) -> None:
-    """Largest bending stress in the loops under `F` [N]."""
+    """Add the criterion for the largest bending stress in the loops under the force `F` [N]."""
     stress = float(energy.bending_stress(F=F, b=q.b, h=q.h, r=q.r, L1=q.L1))
     strength = strip_strength(getattr(q, "R_p", None), q.E)
-    option = "give R_p" if hasattr(q, "R_p") else "spring-accordion takes R_p"
+    option = "give R_p" if hasattr(q, "R_p") else "case spring-accordion accepts R_p"
     part.stress("bending_stress", f"bending stress under {F:.4g} N", stress, strength, option)
 
 
 def _guide(q: Any, part: Assessment) -> None:
-    """A spring that buckles below its working force needs a guide for its head."""
+    """Add a remark if the spring buckles below its working force without a guide of its head."""
     strip = {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}
     F = float(column.critical_force("free", **q.path, **strip))
     if q.F >= F:  # nan where it never buckles
@@ -112,5 +120,5 @@ def _deflection(U: float, L0: float, part: Assessment) -> None:
     if FREE_STAGE * L0 < U <= LARGEST_STROKE * L0:
         part.unknowns.append(
             f"a deflection of {U / L0:.0%} of L_0 may be beyond the free stage, which ended at "
-            f"{FREE_STAGE:.0%} for the paper's spring: spring-curve follows the whole curve"
+            f"{FREE_STAGE:.0%} for the paper's spring: case spring-curve computes the whole curve"
         )

@@ -1,6 +1,6 @@
 """Default limits of stress and contact pressure, each with its source.
 
-The defaults hold for steel. Another material has none: its limit is to be given.
+The defaults are for steel. For another material there is no default: the file must give the limit.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,10 @@ GIVEN = "given"
 
 @dataclass(frozen=True)
 class Strength:
-    """A limit [Pa] with its source; `value` None if no default applies, for a stated reason."""
+    """A permissible stress or pressure [Pa] with its source.
+
+    `value` is None if no default applies; `source` then states the reason.
+    """
 
     value: float | None
     source: str
@@ -36,16 +39,17 @@ def is_steel(*moduli: float) -> bool:
 
 
 def contact_pressure(given: float | None, *moduli: float, point: bool = False) -> Strength:
-    """Permissible static contact pressure [Pa] of bodies of these Young's moduli [Pa].
+    """Permissible static contact pressure [Pa] of bodies with these Young's moduli [Pa].
 
-    Line contact by default, `point` contact otherwise. Steel is taken as hardened to 58 HRC.
+    The limit is for line contact, or for point contact if `point` is True. Steel is assumed to be
+    hardened to 58 HRC.
     """
     standard = BALL_STATIC if point else ROLLER_STATIC
     return _chosen(given, standard, SOURCES[standard], moduli)
 
 
 def yield_strength(given: float | None, *moduli: float, wall: float) -> Strength:
-    """Yield strength [Pa] of parts of these Young's moduli [Pa] with walls of `wall` [m]."""
+    """Yield strength [Pa] of parts with these Young's moduli [Pa] and this wall [m]."""
     default = next((R_p for thick, R_p in YIELD_BY_WALL if wall <= thick), None)
     if default is None and given is None:
         return Strength(None, f"no default yield strength for a wall of {wall * 1e3:.4g} mm", True)
@@ -55,7 +59,7 @@ def yield_strength(given: float | None, *moduli: float, wall: float) -> Strength
 
 
 def strip_strength(given: float | None, E: float) -> Strength:
-    """Permissible static bending stress [Pa] of a spring strip of Young's modulus `E` [Pa]."""
+    """Permissible static bending stress [Pa] of a spring strip with Young's modulus `E` [Pa]."""
     return _chosen(given, STATIC_SHARE * STRIP_TENSILE, STRIP, (E,))
 
 

@@ -1,4 +1,4 @@
-"""The command `init`: a commented parameter file with the paper's numbers, made from the model."""
+"""The command `init`: a commented parameter file with the numbers of the paper."""
 
 import json
 import os
@@ -22,7 +22,7 @@ from verify.core.inputs import REQUIRED, InputError, Inputs, entry_model, is_tab
 from verify.papers.ledger import cited
 
 HEAD = """\
-# The numbers are {whose}. Replace them by yours, then run
+# The numbers are {whose}. Replace them, then run
 #   freewheel check my.toml          formulas, with warnings outside their range of validity
 #   freewheel check --fem my.toml    also judged by finite elements for these parameters
 # Every value has a unit; any other unit of the same dimension is accepted.
@@ -33,14 +33,14 @@ name = "my {id}"
 [inputs]
 """
 IN_A_LINE = """
-# A table may also stand in one line, before those below:
+# A table may also be written in one line, before the tables below:
 #   segments = [{shaft = "a", length = "90 mm", d_o = "40 mm"}, {shaft = "a", length = ...}]
 """
 TASKS = ("design-spring", "design-sprag")
 
 
 def run_init(case_id: str, out: Path | None) -> int:
-    """Print the template of a case, or write it to a file that does not exist yet."""
+    """Print the template of a case, or write it to a new file."""
     try:
         case = find(case_id)
     except ValueError as error:
@@ -50,7 +50,7 @@ def run_init(case_id: str, out: Path | None) -> int:
 
 
 def hand_over(text: str, out: Path | None) -> None:
-    """Print a template, or write it to a file that does not exist yet."""
+    """Print a template, or write it to a new file. Raises InputError if the file exists."""
     if out is None:
         if isinstance(sys.stdout, TextIOWrapper):
             sys.stdout.reconfigure(encoding="utf-8")  # TOML is UTF-8 on any terminal
@@ -66,10 +66,11 @@ def hand_over(text: str, out: Path | None) -> None:
 
 
 def template(case: Case, folder: Path = Path()) -> str:
-    """A parameter file with the paper's numbers; `folder` is the folder of the file.
+    """Text of a parameter file with the paper's numbers; `folder` is the folder of the file.
 
-    For a case with assumptions, the required lines come first and the others follow a #; together,
-    they are the inputs of the paper. For another case, all lines are inputs.
+    For a case with assumptions, the required inputs come first; the optional inputs follow, each
+    after a #. Required and optional inputs together are the inputs of the paper. For another case,
+    all lines are inputs.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
     outside = case.id not in (*CASES.ids, *DEEP.ids)
@@ -89,7 +90,7 @@ def template(case: Case, folder: Path = Path()) -> str:
 
 
 def _instead(model: type[Inputs]) -> str:
-    """The other set of inputs, if any, each behind a #."""
+    """Commented lines with the alternative set of inputs; empty if the model has none."""
     what, values = model.instead
     if not what:
         return ""
@@ -97,7 +98,10 @@ def _instead(model: type[Inputs]) -> str:
 
 
 def _tables(model: type[Inputs]) -> str:
-    """Every table: its first entry with full comments, the others without."""
+    """All tables of the model.
+
+    The first entry of each table has full comments, the others have none.
+    """
     found = ""
     for name, field in model.model_fields.items():
         if not is_table(field):

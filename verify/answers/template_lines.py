@@ -1,4 +1,4 @@
-"""Lines of a template: an input with its value, description, range and source."""
+"""Lines of a template: each input with its value, description, range and source."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -16,8 +16,8 @@ WIDTH = 98  # of 100: each line of a table without a default begins with a furth
 NUMBER_AND_UNIT = re.compile(r"(?<=\d) (?=[^\W\d])")
 UNBROKEN = "\N{NO-BREAK SPACE}"
 CHOSEN = "not printed, chosen for this suite"
-OPTIONAL = "# Optional: an omitted line has the value stated here; these are {whose} numbers"
-EXAMPLES = "# Optional too, not among {whose} numbers: examples"
+OPTIONAL = "# Optional: an omitted input has the value stated here; these are {whose} numbers"
+EXAMPLES = "# Also optional: examples of inputs that are not among {whose} numbers"
 
 
 def sections(
@@ -28,9 +28,10 @@ def sections(
     also: Sequence[str] = (),
     more: Sequence[tuple[str, str]] = (),
 ) -> str:
-    """The required inputs, then the optional ones, each after a #, and examples.
+    """Lines with the required inputs, then the optional inputs and examples, each after a #.
 
-    `also` names optional inputs to list among the required ones; `more` are further optional lines.
+    `also` names optional inputs that are listed with the required ones; `more` contains further
+    optional lines.
     """
     known = {one.name: one for one in assumptions}
     fields = {n: f for n, f in model.model_fields.items() if not is_table(f)}
@@ -60,19 +61,19 @@ def _line(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple
 
 
 def _hidden(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple[str, str]:
-    """The line of an input behind a #."""
+    """Line of an input after a #, and its comment."""
     text, about = _line(name, field, known)
     return f"# {text.removeprefix('# ')}", about
 
 
 def if_left_out(one: Assumption) -> str:
-    """Assumption for an omitted line, and its reason."""
+    """Comment for an optional input: its assumed value and the source."""
     value = "" if callable(one.value) else f" {one.value}"
     return f"optional; if left out{value}: {one.source}"
 
 
 def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]]:
-    """Every input except tables as its line of TOML, and its comment."""
+    """Line of TOML and comment of every input except tables."""
     fields = [(n, f) for n, f in model.model_fields.items() if not is_table(f)]
     return [
         (assigned(name, field, field.default), comment(name, field, chosen))
@@ -81,9 +82,10 @@ def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]
 
 
 def aligned(lines: Sequence[tuple[str, str]]) -> str:
-    """Lines of TOML with their comments below each other; a long comment continues below.
+    """Lines of TOML with aligned comments; a long comment continues on the next line.
 
-    Behind a # it continues behind a #, so that an editor can uncomment all lines at once.
+    The continuation of a line after a # also begins with a #, so that an editor can uncomment all
+    lines at once.
     """
     width = max(len(text) for text, _ in lines)
     found = ""
@@ -96,29 +98,29 @@ def aligned(lines: Sequence[tuple[str, str]]) -> str:
 
 
 def remark(text: str) -> str:
-    """A comment as separate lines, each at most `WIDTH` long."""
+    """A comment as separate lines of at most `WIDTH` columns."""
     return "".join(f"# {line}\n" for line in _wrapped(text, WIDTH - len("# ")))
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """Lines of at most `width` columns; a number and its unit stay together."""
+    """Lines of at most `width` columns; a number and its unit are not separated."""
     lines = wrap(NUMBER_AND_UNIT.sub(UNBROKEN, text), width, break_on_hyphens=False)
     return [line.replace(UNBROKEN, " ") for line in lines]
 
 
 def assigned(name: str, field: FieldInfo, value: Any) -> str:
-    """`r_i = "19.44 mm"`; after a # if the same inputs result without it."""
+    """Assignment such as `r_i = "19.44 mm"`; after a # if omitting it gives the same inputs."""
     about = meta(field)
     unit, left_out = about["unit"], about["omitted"] != REQUIRED and about["omitted"] == value
     if value is None:
         if not about["example"]:
-            raise ValueError(f"input {name} has no default: its quantity() needs an example")
+            raise ValueError(f"input {name} has no default: give its quantity() an example")
         value = units.parse(about["example"], unit)
     return f"{'# ' if left_out else ''}{name} = {_literal(value, unit)}"
 
 
 def _literal(value: Any, unit: str) -> str:
-    """The shortest TOML value that reads as `value` [SI], of six digits or more."""
+    """Shortest TOML value that is read as `value` [SI], with at least six digits."""
     if isinstance(value, str):
         return f'"{value}"'
     if isinstance(value, int) or unit == "1":
@@ -137,7 +139,7 @@ def comment(name: str, field: FieldInfo, chosen: str = CHOSEN) -> str:
 
 
 def _range(field: FieldInfo) -> str:
-    """Permitted values, in the unit of the input."""
+    """Text of the permitted values, in the unit of the input."""
     if choice := choices(field):
         return f"one of {', '.join(choice)}"
     if field.annotation is str:
@@ -159,7 +161,7 @@ def _omission(field: FieldInfo) -> str:
 
 
 def _source(claim: str) -> str:
-    """Place in the paper where the input is printed."""
+    """Text of the place in the paper where the input is printed."""
     value = published(claim)
     unit = "" if value.unit == "1" else f" {value.unit}"
     return f"{claim.partition(':')[0]}, {value.place}: {value.printed}{unit}"

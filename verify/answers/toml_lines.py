@@ -1,4 +1,4 @@
-"""Lines of a parameter file, for messages about its inputs."""
+"""Line numbers of inputs in a parameter file, for error messages."""
 
 import re
 from collections import Counter
@@ -10,7 +10,7 @@ PLACE = re.compile(r"(inputs[.\[][^\s:]*)")
 
 
 def with_line(message: str, path: Path) -> str:
-    """A message "part.toml: inputs.r: ..." with the line of that input: "part.toml:4: ..."."""
+    """Message with the line number of its input: "part.toml: inputs.r:" becomes "part.toml:4:"."""
     rest = message.removeprefix(f"{path}: ")
     place = PLACE.match(rest)
     if rest == message or not place:

@@ -1,4 +1,4 @@
-"""The permissible torque of a clutch: the largest at which every criterion is met."""
+"""The permissible torque of a clutch: the largest torque at which every criterion is met."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ SEARCHED = (0.95, 0.9, 0.8, 0.7, 0.5, 0.3, 0.1, 0.03)  # shares of a limit
 
 
 class Limit(Protocol):
-    """A torque [N m] at which a limit is reached, and the limit in words."""
+    """A torque [N m] at which a limit is reached, and a description of the limit."""
 
     @property
     def at(self) -> float: ...
@@ -24,7 +24,7 @@ class Limit(Protocol):
 
 @dataclass(frozen=True)
 class Reached:
-    """The torque [N m] at which a criterion is reached."""
+    """A torque [N m] at which a criterion reaches its limit, and a description of the criterion."""
 
     at: float
     words: str
@@ -33,7 +33,7 @@ class Reached:
 def criteria_under(
     q: Any, analytic: Callable[[Any], Values], assess: Callable[[Any, Values, Assessment], None]
 ) -> Callable[[float], Answer]:
-    """The criteria of the part `q` as a function of its torque [N m]."""
+    """Function that gives the answer for the part `q` at another torque [N m]."""
 
     def under(T: float) -> Answer:
         other = q.model_copy(update={"T": T})
@@ -47,10 +47,10 @@ def criteria_under(
 def permissible(
     limits: Sequence[Limit], T: float, condition: str, under: Callable[[float], Answer]
 ) -> Quantity | None:
-    """The largest torque under a `condition` at which all criteria are met; None if there is none.
+    """Largest torque under `condition` at which all criteria are met; None if there is none.
 
-    `limits` are the limits of the formulas, sorted; `T` [N m] is the torque of the part, and
-    `under` gives the criteria of the part under another torque [N m].
+    `limits` are the limits of the formulas, sorted by torque. `T` [N m] is the torque of the part.
+    `under` gives the criteria of the part at another torque [N m].
     """
     if not limits:
         return None
@@ -65,7 +65,7 @@ def permissible(
 
 
 def _first(limit: Limit, under: Callable[[float], Answer]) -> Limit | None:
-    """The limit of the formulas, or the criterion that is reached at a smaller torque."""
+    """The limit of the formulas, or a criterion that reaches its limit at a smaller torque."""
     if _excess(under(limit.at * (1 - TORQUE_TOLERANCE))) >= -TORQUE_TOLERANCE:
         return limit
     high = limit.at
@@ -87,7 +87,7 @@ def _first(limit: Limit, under: Callable[[float], Answer]) -> Limit | None:
 
 
 def _excess(answer: Answer) -> float:
-    """Smallest margin minus 1; -1 if the part fails for another reason."""
+    """Smallest margin minus 1; -1 if the part fails for a reason other than a criterion."""
     if answer.failures:
         return -1.0
     return min(c.margin for c in answer.criteria) - 1

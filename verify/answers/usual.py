@@ -1,4 +1,4 @@
-"""Usual ranges of inputs: a value outside is permitted, and a warning names the range."""
+"""Usual ranges of inputs; a value outside its range is permitted and gives a warning."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -11,7 +11,7 @@ from verify.core.inputs import Inputs, is_table, meta
 
 @dataclass(frozen=True)
 class Usual:
-    """A usual range [SI] and the quantity to which it applies."""
+    """A usual range [SI], and a description of the parts to which the range applies."""
 
     low: float
     high: float
@@ -38,7 +38,7 @@ BY_NAME = (
 
 
 def unusual(inputs: Inputs) -> dict[str, str]:
-    """Warnings by input, for each outside its usual range; inputs of zero are switched off."""
+    """Warnings for all inputs outside their usual ranges, by input; zero values give no warning."""
     found = {
         name: _warning(name, value, unit, usual)
         for name, value, unit in _numbers(inputs)
@@ -48,7 +48,7 @@ def unusual(inputs: Inputs) -> dict[str, str]:
 
 
 def _numbers(inputs: Inputs, place: str = "") -> Iterator[tuple[str, float, str]]:
-    """Names, values [SI] and units of all inputs that are numbers, including tables."""
+    """Names, values [SI] and units of all numerical inputs, including inputs in tables."""
     for name, field in type(inputs).model_fields.items():
         value: Any = getattr(inputs, name)
         if is_table(field):
@@ -73,7 +73,7 @@ def _warning(name: str, value: float, unit: str, usual: Usual) -> str:
 
 
 def _sprag_body(inputs: Inputs) -> dict[str, str]:
-    """Mass and inertia of a sprag against a steel block of its size."""
+    """Warnings if mass or inertia of a sprag are unusual for a steel block of its size."""
     q: Mapping[str, Any] = dict(inputs)
     if not {"m_g", "I_g", "l", "b", "R_e", "R_i"} <= set(q):
         return {}

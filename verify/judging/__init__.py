@@ -1,1 +1,1 @@
-"""Convergence, verdicts, the kinds of checks, and how a row is explained."""
+"""Judging: grid convergence, verdicts, kinds of checks, and explanations of rows."""

@@ -1,4 +1,4 @@
-"""Formulas with a band of errors for user inputs: SHOWN if meshes do not resolve the band."""
+"""Formulas with an error band at user inputs: SHOWN if the meshes do not resolve the band."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -15,7 +15,10 @@ TWICE = 2.2  # half bands: largest change of a formula inside its band, with a m
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """`rows` for user inputs: SHOWN if the meshes do not decide about the `band`."""
+    """Rows for user inputs.
+
+    Status SHOWN instead of FAIL if the meshes do not resolve the `band`.
+    """
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:
         return rows
@@ -24,8 +27,8 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     outside = max(band[0] - m, m - band[1]) > U
     if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
         return rows
-    why = f"meshes resolve {U:.2g}" if steady else "the meshes do not converge"
-    reason = f"measured: {m:+.2%}; {why} where the formula allows {half:.2g}"
+    why = f"the meshes resolve {U:.2g}" if steady else "the meshes do not converge"
+    reason = f"measured: {m:+.2%}; {why}, but the formula allows an error of {half:.2g}"
     return [
         replace(r, status=Status.SHOWN, reason=reason) if r.status is Status.FAIL else r
         for r in rows
@@ -33,7 +36,7 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
 
 
 def too_wide(rows: list[Row], reason: str) -> list[Row]:
-    """`rows` of a claim whose band is too wide: SHOWN, except convergence that holds."""
+    """Rows of a comparison with too wide a band: SHOWN, except passed convergence rows."""
     first, *others = rows
     undecided_rows = [first, *(row for row in others if row.status is Status.FAIL)]
     others = [row for row in others if row.status is not Status.FAIL]
@@ -44,17 +47,18 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFormula(Approximation):
-    """A formula with a band; on user inputs the required sensitivity is the band if that is larger.
+    """A comparison of a formula with a band of expected errors, also at user inputs.
 
-    `bent` [1] is the widening of the band by bending on such inputs, `wide` the reason why a band
-    that is too wide is so.
+    At user inputs, the required sensitivity is the width of the band if this is larger. `bent` [1]
+    is the widening of the band by bending at such inputs. `wide` is the reason that is displayed if
+    the band is too wide.
     """
 
     wide: str
     bent: Callable[[Any, Values], float] | None = None
 
     def band(self, q: Any, v: Values) -> tuple[float, float] | None:
-        """The band on user inputs, None if it is no longer small."""
+        """Band of expected errors at user inputs; None if it is too wide for judging."""
         band = self.interval and self.interval(q, v)
         if not band:
             return None
@@ -80,9 +84,11 @@ class OwnFormula(Approximation):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFillet(Identity):
-    """A largest stress; on user inputs, the error of N by Hertz's neglect is allowed.
+    """A comparison of a largest stress; at user inputs, an error of N is allowed.
 
-    `blur` is the analytic key of that, a standard uncertainty over the stress; `wide` as above.
+    The error is the effect of Hertz's simplifications on the contact force N. `blur` is the
+    analytic key of its standard uncertainty relative to the stress. `wide` is the reason that is
+    displayed if the uncertainty is too large.
     """
 
     blur: str

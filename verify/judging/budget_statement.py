@@ -1,4 +1,4 @@
-"""Declaration of the causes of a difference that are rerun, and of their removal."""
+"""Declaration of the causes of a difference, and of the computations that remove each cause."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class Cause(StrEnum):
 
 @dataclass(frozen=True)
 class Argument:
-    """A function or class "module:name" that is called with other keyword arguments."""
+    """A function or class "module:name" that is called with changed keyword arguments."""
 
     target: str
     keywords: Mapping[str, Any]
@@ -48,21 +48,26 @@ Change = Argument | Constant
 
 
 def as_given(q: Any) -> Any:
-    """The inputs without changes."""
+    """The inputs without change."""
     return q
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rerun:
-    """A cause of a difference and its removal; `what` describes it in words.
+    """A cause of a difference and the computation without this cause; `what` describes it.
 
-    It is removed by other `inputs`, which the formulas also use, by `changes` of the finite
-    elements of the case, or by other finite elements, `fem(inputs, level)`, with the keys of the
-    case. `rows` are names of affected rows (* stands for any letters; all rows if empty). It is run
-    on `levels`, coarse to fine: the finer of two gives its effect, the coarser the uncertainty; by
-    default, these are the two coarsest levels of the case. A cause that has no meaning while
-    another one acts is removed `after` that cause, given by its name: its `inputs` or `fem` exclude
-    both. An assumption of both sides is `shared`: it is no part of their difference and is listed
+    The cause is removed by one of three methods: by other `inputs`, which the formulas also use; by
+    `changes` in the finite elements of the case; or by other finite elements `fem(inputs, level)`
+    with the keys of the case. `rows` are names of affected rows (* stands for any letters; all rows
+    if empty).
+
+    The computation is run on `levels`, from coarse to fine. The finer of two levels gives the
+    effect, the coarser one its uncertainty. By default, these are the two coarsest levels of the
+    case.
+
+    Some causes have no meaning while another cause acts. Such a cause is removed `after` the other
+    cause, which is given by its name; its `inputs` or `fem` then exclude both. `shared` marks an
+    assumption of both formula and reference: it is no part of their difference and is listed
     separately.
     """
 
@@ -78,19 +83,20 @@ class Rerun:
 
     @property
     def name(self) -> str:
-        """Unique in a case."""
+        """Name of the cause, which is unique in a case."""
         return f"{self.cause}: {self.what}"
 
     def about(self, row: str) -> bool:
-        """Whether the row of this name is meant."""
+        """Whether the cause affects the row with this name."""
         return not self.rows or any(fnmatchcase(row, name) for name in self.rows)
 
 
 @dataclass(frozen=True)
 class Corrected:
-    """A formula that is replaced by a corrected formula, whose value has the analytic `key`.
+    """A printed formula that is replaced by a corrected formula.
 
-    Replacement for the row with this name; `what` describes its contribution to the difference.
+    `row` is the name of the row, and `key` the analytic key of the corrected value. `what`
+    describes the contribution of the replacement to the difference.
     """
 
     row: str
@@ -99,13 +105,16 @@ class Corrected:
 
     @property
     def name(self) -> str:
-        """Name of the cause's part."""
+        """Name of the cause, for tables."""
         return f"{Cause.FORMULA}: {self.what}"
 
 
 @dataclass(frozen=True)
 class Left:
-    """Rows, by name with * for any letters, whose difference is not split, and why."""
+    """Rows whose difference is not split into causes, and the reason.
+
+    Rows are given by name; * stands for any letters.
+    """
 
     rows: tuple[str, ...]
     why: str
@@ -113,7 +122,7 @@ class Left:
 
 @dataclass(frozen=True)
 class Without:
-    """A cause that a case does not have, and why in a word."""
+    """A cause that does not exist in a case, and the reason in one word."""
 
     cause: Cause
     why: str
@@ -123,9 +132,10 @@ class Without:
 class Statement:
     """Statement of a case on its error budget.
 
-    `finer` is a level beyond the finest; 0 if it takes too long, and the three finest are
-    extrapolated. `headline` is the row that is drawn, by default the first approximation.
-    `corrected` formulas precede all reruns; a large remainder is `left` with its reason.
+    `finer` is a level beyond the finest level; it is 0 if that level takes too long, and the three
+    finest levels are then extrapolated. `headline` is the name of the row that is drawn, by default
+    the first approximation. `corrected` formulas are applied before all reruns. Rows whose large
+    remainder is not explained are in `left`, with the reason.
     """
 
     reruns: tuple[Rerun, ...] = ()
@@ -136,7 +146,7 @@ class Statement:
     headline: str = ""
 
     def correction(self, row: str) -> Corrected | None:
-        """The formula that replaces the row's formula."""
+        """Correction of the formula of this row; None if there is none."""
         return next((one for one in self.corrected if one.row == row), None)
 
     def reason(self, row: str) -> str:
@@ -147,10 +157,10 @@ class Statement:
 
 
 def plane_strain(target: str = "fem.plane.solve:solve_plane") -> tuple[Change, ...]:
-    """Bodies that cannot strain along their axis."""
+    """Change of the finite elements to plane strain (no axial strain)."""
     return (Argument(target, {"assumption": "plane strain"}),)
 
 
 def plane_stress(target: str = "fem.plane.solve:solve_plane") -> tuple[Change, ...]:
-    """Bodies whose ends are free of stress."""
+    """Change of the finite elements to plane stress (end faces free of stress)."""
     return (Argument(target, {"assumption": "plane stress"}),)

@@ -1,4 +1,4 @@
-"""The kinds of claims that pair a formula with finite elements, each judged by `judge`."""
+"""Kinds of comparisons of a formula with finite elements, each judged by `judge`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,9 +13,10 @@ from verify.judging.convergence import fit_order
 
 @dataclass(frozen=True, kw_only=True)
 class Identity(FemClaim):
-    """Formula and finite elements solve the same problem: |FE - formula| <= U.
+    """Comparison of a formula and finite elements that solve the same problem: |FE - formula| <= U.
 
-    `residual` is the analytic key of the standard uncertainty of a series, over the scale.
+    `residual` is the analytic key of the standard uncertainty of a truncated series, relative to
+    the scale.
     """
 
     kind = Kind.IDENTITY
@@ -43,10 +44,11 @@ class Identity(FemClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Approximation(FemClaim):
-    """A formula that neglects an effect: m = formula/FE - 1 in an interval derived beforehand.
+    """Comparison of a formula that neglects an effect with finite elements that include it.
 
-    `interval(inputs, analytic values)` must not use the finite elements of the row; `source` is its
-    source. Without an interval, the row is SHOWN.
+    The model error m = formula/FE - 1 must be in an interval derived beforehand. `interval(inputs,
+    analytic values)` must not use the finite elements of the row; `source` is the source of the
+    interval. Without an interval, the row is SHOWN.
     """
 
     kind = Kind.APPROXIMATION
@@ -77,7 +79,7 @@ class Approximation(FemClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Order(Claim):
-    """Errors against an exact value fall with the order that theory gives (kind trend)."""
+    """Check that errors relative to an exact value decrease with the theoretical order."""
 
     kind = Kind.TREND
     paper_only: bool = True  # of the elements, not of the formula
@@ -92,7 +94,7 @@ class Order(Claim):
             h, e = self.errors(context)
             fit = fit_order(h, e)
         except ValueError as error:
-            verdict = judge.Verdict(Status.FAIL, f"no order: {error}")
+            verdict = judge.Verdict(Status.FAIL, f"the order cannot be computed: {error}")
             return [self._row(context.case, Kind.TREND, verdict, analytic=self.order)]
         verdict = judge.difference(
             fit.order, self.order, U=judge.expanded(fit.u), scale=self.order, demand=self.demand
@@ -111,7 +113,7 @@ class Order(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Exact(Claim):
-    """A balance of finite elements to round-off: |residual| <= bound x scale."""
+    """Check of a balance of finite elements to round-off: |residual| <= bound x scale."""
 
     kind = Kind.EXACT
 
@@ -135,9 +137,9 @@ class Exact(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Limit(Claim):
-    """The formula is exact for eps = 0: d = d0 + c eps^q with d0 = 0 (asymptotic).
+    """Check that the formula is exact for eps = 0: d = d0 + c eps^q with d0 = 0.
 
-    `points(context)` returns eps, d = formula/FE - 1 and its standard uncertainty.
+    `points(context)` returns eps, d = formula/FE - 1 and the standard uncertainty of d.
     """
 
     kind = Kind.ASYMPTOTIC
@@ -150,7 +152,7 @@ class Limit(Claim):
         try:
             fit = judge.fit_limit(eps, d, u)
         except (ValueError, RuntimeError) as error:
-            verdict = judge.Verdict(Status.FAIL, f"no limit: {error}")
+            verdict = judge.Verdict(Status.FAIL, f"the limit cannot be computed: {error}")
             return [self._row(context.case, Kind.ASYMPTOTIC, verdict)]
         verdict = judge.asymptotic(fit, q=self.exponent, scale=1.0, demand=self.demand)
         return [
@@ -164,7 +166,11 @@ class Limit(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Fact(Claim):
-    """A statement that holds or not: `margin(context)` and its expanded uncertainty."""
+    """A statement that is true or false.
+
+    `margin(context)` returns its margin and the expanded uncertainty of the margin; the statement
+    holds if the margin exceeds the uncertainty.
+    """
 
     kind = Kind.FACT
 
@@ -186,11 +192,11 @@ Margin = Callable[[Context], tuple[float, float, str]]
 
 @dataclass(frozen=True, kw_only=True)
 class Accepted(Claim):
-    """A statement with an acceptance figure that is valid, and judged, for the inputs of the paper.
+    """A statement with an acceptance figure that is valid for the paper's inputs only.
 
-    At user inputs, it is SHOWN. `margin` returns the margin to the figure, its expanded
-    uncertainty, and the error in words. A statement for fitted inputs is CALIBRATED: `fitted` names
-    them.
+    At user inputs, the row is SHOWN. `margin` returns the margin to the figure, its expanded
+    uncertainty, and a text that states the error. A statement for fitted inputs is CALIBRATED;
+    `fitted` names these inputs.
     """
 
     kind = Kind.FACT

@@ -1,6 +1,6 @@
-"""Common part of all claims of a case: rows in display units, each with its convergence row.
+"""Common part of all claims of a case: rows in display units, with their convergence rows.
 
-Keys name SI values of the analytic or finite-element side; rows carry display units.
+Keys refer to SI values of the formulas or of the finite elements; rows are in display units.
 """
 
 import math
@@ -26,11 +26,12 @@ STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in
 
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
-    """Data of all claims. `printed` lists published values ("paper:id") stated with the row.
+    """Base class of all claims, each of which gives rows of the report.
 
-    `formula` is the key of the judged value of the formulas, `equation` its number or source,
-    `form` its form, and `safe` its safe side; `shares` states what is common to both sides, other
-    than the inputs.
+    `printed` lists published values ("paper:id") that are displayed with the row. `formula` is the
+    key of the judged value of the formulas, `equation` its number or source, `form` its form, and
+    `safe` its safe side. `shares` states what formula and reference have in common in addition to
+    the inputs.
     """
 
     kind: ClassVar[Kind]
@@ -54,10 +55,10 @@ class Claim(ABC):
 
     @abstractmethod
     def rows(self, context: Context) -> list[Row]:
-        """Judge the claim."""
+        """Rows of the judged claim."""
 
     def skipped(self, case: str, reason: str) -> list[Row]:
-        """The rows of `rows`, as not run."""
+        """Rows of the claim with status SKIP, if nothing was run."""
         return [self._row(case, self.kind, judge.Verdict(Status.SKIP, reason))]
 
     def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
@@ -70,14 +71,17 @@ class Claim(ABC):
 
 
 def rows_of(check: Check, context: Context) -> list[Row]:
-    """The rows of a check; none if it is about the paper's inputs and the inputs differ."""
+    """Rows of a check.
+
+    Empty if the check applies to the paper's inputs only and the inputs differ.
+    """
     return [] if check.paper_only and not context.is_paper else check.rows(context)
 
 
 def make_row(
     case: str, kind: Kind, verdict: judge.Verdict, name: str, symbol: str, unit: str, **more: Any
 ) -> Row:
-    """A row in the display unit from a verdict and further fields in SI."""
+    """A row in display units, made from a verdict and further fields in SI units."""
     f = units.factor(unit)
     dimensional = ("analytic", "fem", "scale", "u_num", "u_ref", "u_input")
     scaled = {k: v / f if k in dimensional and v is not None else v for k, v in more.items()}
@@ -93,7 +97,7 @@ def make_row(
 
 
 def beside(reference: str, unit: str) -> Published:
-    """The printed value `reference` in `unit`."""
+    """The printed value with the key `reference`, converted to `unit`."""
     value = published(reference)
     return Published(
         document=reference.partition(":")[0], id=value.id, place=value.place, kind=value.kind,
@@ -105,11 +109,12 @@ def beside(reference: str, unit: str) -> Published:
 def convergence_verdict(
     grid: GridConvergence, h: Sequence[float], v: Sequence[float], u_it: float, allowed: float
 ) -> judge.Verdict:
-    """Order above 0.5 by more than the effect of iteration, or otherwise an index within `allowed`.
+    """Verdict on the convergence of the values `v` on meshes of sizes `h`.
 
-    `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit. If
-    iteration may move an order to either side of 0.5, the order is treated as below 0.5, with three
-    times the spread as the index: the verdict is then the same on both sides.
+    The observed order must exceed 0.5 by more than the effect of iteration. Otherwise, the grid
+    convergence index must be below `allowed`. If the error of iteration can move the order below
+    0.5, the index is three times the spread of the values: the verdict is then the same for orders
+    above and below 0.5. `v`, `u_it` and `allowed` have the same unit.
     """
     if grid.behaviour == "monotone" and grid.order is not None:
         verdict = judge.fact(grid.order - LEAST_ORDER, order_from_iteration(h, v, u_it))
@@ -117,7 +122,9 @@ def convergence_verdict(
         spread = max(v[-3:]) - min(v[-3:])
         if verdict.status is Status.FAIL and 3 * spread < allowed:
             verdict = judge.fact(1 - 3 * spread / allowed, 0.0)
-            reason = f"order {grid.order:.2f} ± u_it, 0.5: spread of the last values"
+            reason = (
+                f"order {grid.order:.2f} ± u_it, not certainly above 0.5: spread of the last values"
+            )
     elif grid.behaviour == "round-off":
         verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
     else:
@@ -132,11 +139,12 @@ def convergence_verdict(
 
 @dataclass(frozen=True, kw_only=True)
 class FemClaim(Claim):
-    """A claim about finite-element values `fem` with the theoretical order `formal`.
+    """A claim about finite-element values with the key `fem`.
 
-    `by` is the name of another method with these values, refined like a mesh. A sweep includes the
-    claim if it can be judged by values only, as stated by `swept`. `own_demand`, for the reason
-    `own_reason`, is the required sensitivity at user inputs, if it is lower than that of the suite.
+    `formal` is the theoretical order of convergence. `by` is the name of another method that gives
+    these values and is refined like a mesh. A sweep includes the claim if it can be judged from
+    values only (`swept`). `own_demand`, for the reason `own_reason`, is the required sensitivity at
+    user inputs if it is lower than that of the suite.
     """
 
     swept: ClassVar[bool] = True
@@ -149,7 +157,7 @@ class FemClaim(Claim):
     own_reason: str = "user inputs: the suite's default"
 
     def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
-        """Grid convergence, u_num of the finest value and the largest u_it of all levels [SI]."""
+        """Grid convergence, u_num of the finest value, and the largest u_it of all levels [SI]."""
         h, v = context.series(self.fem)
         u_it = max(r.u_it.get(self.fem, 0.0) for r in context.fem)
         if not all(map(math.isfinite, v)):  # a level that did not converge is no number
@@ -166,7 +174,7 @@ class FemClaim(Claim):
         return make_row(case, Kind.FACT, verdict, name, "p", "1", **more)
 
     def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
-        """The separate convergence row of a comparison."""
+        """Convergence row of the comparison."""
         h, v = context.series(self.fem)
         verdict = convergence_verdict(grid, h, v, u_it, self.demanded(context) * scale)
         return self._convergence_row(
@@ -179,11 +187,11 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """The acceptance figure for the paper's inputs; for user inputs, none that is stricter."""
+        """Required sensitivity; at user inputs, at least `own_demand`."""
         return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:
-        """The convergence with all data from which it was judged, in the display unit."""
+        """Grid convergence with all data from which it was judged, in the display unit."""
         f = units.factor(self.unit)
         h, v = context.series(self.fem)
         return Grid(
@@ -196,7 +204,10 @@ class FemClaim(Claim):
     def numbers(
         self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
     ) -> dict[str, Any]:
-        """Data of every finite-element row; `scale` is the scale of the convergence check [SI]."""
+        """Fields of every finite-element row.
+
+        `scale` is the scale of the convergence check [SI].
+        """
         recorded = self._recorded(context, grid, u_it, scale)
         finest = context.series(self.fem)[1][-1]
         partner = Partner(by=self.by, value=finest) if self.by else None

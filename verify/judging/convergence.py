@@ -1,8 +1,9 @@
-r"""Observed order and grid convergence index of a series of values, coarse to fine.
+r"""Observed order and grid convergence index of values on meshes from coarse to fine.
 
 .. math:: GCI = F\,\frac{|v_3 - v_2|}{r^p - 1}
 
-from the three finest values with mesh sizes in any ratio; p solves the uneven-ratio equation.
+The index uses the three finest values, with mesh sizes in any ratio. The order p solves the
+equation for unequal ratios, :func:`observed_order`.
 
 References
 ----------
@@ -33,9 +34,10 @@ Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "di
 
 @dataclass(frozen=True)
 class GridConvergence:
-    """Convergence of a series: `gci` [unit of the values], observed `order` if there is one.
+    """Convergence of a series of values on refined meshes.
 
-    `used` and `factor` are p and F of the index, if it was computed with an order.
+    `gci` has the unit of the values. `order` is the observed order, None if there is none. `used`
+    and `factor` are the order p and the factor F in the index, if it was computed with an order.
     """
 
     behaviour: Behaviour
@@ -47,7 +49,10 @@ class GridConvergence:
 
     @property
     def converges(self) -> bool:
-        """False if the differences grow, or if there are too few values to decide."""
+        """Whether the series converges.
+
+        False if differences grow or if there are too few values.
+        """
         return self.behaviour not in ("diverging", "short")
 
 
@@ -60,23 +65,23 @@ def grid_convergence(
     u_it: float = 0.0,
     residual: float = 0.0,
 ) -> GridConvergence:
-    """Judge how `values` on meshes of size `h` converge.
+    """Convergence of `values` on meshes of size `h`.
 
-    Differences grow, and the series diverges, if |v3 - v2| exceeds |v2 - v1| scaled to the ratios
-    of the meshes (as for a series in log h) by more than the iteration error, 4 u_it, and
-    round-off. If the last difference may be round-off, it has neither growth nor sign nor order:
-    the index is a multiple of the spread, :func:`unresolved_multiple`.
+    The series diverges if |v3 - v2| exceeds |v2 - v1| by more than the iteration error, 4 u_it, and
+    round-off; |v2 - v1| is scaled to the mesh ratios, as for a series in log h. If the last
+    difference may be round-off, growth, sign and order are not evaluated: the index is a multiple
+    of the spread, :func:`unresolved_multiple`.
 
     Parameters
     ----------
     h, values
-        Mesh sizes, strictly decreasing, and the values computed on them; the last three count.
+        Mesh sizes, strictly decreasing, and the values computed on them; the last three are used.
     formal
-        The order that theory gives, or None if it gives none (no order is then used).
+        Theoretical order; None if theory gives no order (no order is then used).
     scale
         Natural magnitude of the values, for round-off.
     u_it
-        Iteration uncertainty of one value; `residual` is the solver's stated bound.
+        Iteration uncertainty of one value; `residual` is the error bound stated by the solver.
 
     Raises
     ------
@@ -117,38 +122,40 @@ def grid_convergence(
 
 
 def unresolved_multiple(fine: float, coarse: float, scale: float) -> float:
-    """Index over the spread of the last three values if the last difference is round-off.
+    """Ratio of index to spread of the last three values, if the last difference is round-off.
 
-    1 if both differences are well below `ROUND_OFF` of the scale; 3 from there on, as for every
-    series without an order; linear in between, so that the index is continuous.
+    The ratio is 1 if both differences are below half of `ROUND_OFF` times the scale. It is 3 if one
+    of them exceeds `ROUND_OFF` times the scale, as for every series without an order. It is linear
+    in between, so that the index is continuous.
     """
     limit = ROUND_OFF * scale
     return 1 + 2 * _ramp(max(abs(fine), abs(coarse)), limit / 2, limit)
 
 
 def safety_factor(observed: float, formal: float) -> float:
-    """F of the index: 1.25 for orders within 0.5, 3 beyond 0.55, linear in between.
+    """Factor F of the index: 1.25 for orders within 0.5, 3 beyond 0.55, linear in between.
 
-    A difference of half an order is common (a singularity); without the transition, its last bits
-    would decide between two indices that differ by a factor of 2.4.
+    Orders are compared with the theoretical order. A difference of half an order is common (at a
+    singularity). Without the linear transition, the last digits of the order would decide between
+    two indices that differ by a factor of 2.4.
     """
     share = _ramp(abs(observed - formal), NEAR_FORMAL, FAR_FROM_FORMAL)
     return FACTOR + (LARGE_FACTOR - FACTOR) * share
 
 
 def _ramp(x: float, low: float, high: float) -> float:
-    """0 up to `low`, 1 from `high` on, linear in between."""
+    """Ramp in `x`: 0 up to `low`, 1 from `high` on, linear in between."""
     if x <= low:
         return 0.0
     return 1.0 if x >= high else (x - low) / (high - low)
 
 
 def observed_order(ratio: float, r21: float, r32: float) -> float:
-    r"""Order p of three values whose differences have the positive ratio coarse/fine.
+    r"""Observed order p of three values whose differences have the positive ratio coarse/fine.
 
     .. math:: r_{21}^p \frac{r_{32}^p - 1}{r_{21}^p - 1} = \frac{v_2 - v_3}{v_1 - v_2}
 
-    The left side increases with p; therefore, the bracketed root is unique.
+    The left side increases with p; therefore, the root is unique.
     """
 
     def excess(p: float) -> float:
@@ -168,17 +175,17 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
-    r"""Largest increase, due to iteration, of the order observed in the last three values.
+    r"""Largest increase of the observed order that errors of iteration can cause.
 
-    Each value may have the error ± u. The order is lowest if the error of the middle value is
-    opposite to the errors of the other two, for any ratios of the meshes; the logarithm of the
-    ratio of differences then decreases by
+    Each of the last three values may have the error ± u. The order is lowest if the error of the
+    middle value is opposite to the errors of the other two, for any ratios of the meshes; the
+    logarithm of the ratio of differences then decreases by
 
     .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)
         - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)
 
-    which is divided by its derivative by p, :func:`slope_of_ratio`. The derivative is monotonic:
-    the smaller of its values at both ends is the bound.
+    The decrease is divided by the derivative with respect to p, :func:`slope_of_ratio`. The
+    derivative is monotonic: the smaller of its values at both ends is the bound.
     """
     (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
     fine, coarse, r21, r32 = abs(v1 - v2), abs(v2 - v3), h2 / h1, h3 / h2
@@ -191,7 +198,7 @@ def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: floa
 
 
 def slope_of_ratio(p: float, r21: float, r32: float) -> float:
-    r"""Derivative by p of the logarithm of the ratio for the order p; ln r for equal ratios r.
+    r"""Derivative of the logarithm of the difference ratio with respect to the order p.
 
     .. math:: \ln r_{21} + \frac{\ln r_{32}}{1 - r_{32}^{-p}} - \frac{\ln r_{21}}{1 - r_{21}^{-p}}
     """
@@ -203,10 +210,10 @@ def slope_of_ratio(p: float, r21: float, r32: float) -> float:
 
 @dataclass(frozen=True)
 class OrderFit:
-    """Slope of log error over log size as h goes to 0, and its standard uncertainty.
+    """Order of convergence of errors as h goes to 0, and its standard uncertainty `u`.
 
-    `slopes` are the pairwise ones; `parts` the scatter, half the last correction and the round-off
-    that make `u`.
+    `slopes` are the slopes of log error over log h between neighbouring levels. `parts` are the
+    contributions to `u`: scatter, half of the last correction, and round-off.
     """
 
     order: float
@@ -216,15 +223,18 @@ class OrderFit:
 
 
 def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
-    r"""Asymptotic order of positive errors against an exact value.
+    r"""Asymptotic order of convergence of positive errors relative to an exact value.
 
-    The pairwise slopes p_k tend to the order linearly in h, the next term of the error's series:
-    p = p_0 + c h is fitted to the last three. Its scatter and half of the last correction make
-    the standard uncertainty, so that the correction may be of first or of second order in h.
+    The slopes p_k between neighbouring levels approach the order linearly in h (next term of the
+    error series): p = p_0 + c h is fitted to the last three slopes. The scatter of the fit and half
+    of the last correction give the standard uncertainty, so that the correction may be of first or
+    of second order in h.
     """
     _check(h, errors)
     if len(errors) < 4 or min(errors) <= 0:
-        raise ValueError(f"an order needs four positive errors, got {list(errors)}")
+        raise ValueError(
+            f"the order of convergence requires at least four positive errors, got {list(errors)}"
+        )
     x, y = np.log(h), np.log(errors)
     slope = np.diff(y) / np.diff(x)
     middle = np.exp((x[1:] + x[:-1]) / 2)
@@ -241,8 +251,11 @@ def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
 
 def _check(h: Sequence[float], values: Sequence[float]) -> None:
     if len(h) != len(values):
-        raise ValueError(f"{len(h)} mesh sizes for {len(values)} values")
+        raise ValueError(
+            f"numbers of mesh sizes and values must be equal, got {len(h)} sizes "
+            f"and {len(values)} values"
+        )
     if any(not (math.isfinite(a) and a > 0) for a in h) or any(b >= a for a, b in pairwise(h)):
-        raise ValueError(f"mesh sizes must be positive and decrease, got {list(h)}")
+        raise ValueError(f"mesh sizes must be positive and decreasing, got {list(h)}")
     if not all(math.isfinite(v) for v in values):
-        raise ValueError(f"values must be finite to judge convergence: {list(values)}")
+        raise ValueError(f"values must be finite, got {list(values)}")

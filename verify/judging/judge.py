@@ -1,7 +1,8 @@
-"""Judging: from a value, a reference and their uncertainties to a verdict.
+"""Judging: verdict from a value, a reference and their uncertainties.
 
 U = k sqrt(u_num^2 + u_ref^2 + u_input^2) with k = 2; detects = (U + |d|)/scale is the smallest
-relative change that surely turns the row red. A row passes when |d| <= U and detects <= demand.
+relative change that is certain to make the row fail. A row passes if |d| <= U and detects <=
+demand.
 """
 
 import math
@@ -19,7 +20,7 @@ DEMAND = 0.01
 
 @dataclass(frozen=True)
 class Verdict:
-    """Results of judging a row. `tolerance` and `difference` have the row's unit."""
+    """Result of judging a row; `tolerance` and `difference` have the unit of the row."""
 
     status: Status
     reason: str = ""
@@ -29,19 +30,22 @@ class Verdict:
 
 
 def expanded(u_num: float, u_ref: float = 0.0, u_input: float = 0.0) -> float:
-    """U = 2 sqrt(u_num^2 + u_ref^2 + u_input^2) from standard uncertainties."""
+    """Expanded uncertainty U = 2 sqrt(u_num^2 + u_ref^2 + u_input^2)."""
     return COVERAGE * math.sqrt(u_num**2 + u_ref**2 + u_input**2)
 
 
 def numerical_uncertainty(convergence: GridConvergence, u_it: float = 0.0) -> float:
-    """u_num = sqrt((GCI/2)^2 + u_it^2)."""
+    """Standard uncertainty u_num = sqrt((GCI/2)^2 + u_it^2)."""
     return math.hypot(convergence.gci / 2, u_it)
 
 
 def difference(
     value: float, reference: float, *, U: float, scale: float, demand: float = DEMAND
 ) -> Verdict:
-    """Identity, trend and printed numbers: |value - reference| <= U, and sensitive enough."""
+    """Verdict on a difference: it passes if |value - reference| <= U and detects <= demand.
+
+    This test is used for identities, orders and printed numbers.
+    """
     _positive(scale)
     if not all(map(math.isfinite, (value, reference, U))):
         return Verdict(Status.FAIL, "not converged")
@@ -61,10 +65,11 @@ def approximation(
     interval: tuple[float, float] | None,
     demand: float = DEMAND,
 ) -> Verdict:
-    """Signed model error m = formula/reference - 1 with U_m inside the expected interval.
+    """Verdict on the signed model error m = formula/reference - 1.
 
-    Without an interval, the row is SHOWN. `difference` is formula - reference; detects is the
-    smallest relative change of the formula that moves m out of the narrowed interval.
+    It passes if m is in the expected interval narrowed by the uncertainty U_m. Without an interval,
+    the row is SHOWN. `difference` is formula - reference. `detects` is the smallest relative change
+    of the formula that moves m out of the narrowed interval.
     """
     if not all(map(math.isfinite, (formula, reference, U))) or reference == 0:
         return Verdict(Status.FAIL, "not converged")
@@ -80,7 +85,9 @@ def approximation(
             Status.FAIL, "the uncertainty of the reference is as large as its value", None, U
         )
     if ratio == 0:
-        return Verdict(Status.FAIL, "the formula is zero: it has no relative change", None, U)
+        return Verdict(
+            Status.FAIL, "the formula gives zero: a relative change of it cannot be judged", None, U
+        )
     if not low + U_m <= m <= high - U_m:
         error, u, ends = 100 * m, 100 * U_m, f"[{100 * low:+.3f} %, {100 * high:+.3f} %]"
         reason = f"model error {error:+.3f} % ± {u:.1g} % is not inside {ends}"
@@ -94,7 +101,10 @@ def approximation(
 
 
 def fact(margin: float, U: float) -> Verdict:
-    """Met if the margin exceeds its uncertainty; not met if it is below minus this uncertainty."""
+    """Verdict on a statement: it holds if `margin` > U, and does not hold if `margin` < -U.
+
+    In between, the statement is undecided, and the row fails.
+    """
     if not (math.isfinite(margin) and math.isfinite(U)):
         return Verdict(Status.FAIL, "not converged")
     if margin > U:
@@ -104,7 +114,10 @@ def fact(margin: float, U: float) -> Verdict:
 
 
 def exact(residual: float, *, bound: float, scale: float, demand: float = DEMAND) -> Verdict:
-    """A balance or symmetry: |residual| <= bound x scale, bound from condition or solver."""
+    """Verdict on a balance or symmetry: it passes if |residual| <= bound x scale.
+
+    The bound follows from the condition number or from the solver.
+    """
     _positive(scale)
     if not (math.isfinite(residual) and math.isfinite(bound)):
         return Verdict(Status.FAIL, "not converged")
@@ -118,7 +131,7 @@ def exact(residual: float, *, bound: float, scale: float, demand: float = DEMAND
 
 @dataclass(frozen=True)
 class LimitFit:
-    """d = d0 + c eps^q with expanded uncertainties of d0 and q."""
+    """Fit d = d0 + c eps^q, with the expanded uncertainties of d0 and q."""
 
     d0: float
     U0: float
@@ -128,19 +141,22 @@ class LimitFit:
 
 
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
-    """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
+    """Fit of d = d0 + c eps^q by weighted least squares.
 
-    For each q, the constants are linear; the best q is searched for in (0, 10]. The stated standard
-    uncertainties `u` may have one sign at all points, as for similar meshes: their effects on a
-    constant are added. If the scatter about the fit has a larger effect, it is used instead, as
+    At least four points over a decade are required. For each q, the constants d0 and c are linear;
+    the optimal q is searched for in (0, 10]. The stated standard uncertainties `u` may have the
+    same sign at all points, as for similar meshes; therefore, their effects on a constant are
+    added. If the scatter about the fit has a larger effect, the scatter is used instead, as
     independent errors.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4
     if not decade or x.max() < 10 * x.min() * (1 - 1e-12):
-        raise ValueError(f"a limit needs four points over a decade, got eps = {x.tolist()}")
+        raise ValueError(
+            f"a limit requires at least four points over a decade, got eps = {x.tolist()}"
+        )
     if not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma)) and np.all(sigma >= 0)):
-        raise ValueError(f"a point that is not finite has no limit: d = {y.tolist()}")
+        raise ValueError(f"all points must be finite to compute a limit, got d = {y.tolist()}")
     size = np.abs(y).max()
     if size == 0:
         raise ValueError("no order of convergence can be computed: all differences are zero")
@@ -165,7 +181,7 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
 
 
 def _least(chi2: Callable[[float], float]) -> float:
-    """The q in (0, 10] with the least chi2: a grid, then golden sections about its best point."""
+    """The q in (0, 10] with the smallest chi2, by a grid and then golden-section search."""
     grid = np.linspace(0.05, 10.0, 200)
     best = int(np.argmin([chi2(q) for q in grid]))
     low, high = grid[max(best - 1, 0)], grid[min(best + 1, grid.size - 1)]
@@ -182,26 +198,31 @@ def _least(chi2: Callable[[float], float]) -> float:
 def quadratic_coefficient(
     eps: Sequence[float], d: Sequence[float], u: Sequence[float]
 ) -> tuple[float, float]:
-    """The c of d = c eps^2 + e eps^4 by weighted least squares, and its expanded uncertainty.
+    """Coefficient c of d = c eps^2 + e eps^4 by weighted least squares, and its U.
 
-    The standard uncertainties `u` of the points may all have one sign, as for similar meshes: their
-    effects on c are added.
+    U is the expanded uncertainty. The standard uncertainties `u` of the points may all have the
+    same sign, as for similar meshes; therefore, their effects on c are added.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     if x.size < 3 or not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma) & (sigma > 0))):
-        raise ValueError(f"a coefficient needs three finite points, got d = {y.tolist()}")
+        raise ValueError(
+            f"the coefficient requires at least three finite points, got d = {y.tolist()}"
+        )
     inverse = np.linalg.pinv(np.column_stack([x**2, x**4]) / sigma[:, None])
     return float(inverse[0] @ (y / sigma)), float(COVERAGE * np.abs(inverse[0]).sum())
 
 
 def asymptotic(fit: LimitFit, *, q: float | None, scale: float, demand: float = DEMAND) -> Verdict:
-    """|d0| <= U0 and, where theory gives the exponent, |q - q_theory| <= U_q."""
+    """Verdict on a limit: |d0| <= U0 and, if theory gives the exponent, |q - q_theory| <= U_q."""
     _positive(scale)
     if not all(map(math.isfinite, (fit.d0, fit.U0, fit.q, fit.U_q))):
         return Verdict(Status.FAIL, "not converged")
     detects = (fit.U0 + abs(fit.d0)) / scale
     if abs(fit.d0) > fit.U0:
-        reason = f"limit {fit.d0 / scale:.2g} of the scale is not zero within {fit.U0 / scale:.2g}"
+        reason = (
+            f"the limit, {fit.d0 / scale:.2g} of the scale, differs from zero by more than "
+            f"{fit.U0 / scale:.2g}"
+        )
         return Verdict(Status.FAIL, reason, fit.d0, fit.U0, detects)
     if q is not None and abs(fit.q - q) > fit.U_q:
         reason = f"exponent {fit.q:.3f} ± {fit.U_q:.2g}, theory {q:g}"
@@ -211,7 +232,7 @@ def asymptotic(fit: LimitFit, *, q: float | None, scale: float, demand: float = 
 
 def _positive(scale: float) -> None:
     if not (math.isfinite(scale) and scale > 0):
-        raise ValueError(f"a row needs a positive, finite scale, got {scale:g}")
+        raise ValueError(f"the scale of a row must be positive and finite, got {scale:g}")
 
 
 def _sharp(verdict: Verdict, demand: float) -> Verdict:

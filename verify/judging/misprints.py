@@ -1,4 +1,4 @@
-"""Printed forms and statements that contradict themselves, as numbers show."""
+"""Checks of printed forms and statements that contradict themselves."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,10 +11,10 @@ from verify.judging.claims import Claim
 
 @dataclass(frozen=True, kw_only=True)
 class Misprint(Claim):
-    """A printed form that contradicts other statements: NOTE with its ledger entry `erratum`.
+    """A printed form that contradicts other statements of its paper.
 
-    `margin` returns the margin of the contradiction, and words; without a margin, the ledger is
-    wrong: FAIL.
+    `margin` returns the margin of the contradiction, and a text. If the margin is positive, the row
+    is a NOTE with its errata entry `erratum`. Otherwise, the entry is wrong and the row fails.
     """
 
     kind = Kind.FACT
@@ -37,5 +37,8 @@ class Misprint(Claim):
             reason = f"{words}; ledger {self.erratum}"
             verdict = replace(verdict, status=Status.NOTE, reason=reason)
         else:
-            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
+            verdict = replace(
+                verdict,
+                reason=f"ledger {self.erratum} is contradicted by the computed value: {words}",
+            )
         return [self._row(context.case, Kind.FACT, verdict)]

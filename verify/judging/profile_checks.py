@@ -1,4 +1,4 @@
-"""Checks of profiles and families: distances in L2, coefficients, models without an interval."""
+"""Checks of profiles and families: errors in the L2 norm, coefficients, estimates."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,13 +17,13 @@ Points = tuple[list[float], list[float], list[float]]  # parameter, error, its u
 
 
 def l2_error(error: Array, norm: Array, weight: Array) -> float:
-    """Errors (n,) in L2 over the L2 norm of `norm` (n,), of points with weights (n,)."""
+    """L2 norm of `error` (n,) relative to that of `norm` (n,), for points with weights (n,)."""
     return float(np.sqrt((error**2 @ weight) / (norm**2 @ weight)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class ProfileError(Identity):
-    """The L2 distance of a profile from the exact profile vanishes with the mesh at its order."""
+    """Check that the L2 error of a profile decreases at its theoretical order."""
 
     swept = False  # needs the pressures of every integration point
 
@@ -39,7 +39,7 @@ class ProfileError(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Within(Fact):
-    """A profile within the acceptance figure `accepted` of another profile, and its error.
+    """Check that the error of a profile is within the acceptance figure `accepted`.
 
     `margin` is the figure minus the error.
     """
@@ -53,9 +53,9 @@ class Within(Fact):
 
 @dataclass(frozen=True, kw_only=True)
 class Coefficient(Claim):
-    """d = c eps^2 + e eps^4 with the c that theory gives (kind trend).
+    """Check that d = c eps^2 + e eps^4 has the theoretical coefficient c.
 
-    `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
+    `points(context)` returns eps, d = formula/FE - 1 and the standard uncertainty of d.
     """
 
     kind = Kind.TREND
@@ -68,7 +68,7 @@ class Coefficient(Claim):
         try:
             c, U = judge.quadratic_coefficient(eps, d, u)
         except ValueError as error:
-            verdict = judge.Verdict(Status.FAIL, f"no coefficient: {error}")
+            verdict = judge.Verdict(Status.FAIL, f"the coefficient cannot be computed: {error}")
             return [self._row(context.case, Kind.TREND, verdict, analytic=self.theory)]
         verdict = judge.difference(c, self.theory, U=U, scale=abs(self.theory), demand=self.demand)
         return [
@@ -82,10 +82,10 @@ class Coefficient(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Estimated(Approximation):
-    """A model against the half-space; user inputs must converge if the model does.
+    """Comparison of a model with the half-space.
 
-    If the allowed difference is not known beforehand, a difference that the half-space does not
-    resolve is reported and is no failure.
+    At user inputs, the half-space must converge if the model does. If the allowed difference is not
+    known beforehand, a difference that the half-space does not resolve is reported without failure.
     """
 
     def rows(self, context: Context) -> list[Row]:

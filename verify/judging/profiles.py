@@ -1,4 +1,4 @@
-"""Profiles for plots: finite-element values along a line, with the uncertainty of all of them."""
+"""Profiles for plots: finite-element values along a line, with one uncertainty for all values."""
 
 import math
 
@@ -11,12 +11,13 @@ from verify.judging.judge import numerical_uncertainty
 
 
 def along(context: Context, key: str, *, formal: float, scale: float) -> tuple[Array, Array]:
-    """Values (m,) of the finest level at fixed points and their standard uncertainty (m,).
+    """Values (m,) of the finest level at fixed points, and their standard uncertainty (m,).
 
-    `key` is the name of arrays (m,) that every level evaluated at the same points; `formal` is the
-    order of their largest error. A fixed point has another position in its cell on each mesh; its
-    differences therefore have no order. The largest difference over all points has an order, and
-    one uncertainty, from its grid convergence, is used for the whole profile.
+    `key` is the name of arrays (m,) that every level evaluated at the same points. `formal` is the
+    order of convergence of their largest error. On each mesh, a fixed point has another position in
+    its cell; therefore, its differences have no order. The largest difference over all points has
+    an order. One uncertainty, from the grid convergence of this difference, is used for the whole
+    profile.
     """
     h = [result.h for result in context.fem]
     values = np.array([result.arrays[key] for result in context.fem])

@@ -1,4 +1,4 @@
-"""Claims that compare a formula with printed values; they need no finite elements."""
+"""Claims that compare a formula with printed values, without finite elements."""
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace
@@ -11,12 +11,15 @@ from verify.judging.claims import Claim, beside
 from verify.papers.entries import Value
 from verify.papers.ledger import erratum, published
 
-NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
+NO_UNCERTAINTY = "compared but not judged, because scatter, supports and mesh are not stated"
 
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedClaim(Claim):
-    """A formula value `analytic` against the printed `reference`: "paper:id" or a value."""
+    """Comparison of the formula value `analytic` with the printed value `reference`.
+
+    `reference` is a key "paper:id" or a value.
+    """
 
     paper_only: bool = True
 
@@ -32,7 +35,7 @@ class PrintedClaim(Claim):
 
     @abstractmethod
     def judged(self, context: Context) -> Row:
-        """Judge the claim on the paper's inputs."""
+        """Row of the claim, judged at the paper's inputs."""
 
     def _beside(self) -> tuple[Published, ...]:
         return (beside(self.reference, self.unit),) if isinstance(self.reference, str) else ()
@@ -43,7 +46,10 @@ class PrintedClaim(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedTheory(PrintedClaim):
-    """The formula against the number that the paper computed from it: the last digit decides."""
+    """Comparison of a formula with the number that the paper computed from it.
+
+    The tolerance is half of the last printed digit.
+    """
 
     kind = Kind.IDENTITY
 
@@ -67,7 +73,7 @@ class PrintedTheory(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedMeasurement(PrintedClaim):
-    """A test or a commercial finite-element value without stated uncertainty: SHOWN."""
+    """Comparison with a printed test or finite-element value without uncertainty: SHOWN."""
 
     kind = Kind.APPROXIMATION
 
@@ -85,10 +91,10 @@ class PrintedMeasurement(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Contradiction(PrintedClaim):
-    """A printed number that contradicts the formulas of the paper: NOTE, with its ledger entry.
+    """A printed number that contradicts the formulas of the paper: NOTE, with its errata entry.
 
-    `analytic` must exceed the printed `reference` by more than U; else the ledger is wrong and
-    the row fails. `erratum` names the entry ("paper:id").
+    `analytic` must exceed the printed `reference` by more than U; otherwise, the entry is wrong and
+    the row fails. `erratum` is the key of the entry ("paper:id").
     """
 
     kind = Kind.FACT
@@ -116,9 +122,9 @@ class Contradiction(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Adopted(PrintedClaim):
-    """A printed number that is adopted: NOTE, for the reason `why`.
+    """A printed number that is used as an input: NOTE, for the reason `why`.
 
-    The value of `analytic` is stated with it, if there is one.
+    If there is a value of `analytic`, it is displayed with the number.
     """
 
     kind = Kind.FACT

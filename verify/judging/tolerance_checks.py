@@ -1,8 +1,8 @@
-"""Claims that two values of one quantity agree within a figure stated beforehand.
+"""Claims that two values of one quantity agree within a tolerance stated beforehand.
 
-The figure is an acceptance figure of the subject, a statement of a paper, or the requirement of the
-suite with its reason; it is never taken from the finite elements of the row. Such a claim is judged
-like any comparison, with its detection limit.
+The tolerance is an acceptance figure of the subject, a statement of a paper, or a requirement of
+the suite with its reason. It is never taken from the finite elements of the row. Such a claim is
+judged like any comparison, with its detection limit.
 """
 
 from collections.abc import Callable
@@ -17,17 +17,17 @@ from verify.core.results import Kind, Partner, Row, Status
 from verify.judging import judge
 from verify.judging.claims import Claim
 
-SUBJECT = "acceptance figure of the subject"  # stated for that very quantity
+SUBJECT = "acceptance figure for this quantity"  # stated for that very quantity
 EQUAL = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
-BOTH_WAYS = "twice the acceptance figure, which holds on both sides"
+BOTH_WAYS = "twice the acceptance figure, which applies to both signs"
 
 
 @dataclass(frozen=True)
 class Pair:
-    """A value, its reference, and U of the reference, in SI; the error in words.
+    """A value, its reference, and the expanded uncertainty U of the reference [SI].
 
-    `allowed` is the signed model error that the figure permits if the figure refers to another
-    value.
+    `words` states the error. `allowed` is the permitted signed model error, if the tolerance refers
+    to another value.
     """
 
     value: float
@@ -39,11 +39,11 @@ class Pair:
 
 @dataclass(frozen=True, kw_only=True)
 class Stated(Claim):
-    """Common part of claims with a figure, which is valid and judged for the paper's inputs only.
+    """Base class of claims with an acceptance figure that is valid for the paper's inputs only.
 
-    At user inputs, the error is SHOWN, unless the figure is valid `everywhere`.
-    `source` is the origin of the figure: `SUBJECT`, a place in a paper, or `suites`.
-    `by` is the method of the reference, finite elements if empty.
+    At user inputs, the error is SHOWN, unless the figure is valid `everywhere`. `source` is the
+    origin of the figure: `SUBJECT`, a place in a paper, or `suites`. `by` is the method of the
+    reference; if it is empty, finite elements.
     """
 
     accepted: float
@@ -70,9 +70,10 @@ class Stated(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Agreement(Stated):
-    """One value within ± `accepted` of another, relative: an approximation with this interval.
+    """Check that one value agrees with another within the relative tolerance ± `accepted`.
 
-    If there are many such pairs, `pair(context)` returns the pair with the largest difference.
+    The claim is an approximation with this interval. If there are many pairs, `pair(context)`
+    returns the pair with the largest difference.
     """
 
     kind = Kind.APPROXIMATION
@@ -99,10 +100,11 @@ class Agreement(Stated):
 
 @dataclass(frozen=True, kw_only=True)
 class Deviation(Stated):
-    """The norm of a difference over a field or a set, relative to the whole; zero is expected.
+    """Check that the norm of a difference over a field or a set is below `accepted`.
 
-    `size(context)` returns it with its expanded uncertainty, and the error in words. Both sides
-    solve the same problem; a change of one of them by p of the whole changes the norm by at most p.
+    `size(context)` returns the norm relative to the whole, its expanded uncertainty, and a text
+    that states the error. Formula and reference solve the same problem; a change of one of them by
+    p of the whole changes the norm by at most p.
     """
 
     kind = Kind.IDENTITY
@@ -125,9 +127,10 @@ class Deviation(Stated):
 
 
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
-    """The pair of two equal-sized arrays with the largest difference; `u` is its relative U.
+    """Pair with the largest difference in two arrays of equal size.
 
-    If differences are equal except for round-off, the first pair is returned, on any processor.
+    The relative expanded uncertainty of the reference is `u`. If several differences are equal
+    except for round-off, the first pair is returned, on any processor.
     """
     off = np.ravel(values / references - 1)
     size = np.abs(off)
@@ -140,18 +143,21 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
 
 
 def suites(reason: str) -> str:
-    """The source of a figure that only this suite requires, and its reason."""
+    """Source text of a figure that is required by this suite only, with its reason."""
     return f"requirement of the suite: {reason}"
 
 
 def demanded(accepted: float) -> dict[str, Any]:
-    """The sensitivity required by the suite, or twice a figure wider than half of it."""
+    """Required sensitivity for a figure: twice the figure if it exceeds half of the suite's demand.
+
+    The result is empty if the default of the suite applies.
+    """
     if 2 * accepted <= judge.DEMAND:
         return {}
     return {"demand": 2 * accepted, "demand_reason": BOTH_WAYS}
 
 
 def worded(verdict: judge.Verdict, words: str) -> judge.Verdict:
-    """The verdict with the error in words behind its reason."""
+    """The verdict, with a text that states the error appended to its reason."""
     reason = f"{verdict.reason}: {words}" if verdict.reason else words
     return replace(verdict, reason=reason)

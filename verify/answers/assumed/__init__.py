@@ -1,1 +1,1 @@
-"""Values of inputs that a parameter file leaves out, each with its source."""
+"""Assumed values of inputs that a parameter file omits, each with its source."""

@@ -1,4 +1,4 @@
-"""The inputs of a file, and assumed values of the inputs that are missing in it."""
+"""Completion of the inputs of a file by assumed values for omitted inputs."""
 
 import re
 from collections.abc import Mapping
@@ -13,9 +13,10 @@ from verify.core.inputs import REQUIRED, InputError, Inputs, build, meta, missin
 def complete(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str
 ) -> tuple[dict[str, Any], tuple[Assumed, ...]]:
-    """Raw inputs with the assumed ones added, and the assumptions; given values are unchanged.
+    """Raw inputs completed by assumed values, and the assumed inputs.
 
-    InputError lists the inputs that are missing and have no assumption.
+    Given values are unchanged. Raises InputError with a list of the omitted inputs for which
+    nothing can be assumed.
     """
     assumptions = ASSUMPTIONS.get(case_id)
     if assumptions is None:
@@ -43,16 +44,17 @@ def complete(
 def assumed_inputs(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str = "inputs"
 ) -> tuple[Assumed, ...]:
-    """Assumed values for the raw inputs of a file."""
+    """Assumed inputs for the raw inputs of a file."""
     return complete(case_id, model, raw, where)[1]
 
 
 def build_completed(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str
 ) -> tuple[Inputs, tuple[Assumed, ...]]:
-    """The inputs of a file, and the assumptions for missing inputs.
+    """Validated inputs of a file, and the assumed inputs.
 
-    InputError for the first error; if it is about assumed inputs, it lists them.
+    Raises InputError for the first error. If the error involves assumed inputs, the message lists
+    them.
     """
     whole, assumed = complete(case_id, model, raw, where)
     try:
@@ -69,7 +71,10 @@ def build_completed(
 def _refuse_missing(
     model: type[Inputs], raw: Mapping[str, Any], assumable: set[str], where: str
 ) -> None:
-    """InputError for required inputs that nothing is assumed for, unless a key is unknown."""
+    """Raise InputError if the file omits required inputs for which nothing can be assumed.
+
+    If the file contains an unknown key, `build` reports that key instead.
+    """
     fields = model.model_fields
     if any(key not in fields and key not in assumable for key in raw):
         return  # `build` reports the error

@@ -1,4 +1,4 @@
-"""Influence of assumed inputs: each is varied, and the formulas alone are evaluated."""
+"""Influence of assumed inputs: each input is varied, and the formulas are evaluated again."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -21,10 +21,11 @@ Result = Callable[[Any, Values], float | None]
 
 @dataclass(frozen=True, kw_only=True)
 class Influence:
-    """Change of a value of the formulas with one assumed input.
+    """Change of a result of the formulas with one assumed input.
 
     `low` and `high` are the values used for the input, in its display unit; `at_low` and `at_high`
-    are the relative changes of the value, None if there is "no solution" (`note`).
+    are the relative changes of the result. A change is None if the formulas have no solution;
+    `note` then states this.
     """
 
     assumed: Assumed
@@ -36,31 +37,34 @@ class Influence:
 
     @property
     def largest(self) -> float:
-        """The larger relative change; infinite if a variation has no solution."""
+        """Larger of both relative changes.
+
+        Infinite if the formulas have no solution at one value.
+        """
         if self.at_low is None or self.at_high is None:
             return float("inf")
         return max(abs(self.at_low), abs(self.at_high))
 
     @property
     def matters(self) -> bool:
-        """Whether the value changes at all."""
+        """Whether the result changes with the input."""
         return self.largest > UNCHANGED
 
 
 def influence(
     case: Case, inputs: Inputs, assumed: Sequence[Assumed], result: str | Result
 ) -> tuple[Influence, ...]:
-    """Change of a result of the formulas with each assumed number, the largest first.
+    """Influences of all assumed numbers on a result of the formulas, sorted by decreasing change.
 
     `result` is the key of a value, or a function that computes a number from inputs and values.
-    Each input is varied alone over its usual range, or by 10 %; assumed inputs that follow from it
-    by a rule change with it. Words, tables and inputs for --dynamic only are omitted. ValueError if
-    there is no result at the given inputs.
+    Each input is varied alone over its usual range, or by 10 %. Assumed inputs that are derived
+    from the varied input by a rule change with it. Texts, tables and inputs used by --dynamic only
+    are omitted. Raises ValueError if the formulas have no result at the given inputs.
     """
     of = result if callable(result) else _by_key(result)
     middle = _value(case, inputs, of)
     if middle is None:
-        raise ValueError(f"{case.id} has no value {result} with these inputs")
+        raise ValueError(f"case {case.id}: the formulas give no value {result} with these inputs")
     study = _Study(case, inputs, tuple(one.name for one in assumed), of, middle)
     found = [study.of(one) for one in assumed if _is_varied(case, one)]
     return tuple(sorted(found, key=lambda one: one.largest, reverse=True))
@@ -74,7 +78,7 @@ def _is_varied(case: Case, one: Assumed) -> bool:
 
 @dataclass(frozen=True)
 class _Study:
-    """A result of a case, `middle` with these inputs; `names` are the assumed inputs."""
+    """Variation of the assumed inputs `names` of a case; `middle` is the result at `inputs`."""
 
     case: Case
     inputs: Inputs
@@ -92,7 +96,7 @@ class _Study:
         )  # fmt: skip
 
     def _range(self, one: Assumed) -> tuple[float, float]:
-        """The lowest and the highest value [SI]."""
+        """Lowest and highest value [SI] of an assumed input in its variation."""
         model, value = self.case.inputs, getattr(self.inputs, one.name)
         about = assumption_of(self.case.id, one.name)
         if about.usual is not None:
@@ -104,7 +108,7 @@ class _Study:
         return (1 - STEP) * value, (1 + STEP) * value
 
     def _derived(self, name: str) -> list[Assumption]:
-        """The assumed numbers that follow from others, in the order in which they do."""
+        """Assumed numbers that a rule derives from other inputs, in the order of evaluation."""
         fields = self.case.inputs.model_fields
         return [
             one for one in ASSUMPTIONS[self.case.id]
@@ -116,7 +120,10 @@ class _Study:
         return Given({name: getattr(self.inputs, name) for name in type(self.inputs).model_fields})
 
     def _change(self, name: str, value: float) -> float | None:
-        """Relative change of the value with one input replaced; None if there is no solution."""
+        """Relative change of the result for one changed input.
+
+        None if the formulas have no solution.
+        """
         given = Given(self._given() | {name: value})
         try:
             for one in self._derived(name):

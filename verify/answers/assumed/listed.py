@@ -1,4 +1,4 @@
-"""Lists of assumed inputs, on the terminal and in a report."""
+"""Lists of assumed inputs for the terminal and for a report."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,7 +10,10 @@ from verify.core.terminal import print_wrapped
 
 
 def print_assumed(assumed: Sequence[Assumed]) -> None:
-    """Every assumed input with its value and source, nothing if all inputs are given."""
+    """Print every assumed input with its value and source.
+
+    Print nothing if all inputs are given.
+    """
     if not assumed:
         return
     print("assumed, because the file does not give them")
@@ -19,7 +22,7 @@ def print_assumed(assumed: Sequence[Assumed]) -> None:
 
 
 def with_sources(result: CaseResult, assumed: Sequence[Assumed]) -> CaseResult:
-    """The result whose assumed inputs carry their source."""
+    """Result of a case in which each assumed input has the source of its assumption."""
     sources = {one.name: f"assumed, {one.source}" for one in assumed}
     inputs = tuple(replace(i, source=sources.get(i.name, i.source)) for i in result.inputs)
     return replace(result, inputs=inputs)

@@ -1,4 +1,4 @@
-"""Material and friction that the assumptions of several cases share."""
+"""Assumed material properties and friction that several cases share."""
 
 from verify.answers.assumed.rules import Assumption, Given
 from verify.answers.strengths import ROLLER_STATIC, SOURCES, contact_pressure

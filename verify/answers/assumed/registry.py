@@ -1,4 +1,4 @@
-"""Assumptions of each tool by input, in the order in which they are made."""
+"""Assumptions of each tool by input, in the order of evaluation."""
 
 from collections.abc import Mapping
 
@@ -23,8 +23,8 @@ ASSUMPTIONS: Mapping[str, tuple[Assumption, ...]] = {
 
 
 def assumption_of(case_id: str, name: str) -> Assumption:
-    """The assumption of one input; LookupError if there is none."""
+    """Assumption for one input of a case. Raises LookupError if there is none."""
     for one in ASSUMPTIONS.get(case_id, ()):
         if one.name == name:
             return one
-    raise LookupError(f"{case_id} assumes no {name}")
+    raise LookupError(f"case {case_id} has no assumption for the input {name}")

@@ -14,29 +14,29 @@ FEWEST_ROLLERS, MOST_ROLLERS = 3, 100
 
 
 def is_star(g: Given) -> bool:
-    """Whether the flats are on the inner part."""
+    """Whether the clutch has an inner cam (flats on the inner part)."""
     return bool(g.kind == "inner cam")
 
 
 def centres(g: Given) -> float:
-    """Radius [m] of the circle of the rollers' centres."""
+    """Radius [m] of the pitch circle of the rollers."""
     return float(g.R - g.r if is_star(g) else g.R + g.r)
 
 
 def rollers(g: Given) -> int:
-    """Rollers on that circle, at a spacing of 2.2 roller diameters."""
+    """Number of rollers on the pitch circle for a spacing of 2.2 roller diameters."""
     z: int = round(2 * math.pi * centres(g) / (SPACING * 2 * g.r))
     return min(max(z, FEWEST_ROLLERS), MOST_ROLLERS)
 
 
 def flats(g: Given, wedge: float = WEDGE) -> float:
-    """Distance [m] of the flats that gives the wedge angle [rad]."""
+    """Distance X [m] of the flats from the axis for the given wedge angle [rad]."""
     sign = -1 if is_star(g) else 1
     return float(centres(g) * math.cos(wedge) + sign * g.r)
 
 
 def outer_radius(g: Given) -> float:
-    """Outer radius [m] of the outer part."""
+    """Outer radius R_a [m] of the outer part."""
     return float(STAR_RING * g.R if is_star(g) else CUP_RIM * g.X / math.cos(math.pi / g.z))
 
 
@@ -46,12 +46,12 @@ FREEWHEEL_CLUTCH = (
     Assumption(name="X", value=flats, usual=(partial(flats, wedge=WIDE),
                                              partial(flats, wedge=NARROW)),
                source="typical: wedge angle of 7 deg between flat and race (6 to 8 deg): X = "
-               "(R - r) cos 7° - r of an inner cam, (R + r) cos 7° + r of an outer cam"),
+               "(R - r) cos 7° - r for an inner cam, (R + r) cos 7° + r for an outer cam"),
     Assumption(name="R_a", value=outer_radius,
-               source="typical: 1.27 R of a ring around an inner cam, 1.17 X/cos(π/z) of a cup "
+               source="typical: 1.27 R for a ring around an inner cam, 1.17 X/cos(π/z) for a cup "
                "with its housing"),
     Assumption(name="r_b", value=lambda g: STAR_BORE * g.X if is_star(g) else 0.0,
-               source="typical: 0.66 X of an inner cam; an outer cam's shaft is solid"),
+               source="typical: 0.66 X for an inner cam; the shaft inside an outer cam is solid"),
     Assumption(name="F_ax", value="0 N", source="no axial load is given"),
     ROLLER_FRICTION,
     *STEEL,
@@ -63,12 +63,12 @@ WALL, FILLET, HUB = 0.05, 0.2, 0.53  # over d_e, d and half a flat
 
 
 def ring_diameter(g: Given, clearance: float = CLEARANCE) -> float:
-    """Outer diameter [m] of the ring for which the clearance remains."""
+    """Outer diameter [m] of the ring that leaves the given clearance, relative to D_i."""
     return float((1 - clearance) * g.D_i - 2 * g.d)
 
 
 def hub_contact(g: Given) -> float:
-    """Distance [m] of the hub's contact from the middle of a flat."""
+    """Distance [m] from the contact point of the hub to the middle of a flat."""
     corner = g.d_e / 2 - g.delta_1
     return float(HUB * (corner - g.rho) * math.sin(math.pi / g.z))
 

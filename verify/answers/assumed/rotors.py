@@ -6,15 +6,17 @@ from verify.answers.assumed.rules import Assumption, Given
 
 
 def one_shaft(g: Given) -> list[dict[str, Any]]:
-    """The shaft that all segments name; ValueError if they name several."""
+    """Table with the only shaft of all segments. Raises ValueError if the segments name several."""
     names = list(dict.fromkeys(str(segment["shaft"]) for segment in g.segments))
     if len(names) != 1:
-        raise ValueError("several shafts need a table of their speed ratios")
+        raise ValueError(
+            "the segments name several shafts: add the table shafts with their speed ratios"
+        )
     return [{"name": names[0], "ratio": 1.0}]
 
 
 def unbalanced_node(g: Given) -> int:
-    """The node of the first unbalance; without unbalance, of the first disc; otherwise node 1."""
+    """Node of the first unbalance; otherwise, node of the first disc; otherwise, node 1."""
     for table in ("unbalances", "discs"):
         if entries := g.get(table):
             return int(entries[0]["node"])
@@ -23,7 +25,7 @@ def unbalanced_node(g: Given) -> int:
 
 ROTOR_SYSTEM = (
     Assumption(name="shafts", value=one_shaft,
-               source="all segments name one shaft, which turns at the speed n",
+               source="all segments name one shaft, which rotates at the speed n",
                varied=False),
     Assumption(name="speed_from", value=lambda g: 0.9 * g.speed_to,
                source="0.9 of the highest operating speed; run-up passes lower critical speeds"),

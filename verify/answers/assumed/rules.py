@@ -1,4 +1,4 @@
-"""Assumption: the value of an input that a file omits, with its source."""
+"""Data types for assumed inputs: the assumption, the resulting value, and the given inputs."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -6,11 +6,11 @@ from typing import Any
 
 
 class NotGivenError(LookupError):
-    """A rule needs an input that the file does not give."""
+    """Error if a rule needs an input that the file does not give."""
 
 
 class Given(dict[str, Any]):
-    """Inputs by name, in SI units, as attributes; NotGivenError for one that is not known."""
+    """Inputs in SI units, accessible as attributes. Raises NotGivenError for an omitted input."""
 
     def __getattr__(self, name: str) -> Any:
         try:
@@ -24,14 +24,14 @@ Rule = Callable[[Given], Any]
 
 @dataclass(frozen=True, kw_only=True)
 class Assumption:
-    """The value of the input `name` if a file omits it.
+    """Assumption for the input `name` if a file omits it.
 
-    `value` is a TOML value ("206 GPa", 0.3), or a function of the other inputs that returns the SI
-    value, None if nothing can be assumed. `source` is a standard, a handbook or a paper, or begins
-    with "typical:", or states the rule. `usual` is the lowest and the highest usual value, each in
-    the form of `value`; without it, the influence is determined for changes of 10 %. `dynamic`: the
-    input is used by --dynamic only. `varied` is False for a choice without a tolerance, such as a
-    node.
+    `value` is a TOML value ("206 GPa", 0.3) or a function of the other inputs that returns the SI
+    value, or None if nothing can be assumed. `source` names a standard, a handbook or a paper, or
+    begins with "typical:", or states the rule. `usual` contains the lowest and the highest usual
+    value, each in the form of `value`; without it, the influence is determined for changes of 10 %.
+    `dynamic` is True for an input that is used by --dynamic only. `varied` is False for a choice
+    without a tolerance, such as a node.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Assumption:
 
 @dataclass(frozen=True, kw_only=True)
 class Assumed:
-    """One input that was assumed: its value in its display unit, and the source of that value."""
+    """An assumed input: its value in its display unit, and the source of the value."""
 
     name: str
     symbol: str
@@ -54,7 +54,7 @@ class Assumed:
 
     @property
     def text(self) -> str:
-        """`E = 206 GPa`."""
+        """Symbol, value and unit, such as `E = 206 GPa`."""
         value = f"{self.value:.6g}" if isinstance(self.value, float) else str(self.value)
         return f"{self.symbol} = {value}" + ("" if self.unit == "1" else f" {self.unit}")
 

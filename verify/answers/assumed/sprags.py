@@ -1,7 +1,7 @@
-"""Assumed inputs of a sprag clutch: the proportions of the clutch of Huang 2018, Table 1.
+"""Assumed inputs of a sprag clutch: the proportions of the clutch in Huang 2018, Table 1.
 
-The paper's clutch: R_id = 7.21 mm, R_i = 11.11 mm, R_e = 19.44 mm, R_ed = 26.23 mm (gap 8.33 mm),
-12 sprags of r_i = 4.02 mm.
+The clutch of the paper has R_id = 7.21 mm, R_i = 11.11 mm, R_e = 19.44 mm, R_ed = 26.23 mm (gap
+8.33 mm) and 12 sprags with r_i = 4.02 mm.
 """
 
 import math
@@ -20,32 +20,32 @@ FEWEST, MOST = 3, 200
 
 
 def gap(g: Given) -> float:
-    """Radial distance [m] of the races; ValueError if there is none."""
+    """Radial gap R_e - R_i [m] between the races. Raises ValueError unless R_e > R_i > 0."""
     if not g.R_e > g.R_i > 0:
         raise ValueError(
-            f"needs R_e > R_i > 0, got R_e = {g.R_e * 1e3:g} mm, R_i = {g.R_i * 1e3:g} mm"
+            f"R_e > R_i > 0 is required, got R_e = {g.R_e * 1e3:g} mm, R_i = {g.R_i * 1e3:g} mm"
         )
     return float(g.R_e - g.R_i)
 
 
 def number(g: Given) -> int:
-    """Sprags on the circumference through the middle of the gap, at the paper's spacing."""
+    """Number of sprags on the mean circumference of the gap, at the spacing of the paper."""
     z: int = math.floor(math.pi * (g.R_i + g.R_e) / (PITCH_OVER_GAP * gap(g)))
     return min(max(z, FEWEST), MOST)
 
 
 def mass(g: Given) -> float:
-    """Mass [kg] of a sprag as a rectangle of the height of the gap."""
+    """Mass [kg] of a sprag, represented by a rectangle with the height of the gap."""
     return float(g.density * g.l * RECTANGLE * g.b * gap(g))
 
 
 def inertia(g: Given) -> float:
-    """Moment of inertia [kg m^2] of that rectangle about its middle."""
+    """Moment of inertia [kg m^2] of the rectangle that represents a sprag, about its centre."""
     return float(mass(g) * ((RECTANGLE * g.b) ** 2 + gap(g) ** 2) / 12)
 
 
 def race_inertia(g: Given) -> float:
-    """The paper's inertia [kg m^2] of a race, scaled to R_i and l."""
+    """Moment of inertia [kg m^2] of a race in the paper, scaled to R_i and l."""
     return float(INERTIA * (g.R_i / R_I) ** 4 * g.l / SPRAG_LENGTH)
 
 
@@ -64,10 +64,11 @@ SPRAG_CLUTCH = (
     Assumption(name="r_i", value=lambda g: CURVATURE / GAP * gap(g),
                source="0.483 (R_e - R_i), the proportion of Huang 2018, Table 1"),
     Assumption(name="nu_0", value="3.15 deg", usual=("2.5 deg", "4 deg"),
-               source="typical: 2.5 to 4 deg; 3.15 deg is the value that the printed pressures of "
-               "Huang 2018 lead to"),
+               source="typical: 2.5 to 4 deg; 3.15 deg follows from the printed pressures of "
+               "Huang 2018"),
     Assumption(name="z", value=number,
-               source="2π (R_i + R_e)/2 over a spacing of 0.96 (R_e - R_i), that of Huang 2018, "
+               source="mean circumference 2π (R_i + R_e)/2 divided by the spacing 0.96 (R_e - "
+                      "R_i) of Huang 2018, "
                "Table 1"),
     Assumption(name="b", value=lambda g: WIDTH_OVER_GAP * gap(g),
                source="typical: 0.48 (R_e - R_i)"),
@@ -75,8 +76,9 @@ SPRAG_CLUTCH = (
     DENSITY,
     CONTACT_PRESSURE,
     Assumption(name="z_m", value="10 µm",
-               source="Huang 2018, Fig. 12: drop of the crown at the ends; a sprag without a crown "
-               "carries most at its ends"),
+               source="Huang 2018, Fig. 12: drop of the crown at the ends; without a crown, the "
+                      "pressure "
+               "of a sprag is largest at its ends"),
     Assumption(name="K_1", value=1.0, source="Huang 2018, Fig. 12: the best of the printed crowns"),
     Assumption(name="K_2", value=0.7, source="Huang 2018, Fig. 12: the best of the printed crowns"),
     Assumption(name="Q", value=lambda g: g.T / (g.z * g.R_i * math.tan(g.nu_0)),
@@ -87,7 +89,7 @@ SPRAG_CLUTCH = (
                source="typical: hardened steel with oil, sliding, at most the static value",
                dynamic=True),
     Assumption(name="gamma_b", value="1 s/m", dynamic=True,
-               source="typical: friction falls over a sliding speed of 1 m/s"),
+               source="typical: friction decreases over a sliding speed of about 1 m/s"),
     Assumption(name="slices", value=41,
                source="numerical: the number of slices of this suite's cases"),
     Assumption(name="alpha_max", value=lambda g: min(g.b / (2 * g.r_i), 3.0),
@@ -99,9 +101,9 @@ SPRAG_CLUTCH = (
     Assumption(name="K_r", value="0.01 N m/rad", source="Huang 2018, Table 1"),
     Assumption(name="C_rl", value="0.1 N m s/rad", source="Huang 2018, Table 1", dynamic=True),
     Assumption(name="k_out", value="1e5 N m/rad", dynamic=True,
-               source="typical: stiff support; Huang 2018 calls it large"),
+               source="typical: stiff support; Huang 2018 gives no value, only that it is large"),
     Assumption(name="dt", value="1e-5 s", source="numerical: time step of Huang 2018, Sec. 4",
                dynamic=True),
     Assumption(name="t_end", value="0.06 s", dynamic=True,
-               source="numerical: the time that is followed in this suite's cases"),
+               source="numerical: the simulated time of this suite's cases"),
 )  # fmt: skip

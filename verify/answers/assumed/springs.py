@@ -12,18 +12,18 @@ LEAVES, ARCS = (0.37, 0.52, 41), (0.013, 0.024, 7)  # ranges and numbers of L_1 
 
 
 def stiffening(g: Given) -> float:
-    """Stiffness of the leaves as plates over the stiffness of narrow strips."""
+    """Ratio of the bending stiffness of the leaves as plates to that of narrow strips [1]."""
     leaf = energy.leaf_length(L1=g.L1, r=g.r, b=g.b, alpha=g.alpha)
     return float(width_factor(g.h, leaf, nu=g.nu))
 
 
 def stroke(g: Given) -> float:
-    """Displacement [m] up to which the curve is followed."""
+    """Largest displacement [m] of the force-displacement curve: 0.6 of the free length."""
     return STROKE * frame.free_length(n=g.n, b=g.b, r=g.r, L1=g.L1, alpha=g.alpha)
 
 
 def span(g: Given, shares: tuple[float, float, int]) -> str:
-    """A range of lengths in proportion to the wedge."""
+    """TOML range of a length in proportion to L_max: lowest and highest value, number."""
     low, high, count = shares
     return f"{low * g.wedge * 1e3:.4g} mm : {high * g.wedge * 1e3:.4g} mm : {count}"
 
@@ -36,9 +36,10 @@ SPRING_CURVE = (
     ARC_ANGLE,
     *STEEL,
     Assumption(name="width_factor", value=stiffening, usual=(1.0, 1.0988),
-               source="of a leaf as a plate of width h (Timoshenko, Theory of Plates and Shells)"),
+               source="stiffness of a leaf as a plate of width h (Timoshenko, Theory of Plates "
+                      "and Shells)"),
     Assumption(name="mu", value=0.15, usual=(0.1, 0.2),
-               source="Wang 2023, friction of its finite-element model"),
+               source="Wang 2023, friction coefficient of the finite-element model"),
     Assumption(name="stroke", value=stroke, source="0.6 of the free length L_0"),
 )  # fmt: skip
 
@@ -51,7 +52,7 @@ DESIGN_SPRING = (
     Assumption(name="ratio_min", value=0.3, source="Wang 2023, Eq. 12"),
     Assumption(name="ratio_max", value=0.6, source="Wang 2023, Eq. 12"),
     Assumption(name="n", value=lambda _: [6, 8, 10, 12, 14, 16],
-               source="typical: 6 to 16 segments, those of Wang 2023 in the middle"),
+               source="typical: 6 to 16 segments, around the numbers of Wang 2023"),
     Assumption(name="b", value=lambda _: THICKNESSES,
                source="typical: thicknesses of cold-rolled strip"),
     Assumption(name="L1", value=lambda g: span(g, LEAVES),

@@ -1,4 +1,4 @@
-"""Values of inputs: from a file in SI units, and from assumptions in the format of a file."""
+"""Conversion of input values: from a file to SI units, and of assumptions to the file format."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -15,7 +15,7 @@ DIGITS = 6  # of a derived value, so that the printed value is the one used
 
 
 def given_values(model: type[Inputs], raw: Mapping[str, Any]) -> tuple[Given, bool]:
-    """Values in SI units by name, including omitted inputs, and whether all could be read."""
+    """Inputs in SI units by name, including omitted inputs, and whether all could be read."""
     fields, found, readable = model.model_fields, Given(), True
     for name, field in fields.items():
         omitted = meta(field)["omitted"]
@@ -41,7 +41,7 @@ def _within_bounds(model: type[Inputs], given: Given) -> bool:
 
 
 def read_value(model: type[Inputs], name: str, value: Any) -> Any:
-    """A TOML value in SI units; ValueError without a unit or for a wrong one."""
+    """A TOML value in SI units. Raises ValueError if the unit is missing or wrong."""
     if name not in model.model_fields or is_table(model.model_fields[name]):
         return value
     field = model.model_fields[name]
@@ -51,25 +51,27 @@ def read_value(model: type[Inputs], name: str, value: Any) -> Any:
     if kind not in (int, float):
         return value
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"{name} needs a number")
+        raise ValueError(f"{name} must be a number")
     if (kind is float and unit != "1") or not abs(value) <= LARGEST_INTEGER:
-        raise ValueError(f"{name} needs a number in {unit}")
+        raise ValueError(f"{name} must be a number with a unit, such as {unit}")
     return value
 
 
 def si_value(model: type[Inputs], one: Assumption, rule: Any, given: Given) -> Any:
-    """The value [SI] of an assumption by its `value`, or by one end of its `usual` range."""
+    """Value [SI] of an assumption with `rule` as its value (or as one end of its usual range)."""
     return read_value(model, one.name, raw_value(model, replace(one, value=rule), given))
 
 
 def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
-    """The TOML value of an assumption, None if nothing can be assumed."""
+    """TOML value of an assumption; None if nothing can be assumed."""
     if not callable(one.value):
         return one.value
     with np.errstate(all="ignore"):
         value = one.value(given)
     if isinstance(value, float) and not math.isfinite(value):
-        raise ValueError(f"{one.source}: gives no finite value")
+        raise ValueError(
+            f"{one.source}: the assumed value is not finite; give this input in the file"
+        )
     field = model.model_fields.get(one.name)
     if not isinstance(value, float) or field is None:
         return value
@@ -79,7 +81,7 @@ def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
 
 
 def placeholder(model: type[Inputs], one: Assumption) -> Any:
-    """A TOML value for an assumption whose rule cannot be used, as another input is wrong."""
+    """TOML value for an assumption whose rule cannot be evaluated as another input is wrong."""
     if not callable(one.value):
         return one.value
     field = model.model_fields.get(one.name)
@@ -91,7 +93,7 @@ def placeholder(model: type[Inputs], one: Assumption) -> Any:
 
 
 def listed(model: type[Inputs], one: Assumption, raw: Any) -> Assumed:
-    """The assumption in lists, in the display unit of its input."""
+    """An assumed input for lists, with its value in the display unit."""
     field = model.model_fields.get(one.name)
     about = {"symbol": "", "unit": "1"} if field is None else meta(field)
     value, unit = raw, about["unit"]
@@ -104,7 +106,7 @@ def listed(model: type[Inputs], one: Assumption, raw: Any) -> Assumed:
 
 
 def _in_words(raw: Any) -> str:
-    """A list or a range in one line."""
+    """A list or a table as one line of text."""
     if not isinstance(raw, Sequence) or isinstance(raw, str):
         return str(raw)
     parts = [

@@ -1,1 +1,1 @@
-"""Assumptions that formula and reference of a case share, by subject."""
+"""Assumptions that the formula and the reference of a case share, by subject."""

@@ -1,4 +1,4 @@
-"""Assumptions that both sides of the roller freewheels and sprag clutches share."""
+"""Assumptions that formula and reference share: roller freewheels and sprag clutches."""
 
 import math
 from collections.abc import Mapping
@@ -25,26 +25,29 @@ HOLD = SharedReading(
     part="fits and housing hold star and ring elastically", quantity="the wind-up φ",
 )  # fmt: skip
 MU = SharedReading(
-    assumption="friction has one coefficient μ, whatever the rate",
+    assumption="the friction coefficient μ is constant, independent of the sliding speed",
     part="μ varies with lubrication, wear and speed", quantity="the axial load at slip F_ax,lim",
     source="not quantified; it is proportional to sqrt(μ² − tan²α)",
 )  # fmt: skip
 
 
 def wedge_angle(R: float, r: float, X: float) -> float:
-    """Half the wedge angle [rad] of an inner cam with flats at X, without load; lengths [m]."""
+    """Half the wedge angle [rad] of an unloaded inner cam with flats at the distance X.
+
+    Lengths [m].
+    """
     return math.acos(min((X + r) / (R - r), 1.0)) / 2
 
 
 def _flat(q: Any, quantity: str, *, inverse: bool) -> tuple[SharedReading, ...]:
-    """The wedge of a star with flats at a radius larger by `OFF` than nominal."""
+    """Effect of flats that are farther from the axis than nominal by `OFF`."""
     nominal, real = (math.tan(wedge_angle(q.R, q.r, X)) for X in (q.X, q.X + OFF))
     if not real > 0:
         return ()
     return (
         SharedReading(
             assumption="the flats lie at their nominal distance X",
-            part="they have a tolerance", quantity=quantity,
+            part="the distance has a tolerance", quantity=quantity,
             effect=real / nominal - 1 if inverse else nominal / real - 1,
             source=f"for X + {OFF * 1e6:g} µm, without load",
         ),
@@ -68,7 +71,7 @@ def _cup(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
 def _friction(q: Any, v: Values) -> tuple[SharedReading, ...]:
     tilt = SharedReading(
         assumption="the load is uniform along the rollers",
-        part="the axial forces of a roller are a couple that tilts it",
+        part="the axial forces on a roller form a couple that tilts the roller",
         quantity="the largest pressure", effect=1 / v["pressure"] - 1, source="a linear line load",
     )  # fmt: skip
     return (*_flat(q, "the required friction coefficient", inverse=False), tilt, MU,
@@ -77,8 +80,9 @@ def _friction(q: Any, v: Values) -> tuple[SharedReading, ...]:
 
 def _paths(q: Any, v: Values) -> tuple[SharedReading, ...]:
     inertia = SharedReading(
-        assumption="every load is in equilibrium (no inertia)",
-        part="the ring has a mass and f_0 is finite", quantity="the alternating loads",
+        assumption="the forces are in static equilibrium at every time (no inertia)",
+        part="the ring has mass, and its natural frequency f_0 is "
+             "finite", quantity="the alternating loads",
         effect=1 / (1 + v["sway"]) - 1, source="(f/f_0)²",
     )  # fmt: skip
     return (inertia, *_flat(q, "the required friction coefficient", inverse=False), MU,
@@ -94,10 +98,10 @@ TENTH = math.radians(0.1)
 
 
 def _angle(q: Any) -> SharedReading:
-    """Wedge angles that a paper does not print decide on all forces."""
+    """Shared assumption about the wedge angle ν_0, which determines all forces."""
     return SharedReading(
         assumption="the wedge angle ν_0 is that of the inputs",
-        part="it has a tolerance",
+        part="the wedge angle has a tolerance",
         quantity="the normal force N", source="for a wedge angle larger by 0.1°",
         effect=math.tan(q.nu_0 + TENTH) / math.tan(q.nu_0) - 1,
     )  # fmt: skip
@@ -107,7 +111,7 @@ SAME_YIELDS = "the deflections are those of Palmgren's law and Eq. 6"
 
 
 def _composite(effect: float | None) -> SharedReading:
-    """Deflections by the laws of the paper, which the references of these cases also use."""
+    """Shared assumption that deflections follow the laws of the paper."""
     known = "the elastic bodies of case sprag-wedge"
     return SharedReading(
         assumption=SAME_YIELDS, part="elastic bodies deflect less",
@@ -121,7 +125,7 @@ AT_25 = 0.265  # sprag rotation by these laws over that of elastic bodies, case 
 
 def _wedge(q: Any, _: Values) -> tuple[SharedReading, ...]:
     column = SharedReading(
-        assumption="the sprag is a column of the width b with rounded ends",
+        assumption="the sprag is a column of width b with rounded ends",
         part="the outline of the sprag between its contacts is not printed",
         quantity="the sprag rotation",
     )  # fmt: skip
@@ -130,7 +134,7 @@ def _wedge(q: Any, _: Values) -> tuple[SharedReading, ...]:
 
 def _engagement(q: Any, _: Values) -> tuple[SharedReading, ...]:
     rigid = SharedReading(
-        assumption="races turn but neither bend nor vibrate, and N follows α as at rest",
+        assumption="races rotate without bending or vibration, and N is the static function of α",
         part="races have bending modes", quantity="the largest normal force N_max",
     )  # fmt: skip
     return (_composite(only_at_paper(q, AT_25)), _angle(q), rigid, SPRAGS)
@@ -139,7 +143,8 @@ def _engagement(q: Any, _: Values) -> tuple[SharedReading, ...]:
 def _sliding(q: Any, _: Values) -> tuple[SharedReading, ...]:
     law = SharedReading(
         assumption="friction follows the law of Eq. 12 with assumed coefficients",
-        part="none of them is printed", quantity="the torque at which sprags slip",
+        part="the paper prints none of the "
+             "coefficients", quantity="the torque at which sprags slip",
     )  # fmt: skip
     return (law, _composite(only_at_paper(q, AT_25)), SPRAGS)
 
@@ -150,13 +155,13 @@ def _clutch(q: Any, v: Values) -> tuple[SharedReading, ...]:
 
 def _crown(q: Any, _: Values) -> tuple[SharedReading, ...]:
     half_space = SharedReading(
-        assumption="contacts are on half-spaces that extend beyond the ends of the sprag",
-        part="it ends there", quantity="the load near the ends",
+        assumption="the contacting bodies are half-spaces that extend beyond the ends of the sprag",
+        part="the sprag ends there", quantity="the load near the ends",
         source="not quantified here; +29 % to +35 % for a roller (case contact-roller-end)",
     )  # fmt: skip
     peak = SharedReading(
-        assumption="the pressure at the largest force of an engagement is that of statics",
-        part="inertia of the sprag acts too", quantity="the largest pressure",
+        assumption="the pressure at the largest force of an engagement is the static pressure",
+        part="the inertia of the sprag also acts", quantity="the largest pressure",
     )  # fmt: skip
     return (half_space, peak, _angle(q), SPRAGS)
 

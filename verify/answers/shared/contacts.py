@@ -1,4 +1,4 @@
-"""Assumptions that both sides of the contact and rotor cases share."""
+"""Assumptions that formula and reference share: contacts and rotors."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -12,23 +12,26 @@ ENDS = SharedReading(
 )  # fmt: skip
 SMOOTH = SharedReading(
     assumption="surfaces are smooth and free of friction",
-    part="they are rough, with friction",
+    part="the surfaces are rough and have friction",
     quantity="the largest pressure",
 )
 RIM = SharedReading(
-    assumption="the rim of the race is held all around",
-    part="a housing holds it elastically",
+    assumption="the rim of the race is fixed over its whole circumference",
+    part="the race is in an elastic housing",
     quantity="the approach δ",
 )
 PARALLEL = SharedReading(
-    assumption="the axis of the roller is parallel to the race", part="it is tilted",
+    assumption="the axis of the roller is parallel to the race", part="the axis is tilted",
     quantity="the largest pressure outside the end zones d",
     source="not quantified here; -7 % at 0.03° (case contact-roller-tilted)",
 )  # fmt: skip
 
 
 def _half_space(effect: float) -> Function:
-    """Half-spaces extend beyond the ends; `effect` was measured by case contact-roller-end."""
+    """Function for the assumption that both bodies are half-spaces beyond the ends of the roller.
+
+    `effect` is the relative error of the end load, computed by the case contact-roller-end.
+    """
 
     def found(q: Any, _: Values) -> tuple[SharedReading, ...]:
         known = only_at_paper(q, effect)
@@ -59,9 +62,10 @@ def _ring(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
 def _slip(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="friction has one coefficient, for sticking and sliding",
-            part="it differs, and changes with wear", quantity="the energy of a cycle W",
-            source="not quantified; where all slips, W is proportional to μ",
+            assumption="the friction coefficient is the same for sticking and sliding",
+            part="the two coefficients differ and change with "
+                 "wear", quantity="the energy of a cycle W",
+            source="not quantified; if the whole contact slips, W is proportional to μ",
         ),
         ENDS,
     )  # fmt: skip
@@ -81,12 +85,14 @@ def _press_fit(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption="the rings are free along the axis (rows in plane stress)",
-            part="friction in the fit and their width hold them", quantity="the fit pressure p",
+            part="friction in the fit restrains rings of finite width "
+                 "axially", quantity="the fit pressure p",
             source="plane strain, the other limit",
             effect=ratio(v, "p", "p_strain"),
         ),
         SharedReading(
-            assumption="the pressure in the bore is uniform", part="single sprags press on it",
+            assumption="the pressure in the bore is "
+                       "uniform", part="individual sprags press on the bore",
             quantity="the stresses in the inner ring",
             source="not quantified here; see case ring-loads-outer",
         ),
@@ -97,7 +103,7 @@ def _end(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption="the edge of the end face is sharp", quantity="the load at the ends F_d",
-            part="it has a chamfer or a radius",
+            part="the edge has a chamfer or a radius",
         ),
         SMOOTH,
     )  # fmt: skip
@@ -106,19 +112,19 @@ def _end(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
 def _links(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="races are rigid", part="they bend under the sprags",
+            assumption="the races are rigid", part="the races bend under the sprags",
             quantity="the stiffness K_xx", source="not quantified; stiffnesses are too large",
         ),
         SharedReading(
             assumption="all sprags are identical", quantity="the stiffness K_xx",
-            part="tolerances and wear load some more than others",
+            part="tolerances and wear load some sprags more than others",
         ),
     )  # fmt: skip
 
 
 UNDAMPED = SharedReading(
     assumption="bearings and supports are linear springs on rigid ground",
-    part="their stiffness depends on load and speed, and the casing deflects",
+    part="the stiffness of bearings depends on load and speed, and the casing deflects",
     quantity="the critical speeds",
 )
 
@@ -126,7 +132,7 @@ UNDAMPED = SharedReading(
 def _shaft(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="bearings are rigid supports at the ends", part="they deflect",
+            assumption="bearings are rigid supports at the ends", part="the bearings deflect",
             quantity="the critical speed Ω_c", source="not quantified; Ω_c is too large",
         ),
     )  # fmt: skip
@@ -136,7 +142,7 @@ def _step(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption="the shaft is one body", quantity="the critical speed Ω_c",
-            part="discs and sleeves are shrunk on and stiffen it",
+            part="discs and sleeves that are shrunk on stiffen the shaft",
         ),
         UNDAMPED,
     )  # fmt: skip
@@ -146,7 +152,7 @@ def _system(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         UNDAMPED,
         SharedReading(
-            assumption="discs are rigid", part="thin ones bend", quantity="the critical speeds"
+            assumption="discs are rigid", part="thin discs bend", quantity="the critical speeds"
         ),
     )
 
@@ -154,8 +160,8 @@ def _system(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
 def _sprag_rotor(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="the identified parameters are those of the rig",
-            part="12 unknowns are fitted to three printed speeds", quantity="all speeds but these",
+            assumption="the identified parameters are the parameters of the test rig",
+            part="12 unknowns are fitted to three printed speeds", quantity="all other speeds",
         ),
         UNDAMPED,
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""One assumption that formula and reference share, and its meaning for the part."""
+"""Data type for one assumption that formula and reference share, and its effect on the part."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,11 +11,12 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class SharedReading:
-    """An assumption of both sides about a part; their agreement does not verify it.
+    """An assumption of both formula and reference; their agreement does not verify it.
 
-    `effect` is the resulting error in the `quantity` of both sides: (value of both sides - value of
-    the part)/value of the part; it is added to the difference of a row with its sign. It is None if
-    it is unknown for these inputs; `source` is its source.
+    `effect` is the resulting error in `quantity`, which formula and reference share: (value of
+    formula and reference - value of the part)/value of the part. It is added with its sign to the
+    difference of a row. It is None if it is unknown for these inputs. `source` is the source of
+    `effect`.
     """
 
     assumption: str
@@ -26,7 +27,7 @@ class SharedReading:
 
     @property
     def sentence(self) -> str:
-        """Assumption, part and effect in one sentence for the terminal and the page."""
+        """Assumption, real part and effect in one sentence, for the terminal and for pages."""
         head = f"formula and reference assume that {self.assumption}; in the real part {self.part}"
         if self.effect is None:
             return f"{head}; resulting error in {self.quantity}: {self.source}"
@@ -38,19 +39,23 @@ Function = Callable[[Any, Values], tuple[SharedReading, ...]]
 
 
 def ratio(values: Values, assumed: str, part: str) -> float | None:
-    """A value of the formulas over that of the part, minus one; None if either is missing."""
+    """Ratio of one value of the formulas to another, minus 1; None if either value is missing.
+
+    `assumed` is the key of the value with the assumption, `part` that of the value of the real
+    part.
+    """
     if assumed not in values or not values.get(part):
         return None
     return float(values[assumed] / values[part] - 1)
 
 
 def only_at_paper(inputs: Any, effect: float) -> float | None:
-    """An effect that was measured for the paper's inputs, and None for any others."""
+    """Effect that was determined for the paper's inputs; None for other inputs."""
     return effect if inputs == type(inputs)() else None
 
 
 def equal_shares(parts: str, quantity: str) -> SharedReading:
-    """All rolling elements of a clutch are identical and carry the same load."""
+    """Shared assumption that all rolling elements of a clutch are identical and equally loaded."""
     return SharedReading(
         assumption=f"all {parts} are identical and carry equal loads",
         part=f"tolerances and wear load some {parts} more than others", quantity=quantity,

@@ -1,4 +1,4 @@
-"""Assumptions that formulas and finite elements of the races and polyhedral rings share."""
+"""Assumptions that formula and reference share: races and polyhedral rings."""
 
 import math
 from collections.abc import Mapping
@@ -8,15 +8,16 @@ from verify.answers.shared.record import Function, SharedReading, Values, equal_
 
 FREE = "the ring is free along its axis (plane stress)"
 HELD = "a ring that is held along its axis is in plane strain"
-WIDE = "held along its axis it is in plane strain; wide with free ends it lies between"
+WIDE = "if held along its axis, it is in plane strain; if wide with free ends, it lies between both"
 STRAIN = "plane strain, ends held"
 LIMIT = "plane strain, the other limit"
 
 
 def narrow_race(r_i: float, r_o: float, nu: float, *, bore: bool) -> float:
-    """Displacement of a loaded wall in plane stress over that in plane strain, minus one.
+    """Ratio of the displacement of a loaded wall in plane stress to that in plane strain, minus 1.
 
-    The pressure acts on the bore, otherwise on the rim; Lamé's solution for both.
+    The pressure acts on the bore if `bore` is True, otherwise on the rim. Both displacements are
+    Lamé's.
     """
     loaded, other = (r_i, r_o) if bore else (r_o, r_i)
     stress = (1 - nu) * loaded**2 + (1 + nu) * other**2
@@ -28,7 +29,8 @@ def _lame(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption="the pressure is uniform around the race",
-            part="single sprags or rollers press on it", quantity="the displacement at a load",
+            part="individual sprags or rollers press on the "
+                 "race", quantity="the displacement at a load",
             source="not quantified here; -25 % for 12 sprags (case ring-loads-outer)",
         ),
         SharedReading(
@@ -43,7 +45,7 @@ def _loads(q: Any, _: Values) -> tuple[SharedReading, ...]:
     bore = q.loaded == "bore"
     radial = SharedReading(
         assumption="the sprags press along radii, without friction",
-        part="friction at a sprag adds a tangential force of some percent of the radial one",
+        part="friction at a sprag adds a tangential force of some percent of the radial force",
         quantity="the displacement at a load",
     )
     width = SharedReading(
@@ -51,8 +53,9 @@ def _loads(q: Any, _: Values) -> tuple[SharedReading, ...]:
         effect=narrow_race(q.r_i, q.r_o, q.nu, bore=bore), source=STRAIN,
     )  # fmt: skip
     outer = SharedReading(
-        assumption=f"the sprag has the radius {q.R * 1e3:.4g} mm at the outer race as at the inner",
-        part="the radius there is not printed; a logarithmic sprag has 4.34 mm in case sprag-wedge",
+        assumption=f"the sprag has the radius {q.R * 1e3:.4g} mm at both races",
+        part="the radius at the outer race is not printed; a logarithmic sprag has 4.34 mm in "
+             "case sprag-wedge",
         quantity="the Hertz pressure p_0", source="with 4.34 mm",
         effect=((1 / q.R - 1 / q.r_i) / (1 / SPRAG_END - 1 / q.r_i)) ** 0.5 - 1,
     )  # fmt: skip
@@ -81,7 +84,7 @@ def _rotation(_: Any, v: Values) -> tuple[SharedReading, ...]:
             effect=ratio(v, "growth", "growth_strain"),
         ),
         SharedReading(
-            assumption="the race turns alone", quantity="the bore growth",
+            assumption="only the race rotates, without sprags", quantity="the bore growth",
             part="the sprags on its bore add a centrifugal force",
         ),
     )  # fmt: skip
@@ -121,7 +124,7 @@ def _flats(q: Any, _: Values) -> tuple[SharedReading, ...]:
 
 RIGID_RACE = SharedReading(
     assumption="the race outside the rollers is rigid",
-    part="it deflects under them",
+    part="the race deflects under the rollers",
     quantity="the roller force N",
     source="not quantified; N is too large",
 )

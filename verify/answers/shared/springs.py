@@ -1,4 +1,4 @@
-"""Assumptions that formulas and finite elements of the accordion spring share."""
+"""Assumptions that formula and reference share: accordion spring."""
 
 import math
 from collections.abc import Mapping
@@ -34,20 +34,21 @@ def leaf_length(q: Any) -> float:
 
 
 def wide(q: Any, quantity: str, given: float = 1.0) -> tuple[SharedReading, ...]:
-    """The bending stiffness of a strip of width h over the stiffness that both sides use.
+    """Shared assumption about the bending stiffness of a strip of width h.
 
-    No reading if these agree to `SAME`.
+    `given` is the factor of the bending stiffness in formula and reference. The result is empty if
+    this factor agrees with that of a plate of width h within `SAME`.
     """
     factor = float(width_factor(q.h, leaf_length(q), nu=q.nu))
     if abs(given / factor - 1) < SAME:
         return ()
-    taken = "of a narrow strip, E I" if given == 1 else f"{given:.5g} E I"
+    taken = "E I, as for a narrow strip," if given == 1 else f"{given:.5g} E I"
     return (
         SharedReading(
-            assumption=f"the bending stiffness is that {taken}",
+            assumption=f"the bending stiffness is {taken}",
             part=f"the strip is {q.h / q.b:.3g} times as wide as thick, which suppresses "
             "anticlastic bending",
-            quantity=quantity, effect=given / factor - 1, source="a leaf as a plate",
+            quantity=quantity, effect=given / factor - 1, source="theory of a leaf as a plate",
         ),
     )  # fmt: skip
 
@@ -108,8 +109,9 @@ def _buckling(q: Any, _: Values) -> tuple[SharedReading, ...]:
     return (
         *wide(q, "the buckling force F_cr"),
         SharedReading(
-            assumption="the spring has no imperfection", quantity="the buckling force F_cr",
-            part="leaves and load are some hundredths of a millimetre off their places",
+            assumption="the spring has no imperfections", quantity="the buckling force F_cr",
+            part="leaves and load deviate from their nominal positions by some hundredths of a "
+                 "millimetre",
             source="not quantified; F_cr is too large",
         ),
     )  # fmt: skip
@@ -120,7 +122,7 @@ def _map(q: Any, _: Values) -> tuple[SharedReading, ...]:
         *wide(q, "all forces"),
         SharedReading(
             assumption="leaves do not touch", quantity="the force at 60 % of the length",
-            part="those of the paper's spring touch from about 55 % of the length on",
+            part="the leaves of the paper's spring touch from about 55 % of the length on",
         ),
     )  # fmt: skip
 

@@ -1,1 +1,1 @@
-"""Explanation of the judgement of rows, number by number."""
+"""Step-by-step explanation of how rows were judged."""

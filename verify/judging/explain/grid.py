@@ -16,7 +16,7 @@ from verify.judging.explain.lines import Step, amount, long, short
 from verify.judging.judge import numerical_uncertainty
 
 MEANING = {
-    "monotone": "the last differences have equal sign and decrease as for a constant order",
+    "monotone": "the last differences have equal signs and decrease with a constant order",
     "oscillating": "the last differences change sign",
     "slow": "the observed order is below 0.5",
     "noisy": "the iteration error exceeds 1 % of the last difference",
@@ -27,7 +27,7 @@ MEANING = {
 
 
 def regrid(g: Grid) -> tuple[GridConvergence, float]:
-    """The convergence of the recorded levels, judged again, and u_num of the finest value."""
+    """Convergence of the recorded levels, judged again, and u_num of the finest value."""
     h, v = zip(*g.levels, strict=True)
     if not all(map(math.isfinite, v)):
         return GridConvergence("diverging", math.inf), math.inf
@@ -47,7 +47,7 @@ def levels(g: Grid) -> list[Step]:
 
 
 def grid_steps(g: Grid) -> list[Step]:
-    """Levels, how they behave, and the order that they show."""
+    """Steps with the levels, their convergence behaviour, and the observed order."""
     again, _ = regrid(g)
     found = [*levels(g), ("behaviour", f"{again.behaviour}: {MEANING[again.behaviour]}")]
     if again.order is not None:
@@ -59,13 +59,16 @@ def grid_steps(g: Grid) -> list[Step]:
 
 
 def uncertainty_steps(g: Grid) -> list[Step]:
-    """Grid convergence index with inserted numbers, and standard uncertainty on the finest mesh."""
+    """Steps for the grid convergence index (with numbers) and u_num on the finest mesh."""
     again, u_num = regrid(g)
     if not again.converges:
         return []
     return [
         *_index(g, again),
-        ("u_it", f"{amount(g.u_it, g.unit)}, iteration and round-off as the solver states them"),
+        (
+            "u_it",
+            f"{amount(g.u_it, g.unit)}, error of iteration and round-off stated by the solver",
+        ),
         (
             "u_num",
             f"√((GCI/2)² + u_it²) = √(({short(again.gci)}/2)² + {short(g.u_it)}²) = "

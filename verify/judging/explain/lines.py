@@ -1,4 +1,4 @@
-"""The lines that derivations share: numbers with units, tolerance, difference, sharpness."""
+"""Lines that all derivations share: numbers with units, difference, tolerance, sensitivity."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,10 @@ Step = tuple[str, str]  # name of the step, and its derivation
 
 @dataclass(frozen=True)
 class Derivation:
-    """The steps to a verdict; `u_num` in the unit of the row if it has finite elements."""
+    """Steps that lead to a verdict.
+
+    `u_num` has the unit of the row; it is None for a row without finite elements.
+    """
 
     steps: tuple[Step, ...]
     verdict: judge.Verdict
@@ -21,12 +24,12 @@ class Derivation:
 
 
 def long(value: float) -> str:
-    """Enough digits to see a difference between values that agree."""
+    """A number with twelve digits, so that small differences can be seen."""
     return f"{value:.12g}"
 
 
 def short(value: float | None) -> str:
-    """Enough digits to redo a division."""
+    """A number with four digits, sufficient to repeat a calculation."""
     return "unknown" if value is None else f"{value:.4g}"
 
 
@@ -37,12 +40,12 @@ def amount(value: float | None, unit: str, digits: Callable[[float], str] = shor
 
 
 def demand(row: Row) -> float:
-    """The required sensitivity of the row, or of the suite."""
+    """Required sensitivity of the row; by default, that of the suite."""
     return judge.DEMAND if row.demand is None else row.demand
 
 
 def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) -> Step:
-    """U from its three standard uncertainties."""
+    """Step for the expanded uncertainty U, from three standard uncertainties."""
     return (
         "U",
         f"2 √(u_num² + u_ref² + u_input²) = 2 √({short(u_num)}² + {short(u_ref)}² + "
@@ -51,14 +54,14 @@ def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) ->
 
 
 def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
-    """Scale, difference, |d| ≤ U and detection limit."""
+    """Steps for the scale, the difference, the test |d| ≤ U and the detection limit."""
     U, scale = verdict.tolerance, row.scale
     # as judged: the printed values were converted, which changes their last digit
     d = verdict.difference if row.difference is None else row.difference
     named = row.scale_name or "|reference|"
     lines = [("scale", f"{named} = {amount(scale, row.unit)}")]
     if d is None or U is None or scale is None:
-        return (*lines, ("test", "a number is not finite: not converged"))
+        return (*lines, ("test", "a value is not finite: the solution did not converge"))
     lines += [
         ("d", f"{what} = {amount(offset(row), row.unit)}{_share(row)}"),
         ("test", f"|d| ≤ U, that is {short(abs(d))} ≤ {short(U)}: "
@@ -69,7 +72,7 @@ def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step,
 
 
 def _share(row: Row) -> str:
-    """The difference in the convention of all pages, and its divisor."""
+    """Text of the relative difference, by the convention of all pages."""
     found = difference(row)
     if found is None or row.kind is Kind.TREND:
         return ""
@@ -78,11 +81,11 @@ def _share(row: Row) -> str:
 
 
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
-    """The smallest relative change that is certain to make the row fail, and the required one."""
+    """Step for the detection limit: smallest relative change that certainly makes the row fail."""
     if verdict.detects is None or not math.isfinite(verdict.detects):
         known = verdict.tolerance is not None and math.isfinite(verdict.tolerance)
         why = "the row fails already" if known else "the uncertainty is not finite"
-        return ("detects", f"nothing: {why}")
+        return ("detects", f"no detection limit: {why}")
     asked = demand(row)
     word = "meets" if verdict.detects <= asked else "misses"
     reason = row.demand_reason or "the suite's default"

@@ -1,4 +1,4 @@
-"""Rows that compare two values: formula, finite elements, printed number."""
+"""Explanation of rows that compare two values: formula, finite elements, printed number."""
 
 import math
 
@@ -23,7 +23,7 @@ from verify.papers.digits import half_last_digit
 
 
 def identity(row: Row) -> Derivation:
-    """Finite elements and formula solve the same problem."""
+    """Derivation for a formula and finite elements that solve the same problem."""
     assert row.grid is not None
     assert row.analytic is not None
     assert row.scale is not None
@@ -52,7 +52,7 @@ def identity(row: Row) -> Derivation:
 
 
 def printed_theory(row: Row) -> Derivation:
-    """The formula and the number that the paper computed from it."""
+    """Derivation for a formula and the number that the paper computed from it."""
     assert row.analytic is not None
     assert row.partner is not None
     assert row.scale is not None
@@ -71,7 +71,7 @@ def printed_theory(row: Row) -> Derivation:
             "u_ref",
             f"half the last printed digit/√3 = {short(half)}/√3 = {amount(u_ref, row.unit)}",
         ),
-        ("u_input", "0: these are the paper's inputs"),
+        ("u_input", "0: the inputs are those of the paper"),
         expanded(row.unit, 0.0, u_ref, 0.0, U),
         *difference_steps(row, verdict, "formula − printed"),
     )
@@ -79,7 +79,7 @@ def printed_theory(row: Row) -> Derivation:
 
 
 def approximation(row: Row) -> Derivation:
-    """Steps for a formula that neglects an effect, against finite elements that include it."""
+    """Derivation for a formula that neglects an effect, compared with finite elements."""
     assert row.grid is not None
     assert row.analytic is not None
     again, u_num = regrid(row.grid)
@@ -109,7 +109,7 @@ def _finest(row: Row, v: float) -> Step:
 
 
 def _percent(fraction: float) -> str:
-    """With five significant digits, which decide the side of an end."""
+    """Percentage with five significant digits, enough to decide whether a limit is exceeded."""
     return f"{significant(100 * fraction, 5, signed=True)} %"
 
 
@@ -117,7 +117,7 @@ def _model_error(
     row: Row, formula: float, v: float, U: float, verdict: judge.Verdict
 ) -> tuple[Step, ...]:
     if v == 0 or not math.isfinite(U):
-        return (("test", "a number is not finite, or zero: not converged"),)
+        return (("test", "a value is zero or not finite: the solution did not converge"),)
     m, U_m = formula / v - 1, abs(formula / v) * U / abs(v)
     name = reference_name(row)
     found: list[Step] = [
@@ -137,13 +137,15 @@ def _model_error(
             f"{_percent(high - U_m)}: {'holds' if inside else 'does not hold'}",
         ),
         sharpness(
-            row, verdict, "the change of the formula that certainly takes m out on either side"
+            row,
+            verdict,
+            "smallest change of the formula that certainly moves m out of the interval",
         ),
     )
 
 
 def agreement(row: Row) -> Derivation:
-    """Two values that may differ by a figure stated beforehand."""
+    """Derivation for two values that may differ by a tolerance stated beforehand."""
     assert row.analytic is not None
     assert row.reference is not None
     U = judge.COVERAGE * (row.u_num or 0.0)
@@ -160,7 +162,7 @@ def agreement(row: Row) -> Derivation:
 
 
 def deviation(row: Row) -> Derivation:
-    """The size of a difference, which a figure stated beforehand bounds."""
+    """Derivation for the size of a difference, which must not exceed a figure stated beforehand."""
     assert row.reference is not None
     assert row.scale is not None
     assert row.tolerance is not None
@@ -182,7 +184,7 @@ def deviation(row: Row) -> Derivation:
 
 
 def shown(row: Row) -> Derivation:
-    """A formula and a number without a stated uncertainty."""
+    """Derivation for a formula and a number without a stated uncertainty."""
     assert row.analytic is not None
     assert row.difference is not None
     reference = row.analytic - row.difference
@@ -196,6 +198,6 @@ def shown(row: Row) -> Derivation:
             f"formula − reference = {amount(row.difference, row.unit)}, "
             f"{percent(row.difference / reference, signed=True)} of the reference",
         ),
-        ("test", "none: the reference states no uncertainty to judge by"),
+        ("test", "not judged: the uncertainty of the reference is not stated"),
     )
     return Derivation(found, judge.Verdict(row.status, row.reason, row.difference))

@@ -1,4 +1,4 @@
-"""Rows that are no pair of values: orders, limits, balances, facts."""
+"""Explanation of rows that do not compare a pair of values: orders, limits, balances, facts."""
 
 from verify.core.results import Row, Status
 from verify.judging import judge
@@ -21,7 +21,7 @@ WORDS = {Status.PASS: "holds", Status.FAIL: "does not hold"}
 
 
 def trend(row: Row) -> Derivation:
-    """The order with which errors fall."""
+    """Derivation for the order with which errors decrease."""
     assert row.analytic is not None
     if row.levels_u:
         return coefficient(row, row.analytic)
@@ -36,7 +36,7 @@ def trend(row: Row) -> Derivation:
         ("order", f"p = {fit.order:.5f}, extrapolated from the last three slopes to h = 0"),
         (
             "u_num",
-            "scatter about that line, half its last correction c h and round-off: "
+            "scatter about this extrapolation, half of its last correction c h, and round-off: "
             f"√({scatter}² + {correction}² + {round_off}²) = {short(fit.u)}",
         ),
         expanded("1", fit.u, 0.0, 0.0, U),
@@ -47,7 +47,7 @@ def trend(row: Row) -> Derivation:
 
 
 def coefficient(row: Row, theory: float) -> Derivation:
-    """The leading coefficient of the error of a formula."""
+    """Derivation for the leading coefficient of the error of a formula."""
     eps, d = zip(*row.levels, strict=True)
     c, U = judge.quadratic_coefficient(eps, d, row.levels_u)
     verdict = judge.difference(c, theory, U=U, scale=abs(theory), demand=demand(row))
@@ -62,7 +62,7 @@ def coefficient(row: Row, theory: float) -> Derivation:
 
 
 def limit(row: Row) -> Derivation:
-    """A formula that becomes exact as a parameter vanishes."""
+    """Derivation for a formula that becomes exact as a parameter approaches zero."""
     eps, d = zip(*row.levels, strict=True)
     fit = judge.fit_limit(eps, d, row.levels_u)
     verdict = judge.asymptotic(fit, q=row.formal_order, scale=1.0, demand=demand(row))
@@ -84,7 +84,7 @@ def limit(row: Row) -> Derivation:
 
 
 def exact(row: Row) -> Derivation:
-    """A balance that holds to round-off."""
+    """Derivation for a balance that must hold to round-off."""
     assert row.fem is not None
     assert row.scale is not None
     assert row.tolerance is not None
@@ -101,7 +101,7 @@ def exact(row: Row) -> Derivation:
 
 
 def fact(row: Row) -> Derivation:
-    """A statement that holds by a margin, or not."""
+    """Derivation for a statement with a margin."""
     assert row.difference is not None
     assert row.tolerance is not None
     verdict = judge.fact(row.difference, row.tolerance)
@@ -120,7 +120,7 @@ def fact(row: Row) -> Derivation:
 
 
 def convergence(row: Row) -> Derivation:
-    """Whether finite-element values converge, judged separately from their limit."""
+    """Derivation for the convergence of finite-element values."""
     assert row.grid is not None
     g = row.grid
     again, _ = regrid(g)
@@ -133,7 +133,7 @@ def convergence(row: Row) -> Derivation:
         found.append(
             (
                 "test",
-                "order − 0.5 > its change by iteration, values off by ± u_it: "
+                "order − 0.5 > change of the order if values differ by ± u_it: "
                 f"{margin:.4g} > {short(noise)}: {word if margin > noise else 'undecided'}",
             )
         )
@@ -147,6 +147,9 @@ def convergence(row: Row) -> Derivation:
                       f"{short(again.gci)} < {amount(g.allowed, g.unit)}: {word}"))  # fmt: skip
     else:
         found.append(
-            ("test", f"differences vanish: {word}" if again.converges else "not converged")
+            (
+                "test",
+                f"the differences are round-off: {word}" if again.converges else "not converged",
+            )
         )
     return Derivation(tuple(found), verdict)

@@ -1,4 +1,4 @@
-"""Explanation of a row's judgement, number by number, recomputed from its stored values."""
+"""Explanation of the judgement of a row, recomputed from its stored values."""
 
 from collections.abc import Callable, Mapping
 
@@ -29,14 +29,15 @@ STATED: Mapping[Kind, Callable[[Row], Derivation]] = {  # within a figure that a
 
 
 def steps(row: Row) -> tuple[Step, ...]:
-    """Compared values, their uncertainty, and the conclusion: pairs of label and text."""
+    """Steps of the judgement as pairs of label and text: compared values, uncertainty, verdict."""
     return derive(row).steps
 
 
 def derive(row: Row) -> Derivation:
-    """Judge the row again from its stored numbers, and state each step.
+    """Derivation of a row: the row is judged again from its stored numbers, step by step.
 
-    A row that was not run, or without finite elements by an error, has only its verdict.
+    A row that was not run has only its verdict, as has a row whose finite elements ended with an
+    error.
     """
     if row.grid is not None:
         found = PAIRED[row.kind](row)
@@ -58,7 +59,7 @@ def _has_numbers(row: Row) -> bool:
 
 
 def _printed(row: Row, entry: Published) -> Step:
-    """A published value with its deviation from formula and finite elements."""
+    """Step for a published value, with the ratios of formula and finite elements to it."""
     computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
     ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
     ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]
