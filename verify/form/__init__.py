@@ -1,1 +1,1 @@
-"""The form of a case: one class that declares inputs, formulas, a reference, comparisons."""
+"""The form of a case: one class with inputs, formulas, a reference and comparisons."""

@@ -1,4 +1,4 @@
-"""A declared case as the record that the jobs, studies and reports of the suite work with."""
+"""Conversion of a declared case into the record that jobs, studies and reports use."""
 
 import inspect
 from collections import Counter
@@ -24,10 +24,11 @@ from verify.form.quantity import CaseError, Quantity, solving
 
 
 def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
-    """The case of a class: comparisons named for the default inputs, numbers for any inputs.
+    """Record of the case declared by the class `form`.
 
-    `time_limit` [s] applies to its formulas and to each level. Comparisons are made when they are
-    first read: a process makes only those of the cases that it uses.
+    Names of the comparisons are those at the default inputs; their numbers can be computed for any
+    inputs. `time_limit` [s] applies to the formulas and to each level of the reference. Comparisons
+    are made when they are first read: a process makes only those of the cases that it uses.
     """
 
     def default() -> Case:
@@ -57,9 +58,10 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 
 @cache
 def _default(form: type[Case], time_limit: float | None) -> Case:
-    """The default inputs with their comparisons; CaseError for a rule that they break.
+    """Instance of the case with the default inputs and its comparisons.
 
-    Tests check the dimensions of the equations of the suite.
+    Raises CaseError for a rule of the form that the case breaks. Here, dimensions of equations are
+    checked for cases outside the suite only; for cases of the suite, tests check them.
     """
     check_names(form)
     case = _valid(form)
@@ -73,7 +75,7 @@ def _default(form: type[Case], time_limit: float | None) -> Case:
 
 
 def _valid(form: type[Case]) -> Case:
-    """The default inputs, within their bounds, which pydantic does not check."""
+    """Instance with the default inputs, validated against their bounds."""
     try:
         return form().at()
     except ValidationError as error:
@@ -84,13 +86,13 @@ def _valid(form: type[Case]) -> Case:
 
 
 def _twice(form: type[Case], one: Comparison) -> CaseError:
-    rule = f"two comparisons are called {one.name}; `against` or `name` distinguishes them"
+    rule = f"two comparisons have the name {one.name}; give `against` or `name` to distinguish them"
     file = Path(inspect.getfile(form)).name
     return one.quantity.broken(rule) if one.quantity else CaseError(f"{file}: {rule}")
 
 
 class _Side:
-    """A side of a case as a function, with the module and the name that errors and lists show."""
+    """Base class of formulas and reference as functions; errors state module and name."""
 
     name: ClassVar[str]
 
@@ -101,12 +103,12 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Numbers of the quantities of a case, and further numbers of its comparisons, by name [SI]."""
+    """Function for the values of all quantities and comparisons of a case, by name [SI]."""
 
     name = "quantities"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """Code at the beginning of the hash: module, class and members, also those `read`."""
+        """Code in the hash of the formulas: module, class and members, including `read`."""
         names = [*(q.name for q in self.form.quantities()), "comparisons"]  # both have numbers
         return reached(self.form, [*names, *read], formulas=True)
 
@@ -119,12 +121,12 @@ class Formulas(_Side):
 
 
 class Reference(_Side):
-    """A case's reference; formulas are out of its reach while it solves."""
+    """Function that solves a level of a case's reference; formulas cannot be read meanwhile."""
 
     name = "reference"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """Code at the beginning of the hash: module, class and members, also those `read`."""
+        """Code in the hash of the reference: module, class and members, including `read`."""
         return reached(self.form, ["reference", *read], formulas=False)
 
     def __call__(self, case: Case, level: int) -> FemResult:
@@ -140,16 +142,16 @@ class Reference(_Side):
 
 
 def _check_numbers(found: object, place: str) -> None:
-    """CaseError if a level is not of the type of `solved`, or has a number that is not finite."""
+    """Raise CaseError unless a level is a result of `solved` with finite values."""
     if not isinstance(found, FemResult):
-        raise CaseError(f"{place} returns {type(found).__name__}, not solved(...)")
+        raise CaseError(f"{place} must return solved(...), got {type(found).__name__}")
     for key, value in found.values.items():
         if not isfinite(value):
-            raise CaseError(f"{place}: {key} is {value:g}")
+            raise CaseError(f"{place}: the value {key} must be finite, got {value:g}")
 
 
 def _outputs(default: Case) -> Iterator[Output]:
-    """The quantities, and those of other states that are compared and displayed."""
+    """Outputs of a case: its quantities, and its quantities in other compared states."""
     stated = [one for one in default.stated() if one.quantity]
     hidden = {one.quantity for one in stated if one.state and not one.state.displayed}
     compared = {
@@ -175,10 +177,11 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
 
 
 def _check(one: Comparison, own: bool) -> Check:
-    """The check of a comparison, with functions for the present inputs.
+    """Check of a comparison, with functions that use the inputs of the context.
 
-    A function of a check has the inputs or the context as its first argument, and may belong to the
-    instance that made it: here, that of the default inputs.
+    A function of a check has the inputs or the context as its first argument. As declared, it may
+    belong to the instance with the default inputs; the returned check calls that of the present
+    inputs.
     """
     check: Any = one.check
     functions = [
@@ -191,7 +194,7 @@ def _check(one: Comparison, own: bool) -> Check:
 
 
 def _stated(one: Comparison) -> dict[str, str]:
-    """Statement of a comparison about its formula."""
+    """Fields of a check that describe the formula of its comparison."""
     q = one.quantity
     if q is None:
         return {}
@@ -199,7 +202,7 @@ def _stated(one: Comparison) -> dict[str, str]:
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
-    """The function with this name for a check.
+    """Function `function` of the check of the comparison `name`, for the present inputs.
 
     In the case of a user (`own`), an expected error must be independent of the reference; for the
     cases of the suite, tests verify this.
@@ -209,7 +212,7 @@ def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
         case: Case = first.inputs if isinstance(first, Context) else first
         one = next((one for one in case.stated() if one.name == name), None)
         if one is None:
-            raise CaseError(f"these inputs have no comparison called {name}")
+            raise CaseError(f"with these inputs, the case has no comparison with the name {name}")
         if own and function == "interval" and case.is_default:
             independence.check(case, one)
         return getattr(one.check, function)(first, *rest)

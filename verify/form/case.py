@@ -1,7 +1,8 @@
-"""A case: inputs, formulas, a reference that shares no code with them, and comparisons.
+"""A case: inputs, formulas, an independent reference, and comparisons.
 
-A case is one class. Its fields are the inputs, its quantities are the formulas of the source. An
-instance is the problem with numbers: `CurvedBar().sigma_i` is a stress in Pa.
+The reference shares no code with the formulas. A case is one class. Its fields are the inputs, its
+quantities are the formulas of the source. An instance is the problem with numbers:
+`CurvedBar().sigma_i` is a stress in Pa.
 """
 
 from collections.abc import Generator, Iterable, Mapping, Sequence
@@ -27,10 +28,10 @@ def solved(
     mesh_size: float, *fields: Field, iteration: float | Mapping[str, float] = 0.0,
     **values: float | NDArray[np.float64],
 ) -> FemResult:  # fmt: skip
-    """One level of the reference: numbers and arrays by name, in SI units.
+    """Result of one level of the reference: numbers and arrays by name, in SI units.
 
-    `mesh_size` is relative to a constant length; `iteration` is the relative uncertainty of all
-    numbers by iteration or round-off, or of each by name.
+    `mesh_size` is relative to a constant length. `iteration` is the relative uncertainty of the
+    numbers due to iteration or round-off: one value for all, or one for each by name.
     """
     numbers = {k: float(v) for k, v in values.items() if np.ndim(v) == 0}
     arrays = {k: np.asarray(v) for k, v in values.items() if k not in numbers}
@@ -43,12 +44,15 @@ class Drawing(Protocol):
     """A figure or picture declared by kind, with its content; see `verify.form.figures`."""
 
     def drawn(self, context: Context) -> Sequence[Figure]:
-        """The figures, empty if there is nothing to draw."""
+        """Figures to draw; empty if there is nothing to draw."""
         ...
 
 
 class Case(Inputs):
-    """Base of every case, in the suite and outside; its docstring leads its page."""
+    """Base class of every case, in the suite and outside it.
+
+    The docstring of a case is the first paragraph of its page.
+    """
 
     model_config = ConfigDict(ignored_types=(Declared, Family, shared))
 
@@ -68,7 +72,10 @@ class Case(Inputs):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        """Violations of rules for a declaration are found when the class is made."""
+        """Check the declaration when the class is made.
+
+        Raises CaseError for a wrong unit or word, or for a symbol that is used twice.
+        """
         cls.id = vars(cls).get("id", cls.__module__.rpartition(".")[2].replace("_", "-"))
         names = {meta(field)["symbol"]: name for name, field in cls.model_fields.items()}
         for q in cls.quantities():
@@ -81,43 +88,43 @@ class Case(Inputs):
                 raise q.broken(str(error)) from error
 
     def reference(self, level: int) -> FemResult:
-        """Solve one level; meshes and finite elements are imported in this method, not above."""
+        """Result of one level; meshes and finite elements must be imported inside this method."""
         raise NotImplementedError
 
     def comparisons(self) -> Iterable[Comparison | Check]:
-        """What is compared, stated before the reference is solved."""
+        """Comparisons, stated before the reference is solved."""
         return ()
 
     def figures(self) -> Iterable[Drawing]:
-        """Figures besides the convergence plots, which every comparison with an order has."""
+        """Figures in addition to the convergence plots of all comparisons with an order."""
         return ()
 
     def pictures(self) -> Iterable[Picture]:
-        """Fields of the finest level in colours."""
+        """Pictures of fields of the finest level."""
         return ()
 
     def laws(self) -> Iterable[Equation]:
-        """Equations of the source that no quantity contains, such as equations of motion."""
+        """Equations of the source that belong to no quantity, such as equations of motion."""
         return ()
 
     def tables(self, context: Context) -> Iterable[Table]:  # noqa: ARG002
-        """Tables of the page."""
+        """Tables of the case's page."""
         return ()
 
     def sketch(self) -> Sketch | None:
-        """The part with its sizes and loads."""
+        """Sketch of the part with its dimensions and loads."""
         return None
 
     def warnings(self) -> Iterable[str]:
-        """Warnings if these inputs are outside the range of the formulas."""
+        """Warnings if the inputs are outside the range of validity of the formulas."""
         return ()
 
     def advice(self) -> Iterable[str]:
-        """Recommendations for the user, the most important first."""
+        """Recommendations for the user, the most important one first."""
         return ()
 
     def summary(self) -> Mapping[str, Any]:
-        """The advice for programs, as additional JSON of `check`."""
+        """Recommendations as additional JSON of `check`, for programs."""
         return {}
 
     def refusal(self) -> str:
@@ -125,14 +132,14 @@ class Case(Inputs):
         return ""
 
     def stated(self) -> tuple[Comparison, ...]:
-        """The comparisons of these inputs, made once."""
+        """Comparisons at these inputs; they are made only once."""
 
         def made() -> tuple[Comparison, ...]:
             found: object = self.comparisons()
             if not isinstance(found, Iterable):
                 code = type(self).comparisons.__code__
                 place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
-                rule = f"returns {type(found).__name__}, and must yield comparisons"
+                rule = f"must yield comparisons, got {type(found).__name__}"
                 raise CaseError(f"{place}: {type(self).__name__}.comparisons: {rule}")
             return tuple(c if isinstance(c, Comparison) else Comparison(check=c) for c in found)
 
@@ -140,19 +147,19 @@ class Case(Inputs):
 
     @property
     def is_default(self) -> bool:
-        """Whether these are the default inputs, to which printed numbers refer."""
+        """Whether the inputs are the default inputs, to which printed numbers refer."""
         return self == type(self)()
 
     def at(self, **changes: float) -> Self:
-        """The case with other inputs, validated [SI units]."""
+        """The case with changed inputs [SI units], validated."""
         inputs = {name: getattr(self, name) for name in type(self).model_fields}
         states = {n: v for n, v in vars(self).items() if n in type(self).__class_vars__}
         return type(self)(**(inputs | changes)).variant(**states)
 
     def variant(self, **attributes: Any) -> Self:
-        """The case with other class attributes that formulas read, such as the ends.
+        """The case with changed class attributes that formulas read, such as the end conditions.
 
-        ValueError if the class has no such attribute.
+        Raises ValueError if the class has no such attribute.
         """
         if unknown := attributes.keys() - type(self).__class_vars__:
             name = ", ".join(sorted(unknown))
@@ -160,14 +167,14 @@ class Case(Inputs):
         return self.model_copy(update=attributes)
 
     def shown(self, name: str, digits: int = 4) -> str:
-        """An input or a quantity in its unit, for sentences: "76 mm"."""
+        """Text of an input or a quantity in its unit, for sentences: "76 mm"."""
         units_of = {n: meta(field)["unit"] for n, field in type(self).model_fields.items()}
         unit = units_of.get(name) or next(q.unit for q in self.quantities() if q.name == name)
         return f"{getattr(self, name) / units.factor(unit):.{digits}g} {unit}".removesuffix(" 1")
 
     @classmethod
     def quantities(cls) -> tuple[Quantity, ...]:
-        """Quantities in the order of the class, those of base classes first."""
+        """Quantities in the order of the class; quantities of base classes come first."""
         found = {k: v for base in reversed(cls.__mro__) for k, v in vars(base).items()}
         declared = (
             d for one in found.values()
@@ -177,11 +184,11 @@ class Case(Inputs):
         return tuple({d.quantity.name: d.quantity for d in declared}.values())
 
     def present(self) -> tuple[Quantity, ...]:
-        """The quantities that these inputs have."""
+        """Quantities that exist for these inputs."""
         return tuple(q for q in self.quantities() if q.of(self) is not None)
 
     def __eq__(self, other: object) -> bool:
-        """Equality of inputs and state; computed values follow from these."""
+        """Whether inputs and class attributes are equal; computed values follow from these."""
         return isinstance(other, Case) and type(self) is type(other) and self._own == other._own
 
     @property
@@ -189,11 +196,11 @@ class Case(Inputs):
         return {k: v for k, v in self.__dict__.items() if not k.startswith(MEMO)}
 
     def __iter__(self) -> Generator[tuple[str, Any], None, None]:
-        """Names and values of the inputs only, for `dict(case)`."""
+        """Pairs of name and value of the inputs only, for `dict(case)`."""
         yield from ((name, getattr(self, name)) for name in type(self).model_fields)
 
     def __copy__(self) -> Self:
-        """Copy without computed values, which `model_copy` would transfer to other inputs."""
+        """Copy without computed values; `model_copy` would transfer these to other inputs."""
         copied = super().__copy__()
         for key in [key for key in copied.__dict__ if key.startswith(MEMO)]:
             del copied.__dict__[key]

@@ -1,4 +1,4 @@
-"""TeX of a formula from the code of the method that returns it."""
+"""TeX of a formula, derived from the code of the method that returns it."""
 
 import ast
 import inspect
@@ -12,9 +12,9 @@ from verify.form.tex import EXTREMES, FUNCTIONS
 
 
 def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
-    """TeX of a method that returns one expression of `symbols`; empty if it does more.
+    """TeX of a method that only returns one expression of `symbols`; otherwise empty.
 
-    A constant alone is no equation, nor is a number that is read from a solution.
+    The result is also empty for a constant and for a number that is read from a solution.
     """
     if formula.__code__.co_name == "<lambda>":
         return ""
@@ -32,7 +32,7 @@ def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
 
 
 def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
-    """TeX and how tightly it binds: 1 sum, 2 product, 3 power, 4 single symbol."""
+    """TeX of an expression, and its binding strength: 1 sum, 2 product, 3 power, 4 symbol."""
 
     def part(of: ast.expr, binding: int) -> str:
         text, binds = _tex(of, symbols)
@@ -67,7 +67,7 @@ def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
 
 
 def _constant(value: float) -> tuple[str, int]:
-    """A constant with all its digits, so that the equation has the number of the code."""
+    """TeX of a constant with all its digits, and its binding strength."""
     digits = next(n for n in range(6, 18) if float(f"{value:.{n}g}") == value)
     text = number(value, digits)
     return text, 2 if r"\cdot" in text else 3 if "^" in text else 4

@@ -1,7 +1,7 @@
-"""Comparisons of formulas with a reference, by kind, each judged by `verify.judging`.
+"""Comparisons of formulas with a reference, by kind; `verify.judging` judges each of them.
 
-A check of `verify.judging` without a function here can be yielded directly, or in a `Comparison`
-with the quantity that it judges.
+A check of `verify.judging` for which there is no function here can be yielded directly, or in a
+`Comparison` with the quantity that it judges.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -25,7 +25,8 @@ Scale = Quantity | Mapping[str, Number]
 class Expected(NamedTuple):
     """Expected signed error formula/reference - 1, and its source.
 
-    One that is too wide to judge by for these inputs is not `sharp`: the error is only displayed.
+    If the interval is too wide for judging at these inputs, `sharp` is False and the error is only
+    displayed.
     """
 
     low: float
@@ -35,9 +36,9 @@ class Expected(NamedTuple):
 
 
 class Computed(NamedTuple):
-    """An expected error that takes long to compute: `interval` is called when the row is judged.
+    """An expected error that takes long to compute; `interval` is called when the row is judged.
 
-    It returns low and high, or None if the interval is too wide for judging.
+    It returns the lower and upper limit, or None if the interval is too wide for judging.
     """
 
     interval: Callable[[], tuple[float, float] | None]
@@ -45,24 +46,24 @@ class Computed(NamedTuple):
 
 
 def about(error: float, slack: float, source: str) -> Expected:
-    """An expected error within `slack` of a value."""
+    """Expected error within ± `slack` of `error`."""
     return Expected(error - slack, error + slack, source)
 
 
 def underived(reason: str) -> Expected:
-    """No expected error is known, for the stated reason: the error is only displayed."""
+    """Expected error for the case that no error is known, for `reason`: it is only displayed."""
     return Expected(-inf, inf, reason, sharp=False)
 
 
 @dataclass(frozen=True)
 class State:
-    """The formulas in another state: under another load, or for a long part.
+    """Another state of the formulas, such as another load or a long part.
 
-    `case` has the quantities of this state, such as `self.at(T=...)`. Names of its numbers end in
-    `key`, like those of the reference; names of its rows end in `words`; `symbol` is a format of
-    its symbols. The state of the inputs has no `key`; if the inputs have no such state, there is no
-    `case`. Numbers of a state that is not `displayed` are compared in rows, but are no values of
-    `check`.
+    `case` has the quantities of this state, such as `self.at(T=...)`; it is None if the state does
+    not exist at these inputs. Names of the numbers of formulas and reference end in `key`, which is
+    empty for the state of the inputs. Names of rows end in `words`. `symbol` is a format of the
+    symbols. Numbers of a state that is not `displayed` are compared in rows, but `check` does not
+    print them.
     """
 
     case: object | None
@@ -73,19 +74,19 @@ class State:
 
 
 def key_of(q: Quantity, state: State | None) -> str:
-    """The name of a quantity's number in a state: "d_i_rigid"."""
+    """Name of a quantity's number in a state, such as "d_i_rigid"."""
     return f"{q.name}_{state.key}" if state and state.key else q.name
 
 
 class Options(TypedDict, total=False):
-    """Options that every comparison of a quantity with a reference may state.
+    """Options of every comparison of a quantity with a reference.
 
-    `order` is the theoretical order of convergence of the reference. `against` distinguishes rows
-    of one quantity; `name`, `symbol` and `unit` replace those of the declaration. `state` is
-    another state than that of the inputs. `sensitivity` is the smallest error that must make the
-    row fail, `own` the same for inputs of a user if it is less strict. `by` is the name of a second
-    method that is refined like a mesh, `printed` are values of the papers for the row ("paper:id"),
-    and `shares` is common to both sides.
+    `order` is the theoretical order of convergence of the reference. `against` distinguishes
+    several rows of one quantity. `name`, `symbol` and `unit` replace those of the declaration.
+    `state` is a state other than that of the inputs. `sensitivity` is the smallest error that must
+    make the row fail; `own` is the same for inputs of a user, if it is less strict. `by` is the
+    name of a second method that is refined like a mesh. `printed` are values of the papers for the
+    row ("paper:id"). `shares` states what formula and reference have in common.
     """
 
     order: float | None
@@ -105,8 +106,8 @@ class Options(TypedDict, total=False):
 class Comparison:
     """A check, the formula that it judges, and further `numbers` [SI] for the check.
 
-    `shares` states what is common to both sides, other than the inputs; `expected` is the stated
-    error of an approximation.
+    `shares` states what formula and reference have in common in addition to the inputs. `expected`
+    is the expected error of an approximation.
     """
 
     check: Check
@@ -118,16 +119,16 @@ class Comparison:
 
     @property
     def name(self) -> str:
-        """The name of its row, which no other comparison of the case has."""
+        """Name of the comparison's row, unique in the case."""
         return str(getattr(self.check, "name", ""))
 
     @property
     def key(self) -> str:
-        """The key of the formula's value, empty if none is judged."""
+        """Key of the formula's value; empty if no formula is judged."""
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
-        """The further numbers, and that of the quantity in another state if not included."""
+        """Further numbers of the comparison, and the value of the quantity in its state."""
         found = {key: finite(v() if callable(v) else v) for key, v in self.numbers.items()}
         if self.quantity and self.state and self.state.case and self.key not in found:
             found[self.key] = self.quantity.of(self.state.case)
@@ -138,11 +139,12 @@ def identity(
     q: Quantity, reference: str = "", *, scale: Scale | None = None,
     uncertainty: Number | None = None, **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """Formula and reference solve the same problem and differ by numerical errors only.
+    """Comparison of a formula and a reference that solve the same problem.
 
-    `reference` is the name of the number of the reference, by default that of the quantity. `scale`
-    is the natural magnitude if the quantity may vanish: another quantity, or a number [SI] by its
-    name. `uncertainty` is that of a formula with a truncated series, over the scale.
+    They differ by numerical errors only. `reference` is the name of the reference's number, by
+    default that of the quantity. `scale` is the natural magnitude if the quantity may vanish:
+    another quantity, or a number [SI] by its name. `uncertainty` is the uncertainty of a truncated
+    series in the formula, relative to the scale.
     """
     numbers = dict(scale) if isinstance(scale, Mapping) else {}
     more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}
@@ -156,16 +158,19 @@ def approximation(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """The formula neglects an effect; its signed error must lie in an interval derived beforehand.
+    """Comparison of a formula that neglects an effect with a reference that includes it.
 
-    Comparisons are stated before the reference is solved: no interval can be taken from it.
+    The signed error of the formula must be in an interval derived beforehand. Because comparisons
+    are stated before the reference is solved, no interval can be taken from it.
     """
     source = "" if expected is None else expected.source
     if expected is not None and not source:
-        raise q.broken("its expected error states no source")
+        raise q.broken("give the source of its expected error")
     if isinstance(expected, Expected) and not expected.low <= expected.high:
-        ends = f"from {expected.low:g} to {expected.high:g}"
-        raise q.broken(f"its error is expected {ends}, and low must not be above high")
+        ends = f"{expected.low:g} to {expected.high:g}"
+        raise q.broken(
+            f"the lower limit of its expected error must not exceed the upper limit, got {ends}"
+        )
 
     def interval(*_: object) -> tuple[float, float] | None:
         if isinstance(expected, Computed):
@@ -181,9 +186,10 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """The formula is exact for a parameter of 0, and its error is a power of the parameter.
+    """Check that a formula is exact at 0 of a parameter and its error a power of the parameter.
 
-    `points` returns parameter, signed error and its standard uncertainty from all levels.
+    `points` returns parameter, signed error and the standard uncertainty of the error, from all
+    levels.
     """
     check = checks.Limit(name=name, symbol=symbol, unit="1", exponent=exponent,
                          points=lambda context: points(context.fem), demand=sensitivity[0],
@@ -195,7 +201,11 @@ def over_family(
     q: Quantity, reference: str, *, at: Sequence[float], family: Callable[[float], object],
     order: float | None = None,
 ) -> Callable[[Sequence[FemResult]], Points]:  # fmt: skip
-    """Points of a limit: `family` returns the case of a value, `reference` all results `at`."""
+    """Function for the points of a limit.
+
+    `family` returns the case for a value of the parameter; the array `reference` contains the
+    results for all values `at`.
+    """
 
     def points(levels: Sequence[FemResult]) -> Points:
         sizes, d, u = [level.h for level in levels], [], []
@@ -212,7 +222,10 @@ def over_family(
 def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> Callable[
     [Context], tuple[list[float], list[float]]
 ]:  # fmt: skip
-    """Mesh sizes and relative errors of the reference against an exact formula, for an `Order`."""
+    """Function for mesh sizes and relative errors of the reference against an exact formula.
+
+    The result is an argument of `Order`.
+    """
     key = key_of(q, state)
 
     def errors(context: Context) -> tuple[list[float], list[float]]:
@@ -223,10 +236,10 @@ def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> C
 
 
 def as_printed(q: Quantity, printed: str, *, place: str = "", name: str = "") -> Comparison:
-    """The formula against the number that its source computed from it: the last digit decides.
+    """Comparison of a formula with the number that its source computed from it.
 
-    `printed` is a value of the suite's papers ("paper:id"), or a number with its unit as any other
-    source prints it at `place` ("77.25 MPa").
+    The tolerance is half of the last printed digit. `printed` is a value of the suite's papers
+    ("paper:id"), or a number with its unit as another source prints it at `place` ("77.25 MPa").
     """
     found = printed if ":" in printed else literal(printed, q.what, place)
     check = PrintedTheory(name=name or f"{q.label}, as printed", symbol=q.symbol, unit=q.unit,
@@ -238,7 +251,10 @@ def balance(
     residual: str, name: str, symbol: str, unit: str, *, of: Mapping[str, float], bound: float,
     because: str,
 ) -> Comparison:  # fmt: skip
-    """A balance that the reference satisfies to round-off: |residual| <= bound x scale `of`."""
+    """Check of a balance that the reference satisfies to round-off: |residual| <= bound x scale.
+
+    `of` contains the name and value of the scale.
+    """
     check = checks.Exact(name=name, symbol=symbol, unit=unit, fem=residual, scale=next(iter(of)),
                          bound=bound, bound_reason=because)  # fmt: skip
     return Comparison(check=check, numbers=of)
@@ -247,7 +263,7 @@ def balance(
 def fact(
     name: str, symbol: str, margin: Callable[[Context], tuple[float, float]], *, solves: bool = True
 ) -> Comparison:
-    """A statement that holds if its margin exceeds the margin's expanded uncertainty."""
+    """Statement that holds if its margin exceeds the expanded uncertainty of the margin."""
     check = checks.Fact(name=name, symbol=symbol, unit="1", margin=margin, fem_needed=solves)
     return Comparison(check=check)
 
@@ -258,7 +274,7 @@ def _compared(
 ) -> Comparison:  # fmt: skip
     if unknown := sorted(options.keys() - Options.__annotations__.keys()):
         known = ", ".join(Options.__annotations__)
-        raise q.broken(f"comparisons have no argument {unknown[0]}; those are: {known}")
+        raise q.broken(f"comparisons have no argument {unknown[0]}; possible arguments: {known}")
     state = options.get("state")
     name, symbol, key = q.label, q.symbol, key_of(q, state)
     own = key.replace(q.name, q.form_of, 1) if q.form_of else key

@@ -1,4 +1,4 @@
-"""Check that the equation of a quantity has its stated unit: a length, a stress, a speed."""
+"""Check that the equation of a quantity gives the dimension of its stated unit."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,11 +15,11 @@ NUMBER: Powers = frozenset()
 
 
 class DimensionFaultError(Exception):
-    """An equation adds or compares different dimensions."""
+    """Error for an equation that adds or compares different dimensions."""
 
 
 class Dimension:
-    """A dimension with the arithmetic of numbers that have it; plain numbers are dimensionless."""
+    """A physical dimension that can be used in arithmetic like a number; numbers have none."""
 
     def __init__(self, powers: Powers) -> None:
         self.powers = powers
@@ -47,7 +47,7 @@ class Dimension:
         if isinstance(exponent, Dimension):
             function(exponent)
             if self.powers:
-                raise DimensionFaultError(f"has a variable power of {words(self.powers)}")
+                raise DimensionFaultError(f"contains {words(self.powers)} with a variable exponent")
             return self
         return Dimension(frozenset((n, p * exponent) for n, p in self.powers))
 
@@ -61,12 +61,15 @@ class Dimension:
 
 
 def of(value: Any) -> Dimension:
-    """The dimension of a value, none of a plain number."""
+    """Dimension of a value; a plain number is dimensionless."""
     return value if isinstance(value, Dimension) else Dimension(NUMBER)
 
 
 def same(verb: str, *values: Any) -> Dimension:
-    """The dimension that all values have; zero has any."""
+    """Common dimension of all values; zero agrees with any dimension.
+
+    Raises DimensionFaultError.
+    """
     first, *others = [of(v) for v in values if isinstance(v, Dimension) or v != 0] or [of(0)]
     if other := next((one for one in others if one.powers != first.powers), None):
         raise DimensionFaultError(f"{verb} {words(first.powers)} and {words(other.powers)}")
@@ -74,9 +77,11 @@ def same(verb: str, *values: Any) -> Dimension:
 
 
 def function(argument: Any) -> Dimension:
-    """A sine, a logarithm, an exponential: of a number."""
+    """Dimension of a sine, logarithm or exponential; its argument must be dimensionless."""
     if powers := of(argument).powers:
-        raise DimensionFaultError(f"has a function of {words(powers)}")
+        raise DimensionFaultError(
+            f"contains a function whose argument is {words(powers)}, but must be a number"
+        )
     return Dimension(NUMBER)
 
 
@@ -89,12 +94,12 @@ FUNCTIONS = {
 
 
 def powers_of(unit: str) -> Powers:
-    """Dimensions of a unit; an angle is a number here, the ratio of two lengths."""
+    """Powers of the base dimensions of a unit; an angle counts as a number (ratio of lengths)."""
     return frozenset(one for one in units.dimensions(unit) if one[0] != "[angle]")
 
 
 def words(powers: Powers) -> str:
-    """A dimension in words: "a length"; a dimension without a word as "[length]^4".
+    """Name of a dimension, such as "a length"; without a name, its powers, such as "[length]^4".
 
     >>> words(powers_of("MPa")), words(powers_of("mm^4")), words(powers_of("deg"))
     ('a pressure or stress', '[length]^4', 'a number')
@@ -105,7 +110,7 @@ def words(powers: Powers) -> str:
 
 
 def check(case: Case) -> None:
-    """CaseError for the first equation of declared symbols that does not give its unit."""
+    """Raise CaseError for the first equation whose dimension differs from that of its unit."""
     symbols: dict[str, str] = {}
     known: dict[str, Dimension] = {}
     for one in declared(case):
@@ -125,5 +130,8 @@ def _fault(q: Quantity, known: Mapping[str, Dimension], tex: str) -> str:
             return f"the equation {equations.plain(part)} {error}"
         if found is not None and of(found).powers != powers_of(q.unit):
             given, stated = words(of(found).powers), words(powers_of(q.unit))
-            return f"the unit {q.unit} is {stated}, the equation {equations.plain(part)} {given}"
+            return (
+                f"the unit {q.unit} is {stated}, but the equation {equations.plain(part)} "
+                f"gives {given}"
+            )
     return ""

@@ -1,4 +1,4 @@
-"""The equation of a quantity with its numbers, checked against the code of its formula."""
+"""Equations of quantities with inserted numbers, checked against the code of the formulas."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -19,7 +19,7 @@ DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are gi
 
 
 class Symbol(NamedTuple):
-    """A symbol as TeX, with its unit; its SI value is a number, or something else, or None."""
+    """A symbol as TeX, with its unit; `value` returns its SI value, which may not be a number."""
 
     name: str
     tex: str
@@ -29,7 +29,7 @@ class Symbol(NamedTuple):
 
 
 class Symbols(NamedTuple):
-    """TeX of a case's symbols by attribute; SI values and numbers with units by TeX."""
+    """Symbols of a case: TeX by attribute name, SI values by TeX, numbers with units by TeX."""
 
     tex: dict[str, str]
     values: dict[str, float]
@@ -37,14 +37,14 @@ class Symbols(NamedTuple):
 
 
 def stated(case: Case) -> tuple[Equation, ...]:
-    """The equations of all quantities; CaseError if one gives another number than the code."""
+    """Equations of all quantities. Raises CaseError if one gives another number than the code."""
     symbols = symbols_of(case)
     found = (equation(case, q, symbols) for q in case.present())
     return tuple(one for one in found if one is not None)
 
 
 def declared(case: Case) -> Iterator[Symbol]:
-    """The symbols of inputs, of quantities, and of compared states with a separate symbol."""
+    """Symbols of inputs, of quantities, and of compared states with a separate symbol."""
     as_tex = equations.symbol_tex
     for name, field in type(case).model_fields.items():
         symbol, unit = meta(field)["symbol"], meta(field)["unit"]
@@ -60,7 +60,7 @@ def declared(case: Case) -> Iterator[Symbol]:
 
 
 def symbols_of(case: Case) -> Symbols:
-    """The symbols that have a number; of forms of one quantity the first that is declared."""
+    """Symbols that have a number; of several forms of a quantity, only the first is included."""
     found = Symbols({}, {}, {})
     for name, tex, unit, digits, of in declared(case):
         if tex not in found.values and isinstance(value := of(), int | float):
@@ -70,11 +70,11 @@ def symbols_of(case: Case) -> Symbols:
 
 
 def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
-    """The equation of a quantity, with numbers if it is arithmetic.
+    """Equation of a quantity, with inserted numbers if it is arithmetic.
 
-    None if no equation is stated; CaseError if, at the default inputs, it gives another number than
-    the code. At other inputs, both may differ by cancellation: the inserted numbers are then
-    omitted.
+    None if no equation is stated. Raises CaseError if, at the default inputs, the equation and the
+    code give different numbers. At other inputs, both may differ by cancellation; the inserted
+    numbers are then omitted.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None
     if not tex:
@@ -84,7 +84,10 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
         if found is None or math.isclose(found, value, rel_tol=SAME):
             continue
         if case.is_default:
-            rule = f"the equation {equations.plain(part)} gives {found:.10g}, the code {value:.10g}"
+            rule = (
+                f"the equation {equations.plain(part)} gives {found:.10g}, but the code "
+                f"gives {value:.10g}"
+            )
             raise q.broken(f"{rule} [SI]")
         found = None
         break
@@ -100,7 +103,7 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
 
 
 def _place(case: Case, q: Quantity) -> str:
-    """Place of the equation, and its form where the case has several."""
+    """Place of the equation in its source, and its form if the case has several forms."""
     place = f"Eq. {q.equation}" if q.equation else q.source
     beside = next((one.form for one in case.present() if one.form_of == q.name), "")
     form = q.form or _OTHER.get(beside, "")

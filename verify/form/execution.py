@@ -1,4 +1,4 @@
-"""Executing the code of a case: an error is located, and an endless loop ends."""
+"""Execution of the code of a case: errors are located, and a time limit ends endless loops."""
 
 import signal
 import threading
@@ -13,17 +13,18 @@ from verify.form.quantity import CaseError
 
 
 class TimeLimitError(Exception):
-    """Code of a case took longer than its limit."""
+    """Error if the code of a case takes longer than its time limit."""
 
 
 @contextmanager
 def executed(file: str, time_limit: float | None) -> Iterator[None]:
-    """Execute code of a case in a file; code outside the suite has a time limit [s].
+    """Context in which code of a case in `file` is executed, with a time limit [s].
 
-    An error becomes a CaseError with its place in the file. Errors that state that there is no
-    solution, or that the machine failed, are not changed; neither is a ValueError of a case of the
-    suite, which is about inputs. In other cases, a ValueError may come from math.sqrt. Ctrl-C
-    reaches the first process only: in other processes, the code raised KeyboardInterrupt.
+    The limit is for code outside the suite. An error becomes a CaseError with its line in the file.
+    Errors that mean "no solution" or a failure of the machine are not changed. A ValueError of a
+    case of the suite is not changed, because it is about inputs; in other cases, it may come from
+    math.sqrt. Ctrl-C reaches the first process only; in other processes, a KeyboardInterrupt was
+    raised by the code.
     """
     try:
         with limited(time_limit):
@@ -50,10 +51,10 @@ def _located(error: BaseException, file: str) -> CaseError:
 
 @contextmanager
 def limited(seconds: float | None) -> Iterator[None]:
-    """Raise `TimeLimitError` if the body takes longer, at any line.
+    """Context that raises `TimeLimitError` if its body takes longer than `seconds`, at any line.
 
-    A limit needs the main thread of a process with interval timers; otherwise, there is no limit.
-    Limits can be nested: the inner limit replaces the outer one in its body.
+    A limit requires the main thread of a process with interval timers; otherwise, there is no
+    limit. Limits can be nested: the inner limit replaces the outer one in its body.
     """
     in_main = threading.current_thread() is threading.main_thread()
     if seconds is None or not in_main or not hasattr(signal, "setitimer"):
@@ -61,7 +62,7 @@ def limited(seconds: float | None) -> Iterator[None]:
         return
 
     def late(_signal: int, _frame: FrameType | None) -> None:
-        raise TimeLimitError(f"longer than {seconds:g} s, the time_limit of the case")
+        raise TimeLimitError(f"the code took longer than {seconds:g} s, the time_limit of the case")
 
     handler = signal.signal(signal.SIGALRM, late)
     left, interval = signal.setitimer(signal.ITIMER_REAL, seconds)

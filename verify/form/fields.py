@@ -1,4 +1,4 @@
-"""Fields of a solution and their pictures, each in one call."""
+"""Fields of a solution, and pictures of them."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple, Protocol
@@ -13,19 +13,19 @@ class HasCells(Protocol):
     """A solved plane body."""
 
     def cells(self) -> Mapping[str, Array]:
-        """Points, cells, displacement and cell data."""
+        """Arrays by name: points, cells, displacements and cell data."""
         ...
 
 
 def _hoop(cells: Mapping[str, Array]) -> Array:
-    """Hoop stress (m,) about the origin from the mean stresses of the cells."""
+    """Hoop stress (m,) about the origin, from the mean stresses of the cells."""
     x, y = cells["points"][cells["cells"].astype(int)].mean(axis=1).T
     xx, yy, xy, _ = cells["stress"].T
     return np.asarray((xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2))
 
 
 class CellData(NamedTuple):
-    """One cell quantity of a plane body: name, symbol, unit of the solver and of its picture."""
+    """A cell quantity of a plane body: name, symbol, and units of the solver and of the picture."""
 
     what: str
     symbol: str
@@ -46,14 +46,14 @@ CELL_DATA = {
 
 
 def plane_field(solution: HasCells, *data: str, name: str = "body", scale: float = 1.0) -> Field:
-    """Mesh, displacements and cell quantities of a solution under `scale` times its loads.
+    """Field with mesh, displacements and cell data of a solution under `scale` times its loads.
 
     >>> sorted(CELL_DATA)
     ['hoop_stress', 'log_mises', 'stress', 'von_mises']
     """
     cells = solution.cells()
     if "log_mises" in data and scale != 1.0:
-        raise ValueError("log_mises is not proportional to the loads: scale must be 1")
+        raise ValueError("scale must be 1 for log_mises, which is not proportional to the loads")
     return Field(
         name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),
         point_data={"displacement": cells["displacement"] * scale},
@@ -63,9 +63,10 @@ def plane_field(solution: HasCells, *data: str, name: str = "body", scale: float
 
 
 def picture(field: str, data: str, caption: str = "", *, mirror: str = "", **more: Any) -> Picture:
-    """A field in colours; `mirror` completes a symmetric body, "xy" from a quarter.
+    """Picture of a field in colours.
 
-    `more` are `window`, `share` and others of `verify.core.figures.Picture`.
+    `mirror` completes a symmetric body: "xy" for a quarter. `more` are `window`, `share` and other
+    fields of `verify.core.figures.Picture`.
     """
     about = CELL_DATA[data]
     decades = data == "log_mises"

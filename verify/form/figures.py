@@ -1,6 +1,6 @@
-"""Figures declared by kind with their data; reports/ draws them.
+"""Figures of a case, declared by kind with their data; reports/ draws them.
 
-Convergence needs no declaration: every comparison that states an order is drawn from its row.
+Convergence plots need no declaration: they are drawn from every row with an order.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -18,9 +18,10 @@ from verify.judging.profiles import along
 
 @dataclass(frozen=True, kw_only=True)
 class Overlay:
-    """Formulas over a parameter of a family of cases; an array of the reference as dots at `at`.
+    """Figure of formulas over a parameter, with an array of the reference as dots.
 
-    `family` returns the case for a value; `over` are the values of the curves.
+    `family` returns the case for a value of the parameter. `over` are the parameter values of the
+    curves, `at` those of the dots.
     """
 
     title: str
@@ -34,7 +35,7 @@ class Overlay:
     note: str = ""
 
     def drawn(self, context: Context) -> tuple[Curves]:
-        """The curves, and the dots if the reference was solved."""
+        """Curves, and dots if the reference was solved."""
         unit = self.quantities[0].unit
         cases, f, x = [self.family(s) for s in self.over], units.factor(unit), np.array(self.over)
         curves = [
@@ -54,12 +55,13 @@ class Overlay:
 
 @dataclass(frozen=True, kw_only=True)
 class AlongLine:
-    """A formula along a line with the array of the reference, and the difference below.
+    """Figure of a formula along a line with an array of the reference, and their difference below.
 
-    `curve` returns the formula [SI] at any points; the array `reference` has the values `at`
-    stations, equal on every level; `part` (start, end) selects a line of an array with several.
-    `order` is that of its largest error, `scale` the natural magnitude [SI]. A formula that
-    `neglects` an effect may differ by more than the uncertainty.
+    `curve` returns the formula [SI] at given points. The array `reference` contains the values at
+    the stations `at`, which are the same on every level. `part` (start, end) selects the values of
+    this line if the array contains several lines. `order` is the order of convergence of the
+    largest error, `scale` the natural magnitude [SI]. If the formula `neglects` an effect, it may
+    differ by more than the uncertainty.
     """
 
     title: str
@@ -77,7 +79,7 @@ class AlongLine:
     note: str = ""
 
     def drawn(self, context: Context) -> tuple[Profile, ...]:
-        """The profile, if there are enough levels to state its uncertainty."""
+        """Profile of the line; empty if there are too few levels to state its uncertainty."""
         if not context.converging:
             return ()
         values, u = (
@@ -97,24 +99,24 @@ class AlongLine:
 
 @dataclass(frozen=True)
 class Drawn:
-    """Figures of any other kind, made from all results by a function."""
+    """Figures of any other kind; the function `draw` makes them from all results."""
 
     draw: Callable[[Context], Iterable[Figure]]
 
     def drawn(self, context: Context) -> tuple[Figure, ...]:
-        """Result of the function."""
+        """Figures that the function `draw` makes."""
         return tuple(self.draw(context))
 
 
 def converged(draw: Callable[[Context], Figure]) -> Drawn:
-    """A figure, if there are enough levels to state the uncertainty of the finest level."""
+    """Figure that is only drawn if there are enough levels to state an uncertainty."""
     return Drawn(lambda context: (draw(context),) if context.converging else ())
 
 
 def drawn_by(
     *draw: Callable[[Context], Iterable[Figure]],
 ) -> Callable[[Case], tuple[Drawn, ...]]:
-    """`figures` of a case, all of them made by functions from all results."""
+    """Method `figures` of a case whose figures are all made by functions from all results."""
     return lambda _case: tuple(map(Drawn, draw))
 
 

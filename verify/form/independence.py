@@ -1,7 +1,7 @@
-"""Whether an expected error is independent of the formula that it judges.
+"""Check that an expected error is independent of the formula that it judges.
 
-Values that formula and expected error both read, such as steps and shared values, are also changed:
-a mistake there would change both.
+The check also changes values that both formula and expected error read, such as steps and shared
+values: a mistake in such a value would change both.
 """
 
 from contextlib import suppress
@@ -16,17 +16,17 @@ LEAST = 0.25 * CHANGE  # least change of a formula by a quantity that it reads
 
 
 def check(case: Case, one: Comparison) -> None:
-    """CaseError if a change of the formula moves its expected error along."""
+    """Raise CaseError if a change of the formula also changes its expected error."""
     if one.quantity and (read := follows(case, one)):
         both = "this formula" if read == one.quantity.name else f"{read}, as this formula does"
-        rule = f"its expected error reads {both}, so that a mistake in it fails no row"
+        rule = f"its expected error reads {both}: a mistake in this value would make no row fail"
         raise one.quantity.broken(rule)
 
 
 def follows(case: Case, one: Comparison) -> str:
-    """Name of a value that changes both a formula and its expected error; "" if there is none.
+    """Name of a value that changes both a formula and its expected error; empty if there is none.
 
-    It is the formula itself, or a formula, step or shared value that it reads.
+    The value is the formula itself, or a formula, step or shared value that the formula reads.
     """
     if one.quantity is None or (before := _interval(one)) is None:
         return ""
@@ -47,7 +47,7 @@ def follows(case: Case, one: Comparison) -> str:
 
 
 def _value(case: Case, one: Comparison) -> float:
-    """The number that a comparison judges."""
+    """Value of the quantity that a comparison judges."""
     own = one.state.case if one.state and one.state.case else case
     return float(getattr(own, one.quantity.name)) if one.quantity else 0.0
 

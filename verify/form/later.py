@@ -1,4 +1,4 @@
-"""A sequence that is made when it is first read."""
+"""A sequence whose items are computed when it is first read."""
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 class Later(Sequence[T]):
-    """Result of `make`, which is called once.
+    """Sequence that is the result of `make`, which is called once, when the sequence is first read.
 
     >>> one = Later(lambda: (1, 2))
     >>> list(one), len(one), one[-1]

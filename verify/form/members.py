@@ -1,4 +1,4 @@
-"""Members of a case's class that belong to its formulas or to its reference."""
+"""Members of a case's class that its formulas or its reference use."""
 
 import ast
 from collections.abc import Collection, Iterator
@@ -15,11 +15,11 @@ MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
 def reached(
     form: type[Inputs], start: Collection[str], *, formulas: bool
 ) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-    """Module, class and members that some members use, including these members.
+    """Module, class and members that the members `start` use, including `start`.
 
-    A member is considered used if an attribute of its name is read from any object: too many are
-    found rather than too few. Without `formulas`, quantities that a reference may not read are
-    omitted.
+    A member counts as used if an attribute with its name is read from any object; the result may
+    contain too many members, but never too few. Without `formulas`, quantities that a reference
+    must not read are omitted.
     """
     bodies = {cls: dict(_body(cls)) for cls in _classes(form)}
     hidden = set() if formulas else {name for name in _names(form) if _is_formula(form, name)}
@@ -43,13 +43,13 @@ def reached(
 
 
 def check_names(form: type[Inputs]) -> None:
-    """CaseError if a class declares two members of one name: the second hides the first."""
+    """Raise CaseError if a class declares two members with the same name."""
     for cls in _classes(form):
         lines: dict[str, int] = {}
         for name, node in _body(cls):
             if name in lines:
                 file = Path(modules[cls.__module__].__file__ or "").name
-                rule = f"{cls.__name__}.{name}: line {lines[name]} declares that name already"
+                rule = f"{cls.__name__}.{name}: this name is already declared in line {lines[name]}"
                 raise CaseError(f"{file}:{node.lineno}: {rule}")
             lines[name] = node.lineno
 
@@ -71,7 +71,7 @@ def _is_formula(form: type[Inputs], name: str) -> bool:
 
 
 def _body(cls: type) -> Iterator[tuple[str, ast.stmt]]:
-    """The members of a class as its file has them, none of a class inside a function."""
+    """Members of a class in the code of its file; empty for a class inside a function."""
     body = module_syntax.tree(cls.__module__).body
     nodes = (n for n in body if isinstance(n, ast.ClassDef) and n.name == cls.__name__)
     found = next(nodes, None)

@@ -1,4 +1,4 @@
-"""Memoised results of the project's functions, which would hide a change of called functions."""
+"""Memoised results of the project's functions; they would hide a change of called functions."""
 
 import gc
 from functools import _lru_cache_wrapper
@@ -9,7 +9,7 @@ MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # packages that me
 
 
 def forget_memoised() -> None:
-    """Clear memoised results of the project's functions, so that these are computed again."""
+    """Clear memoised results of the project's functions, so that they are computed again."""
     for item in gc.get_objects():
         if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(MEMOISED):
             item.cache_clear()

@@ -1,4 +1,4 @@
-"""Curves of figures in one call each: name, x, y and colour."""
+"""Functions for curves of figures, each with name, x, y and colour."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -10,7 +10,7 @@ from verify.core.figures import Curve, Curves
 
 
 def curve(name: str, x: ArrayLike, y: ArrayLike, style: str = "line", colour: int = 0) -> Curve:
-    """Points of one style; a single number beside an array applies to all points.
+    """Curve in one style; if x or y is a single number, it applies to all points.
 
     >>> curve("limit", [0.0, 2.0], 5.0, "dashes").y
     array([5., 5.])
@@ -20,17 +20,17 @@ def curve(name: str, x: ArrayLike, y: ArrayLike, style: str = "line", colour: in
 
 
 def line(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
-    """A full line."""
+    """Curve drawn as a full line."""
     return curve(name, x, y, "line", colour)
 
 
 def dashes(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
-    """A dashed line, such as a second theory, a limit or a printed value."""
+    """Curve drawn as a dashed line, for a second theory, a limit or a printed value."""
     return curve(name, x, y, "dashes", colour)
 
 
 def dots(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
-    """Single points, such as those of the reference."""
+    """Curve drawn as single points, for values of the reference."""
     return curve(name, x, y, "dots", colour)
 
 
@@ -38,6 +38,9 @@ def plot(
     title: str, x_label: str, y_label: str, *parts: Curve | Iterable[Curve], note: str = "",
     **axes: Any,
 ) -> Curves:  # fmt: skip
-    """Curves and groups of curves on the same axes; `axes` are further fields of `Curves`."""
+    """Figure with curves and groups of curves on the same axes.
+
+    `axes` are further fields of `Curves`.
+    """
     curves = tuple(c for part in parts for c in ((part,) if isinstance(part, Curve) else part))
     return Curves(title=title, x_label=x_label, y_label=y_label, curves=curves, note=note, **axes)

@@ -1,4 +1,4 @@
-"""A formula of a source, declared once: symbol, unit, meaning, equation, safe side."""
+"""Quantity: a formula of a source with its symbol, unit, meaning, equation and safe side."""
 
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,22 +30,27 @@ CHANGE = 1e-3
 
 
 class CaseError(ValueError):
-    """A broken rule of a case; the message names file, line, quantity and rule."""
+    """Error for a case that breaks a rule; the message names file, line, quantity and rule."""
 
 
 @dataclass(eq=False)
 class Quantity:
-    """A formula of the source with its data, as decorator of a method.
+    """A formula of the source with its data, used as decorator of a method.
 
-    The method returns SI units. `equation` is its number in the source; `source` is another source.
-    `tex` is the right side of the equation; if omitted, it is derived from the code of a method
-    that returns one expression. `safe` is the safe side of an error. `form_of` is the input or
-    quantity of which this is another form, as printed, corrected or for small angles: both have the
-    same symbol and reference; `form` is the name of this form. A "step" of a formula is not
-    compared. "geometry" follows from the inputs without a theory; the reference may also read it.
-    `when(case)` states whether the quantity exists for these inputs: a deflection needs a load. If
-    only the solution shows this, the method returns nan, or inf for a limit that is not reached.
-    The constants of a `fitted` equation have arbitrary units: its dimension is not checked.
+    The method returns the value in SI units. `equation` is its number in the source of the case;
+    `source` is another source. `tex` is the right side of the equation; if it is omitted, it is
+    derived from the code of a method that returns one expression. `safe` is the safe side of an
+    error.
+
+    `form_of` is the input or quantity of which this is another form (as printed, corrected, or for
+    small angles); both have the same symbol and reference. `form` is the name of this form. The
+    role "step" is an intermediate value that is not compared. The role "geometry" is a value that
+    follows from the inputs without a theory; the reference may also read it.
+
+    `when(case)` states whether the quantity exists at these inputs: a deflection requires a load.
+    If only the solution shows whether it exists, the method returns nan, or inf for a limit that is
+    not reached. The constants of a `fitted` equation have arbitrary units; therefore, its dimension
+    is not checked.
     """
 
     symbol: str
@@ -66,59 +71,61 @@ class Quantity:
     formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)
 
     def __call__(self, formula: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declare the method."""
+        """Declaration of the decorated method."""
         self.formula, self.name = formula, formula.__name__
         return Declared(self)
 
     def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declare a number of a solution that other code computes, under the name it is given.
+        """Declaration of a number of a solution, under the name of the assigned attribute.
 
-        `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
+        Other code computes the number: `alpha = Quantity("α", "deg", "clamping angle").reads(lambda
+        q: q.state.alpha)`
         """
         self.formula = number
         return Declared(self)
 
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
-        """Declare a method with arguments as one quantity for each, such as modes or places.
+        """Decorator of a method with arguments: one quantity for each index, such as a mode.
 
-        `{0}` in symbol and meaning is the first index, `{1}` the second; `when` also receives them.
+        In symbol and meaning, `{0}` is the first index and `{1}` the second; `when` also receives
+        the indices.
         """
         return partial(Family.of, self, tuple(product(*indices)))
 
     def of(self, case: object) -> float | None:
-        """Its number [SI], None if it does not exist for the inputs of the case."""
+        """Value of the quantity [SI]; None if it does not exist at the inputs of the case."""
         if self.when is not None and not self.when(case):
             return None
         return finite(getattr(case, self.name))
 
     @property
     def label(self) -> str:
-        """Name with equation: "hoop stress, Eq. 9". Rows have this name."""
+        """Name with equation, such as "hoop stress, Eq. 9"; rows of the quantity have this name."""
         return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
 
     def check_words(self) -> None:
-        """CaseError if `safe`, `form` or `role` is none of its words."""
+        """Raise CaseError if `safe`, `form` or `role` is not one of the permitted words."""
         for name, words in ("safe", Side), ("form", Form), ("role", Role):
             if (word := getattr(self, name)) not in get_args(words):
                 known = ", ".join(filter(None, get_args(words)))
                 raise self.broken(f"{name} is {word!r}, and must be one of: {known}")
 
     def broken(self, rule: str) -> CaseError:
-        """The error for a rule that this declaration breaks."""
+        """Error for a rule that this declaration breaks, with file, line and name."""
         code = inspect.unwrap(self.formula).__code__
         place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
         return CaseError(f"{place}: {self.owner}.{self.name}: {rule}")
 
 
 def finite(number: SupportsFloat) -> float | None:
-    """The number, None for nan or inf: not all numbers of one solution need exist."""
+    """The number as float; None for nan or inf, because not all numbers of a solution exist."""
     value = float(number)
     return value if isfinite(value) else None
 
 
 @dataclass(frozen=True)
 class Declared:
-    """A quantity as attribute: of the class the declaration, of an instance its number [SI]."""
+    """Attribute for a quantity: on the class its declaration, on an instance its value [SI]."""
 
     quantity: Quantity
 
@@ -137,7 +144,7 @@ class Declared:
         if case is None:
             return q
         if solving.get() and q.role != "geometry":
-            raise q.broken("the reference reads this formula, but must read none")
+            raise q.broken("the reference reads this formula, but must not read any formula")
         _note(q, q.name)
         factor = 1 + CHANGE if _larger.get() is q else 1.0
         return remembered(case, q.name, lambda: factor * float(q.formula(case)))
@@ -145,17 +152,17 @@ class Declared:
 
 @dataclass(frozen=True)
 class Family:
-    """Quantities of one formula with an index: declarations of a class, numbers of an instance.
+    """Attribute for an indexed quantity: on the class its declarations, on an instance its values.
 
-    `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")` with
-    the name whirl_1_forward.
+    `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")`,
+    which has the name whirl_1_forward.
     """
 
     members: Mapping[tuple[object, ...], Declared]
 
     @classmethod
     def of(cls, q: Quantity, indices: Sequence[tuple[object, ...]], method: Indexed) -> "Family":
-        """A quantity for each index."""
+        """Family with one quantity for each index."""
 
         def member(index: tuple[object, ...]) -> Declared:
             one = replace(q, symbol=q.symbol.format(*index), what=q.what.format(*index))
@@ -182,7 +189,7 @@ class Family:
 
 @dataclass(frozen=True)
 class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
-    """Value for several formulas, computed once; the reference may not read it."""
+    """Decorator of a value that several formulas use; computed once, hidden from the reference."""
 
     method: Callable[[Any], T]
 
@@ -195,7 +202,9 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
             return self
         name = self.method.__name__
         if solving.get():
-            raise CaseError(f"{owner.__name__}.{name}: the reference reads what formulas share")
+            raise CaseError(
+                f"{owner.__name__}.{name}: the reference must not read a value that formulas share"
+            )
         _note(self, name)
         return remembered(case, name, lambda: self._computed(case))
 
@@ -207,15 +216,16 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
 
 
 def forget() -> None:
-    """Have every value computed again: the code of a formula was replaced."""
+    """Discard all computed values, because the code of a formula was replaced."""
     _code[0] = next(_numbers)
 
 
 @contextmanager
 def changed(q: "Quantity | shared[Any] | None") -> Iterator[None]:
-    """Increase a quantity by CHANGE, with all values that depend on it; afterwards, restore them.
+    """Context in which a quantity is increased by CHANGE, with all values that depend on it.
 
-    Among shared values, numbers and arrays are changed.
+    Afterwards, all values are restored. A shared value is only changed if it is a number or an
+    array.
     """
     before, token = _code[0], _larger.set(q)
     forget()
@@ -244,9 +254,9 @@ def _note(source: "Quantity | shared[Any]", name: str) -> None:
 
 
 def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
-    """A value of an instance, computed once: its inputs never change.
+    """Value of an instance, computed once, because the inputs of an instance never change.
 
-    CaseError if computing it reads it.
+    Raises CaseError if the computation of the value reads the value itself.
     """
     memo, key = case.__dict__, f"{MEMO}{_code[0]} {name}"
     if key not in memo:
@@ -263,8 +273,11 @@ def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
 
 
 def _circular(owner: type, names: Sequence[str]) -> CaseError:
-    """The error for values that depend on each other in a circle."""
-    rule = f"circular: {', '.join(f'{one} reads {other}' for one, other in pairwise(names))}"
+    """Error for values that depend on each other in a circle."""
+    rule = (
+        "circular dependence: "
+        f"{', '.join(f'{one} reads {other}' for one, other in pairwise(names))}"
+    )
     members = (getattr(owner, name) for name in names)
     if q := next((one for one in members if isinstance(one, Quantity)), None):
         return q.broken(rule)

@@ -1,4 +1,4 @@
-"""Primitives of sketches: circles, rings, rollers, loads, leaders."""
+"""Parts of sketches: circles, rings, rollers, loads, leaders."""
 
 from collections.abc import Iterable
 
@@ -11,40 +11,40 @@ Point = tuple[float, float]
 
 
 def sketch(title: str, *parts: Shape | Iterable[Shape]) -> Sketch:
-    """A sketch of shapes and groups of shapes, drawn in this order."""
+    """Sketch of shapes and groups of shapes, drawn in this order."""
     shapes = [s for part in parts for s in ((part,) if isinstance(part, Shape) else part)]
     return Sketch(title=title, shapes=tuple(shapes))
 
 
 def room(left: float, right: float) -> list[Shape]:
-    """Space for labels on both sides of the middle."""
+    """Invisible shapes that keep space for labels on both sides of the middle."""
     return [Shape(style="text", points=np.array([[x, 0.0]])) for x in (-left, right)]
 
 
 def circle(r: float, style: str = "faint", centre: Point = (0.0, 0.0)) -> Shape:
-    """A circle."""
+    """Circle with radius `r`."""
     t = np.linspace(0, 2 * np.pi, 73)
     around = r * np.column_stack([np.cos(t), np.sin(t)])
     return Shape(style=style, points=np.asarray(centre) + around)
 
 
 def ring(r_i: float, r_o: float) -> tuple[Shape, Shape]:
-    """A body between two circles."""
+    """Body between two circles."""
     return circle(r_o, "body"), circle(r_i, "hole")
 
 
 def polar(r: float, degrees: float) -> Point:
-    """The point at a radius and an angle."""
+    """Point (x, y) at a radius and an angle in degrees."""
     return r * float(np.cos(np.radians(degrees))), r * float(np.sin(np.radians(degrees)))
 
 
 def rollers(count: int, r: float, at: float) -> list[Shape]:
-    """Circles about the axis, the first half a pitch from the x axis."""
+    """Circles of rollers on a pitch circle; the first is half a pitch from the x axis."""
     return [circle(r, "faint", polar(at, (k + 0.5) * 360 / count)) for k in range(count)]
 
 
 def radial_loads(count: int, start: float, end: float, label: str) -> list[Shape]:
-    """Arrows along radii from one radius to another, the first one on the x axis with a label."""
+    """Radial arrows between two radii; the first is on the x axis and has a label."""
     return [
         arrow(polar(start, k * 360 / count), polar(end, k * 360 / count), "" if k else label)
         for k in range(count)
@@ -52,20 +52,20 @@ def radial_loads(count: int, start: float, end: float, label: str) -> list[Shape
 
 
 def arrow(start: ArrayLike, end: ArrayLike, label: str = "", style: str = "load") -> Shape:
-    """A load."""
+    """Arrow for a load."""
     return Shape(style=style, points=np.array([start, end]), label=label)
 
 
 def leader(start: ArrayLike, end: ArrayLike, label: str) -> Shape:
-    """A text with a line to the object that it names."""
+    """Text with a line to the object that it names."""
     return arrow(start, end, label, "leader")
 
 
 def text(at: ArrayLike, label: str = "") -> Shape:
-    """A text; without a label space that the drawing includes."""
+    """Text; without a label, an empty place that the drawing includes."""
     return Shape(style="text", points=np.array([at]), label=label)
 
 
 def shape(style: str, points: ArrayLike, label: str = "") -> Shape:
-    """Any other outline or line."""
+    """Shape of any other style, such as an outline or a line."""
     return Shape(style=style, points=np.asarray(points), label=label)

@@ -1,6 +1,6 @@
-r"""Equations as TeX: with numbers put in, evaluated, as plain text.
+r"""Equations in TeX: with inserted numbers, evaluated, or as plain text.
 
-Numbers keep their units (210 GPa · 0.06 mm), so that no reader has to guess a system of units.
+Inserted numbers have their units (210 GPa · 0.06 mm).
 """
 
 import math
@@ -23,7 +23,7 @@ TOKENS = r"\\mathrm\{[^}]*\}|\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|."
 
 
 def symbol_tex(symbol: str) -> str:
-    r"""A symbol as TeX: σ_t gives \sigma_t, p_1r gives p_{1r}.
+    r"""TeX of a symbol: σ_t gives \sigma_t, p_1r gives p_{1r}.
 
     >>> symbol_tex("σ_max"), symbol_tex("Δd_m"), symbol_tex("u_r(r_i)")
     ('\\sigma_{max}', '\\Delta d_m', 'u_r(r_i)')
@@ -38,7 +38,7 @@ def symbol_tex(symbol: str) -> str:
 
 
 def with_raised_stars(tex: str, symbols: Iterable[str]) -> str:
-    r"""The equation for display: a star of one of the `symbols` is no product.
+    r"""TeX of the equation for display, in which the star of a symbol is raised (no product).
 
     >>> with_raised_stars(r"\pi E* l K_1*^2", ["l", "E*", "K_1*"])
     '\\pi E^* l K_1^{*2}'
@@ -52,7 +52,7 @@ def with_raised_stars(tex: str, symbols: Iterable[str]) -> str:
 
 
 def with_unit(value: float, unit: str, digits: int = 6) -> str:
-    r"""A number in its display unit, as TeX.
+    r"""TeX of a number with its unit.
 
     >>> with_unit(30.0, "MPa m^0.5"), with_unit(2.0, "mm^2")
     ('30\\,\\mathrm{MPa m}^{0.5}', '2\\,\\mathrm{mm^2}')
@@ -64,7 +64,7 @@ def with_unit(value: float, unit: str, digits: int = 6) -> str:
 
 
 def put_in(tex: str, numbers: Mapping[str, str]) -> str:
-    r"""The equation with `numbers` for its symbols, a dot between factors.
+    r"""TeX of the equation with `numbers` inserted for its symbols and dots between factors.
 
     >>> put_in(r"\frac{E j_D}{d_m^2}", {"E": "210", "j_D": "0.06", "d_m": r"76\,\mathrm{mm}"})
     '\\frac{210 \\cdot 0.06}{\\left(76\\,\\mathrm{mm}\\right)^2}'
@@ -88,7 +88,7 @@ def put_in(tex: str, numbers: Mapping[str, str]) -> str:
 
 
 def plain(tex: str) -> str:
-    """The equation in one line of text, for the terminal."""
+    """The equation as one line of text, for the terminal."""
     text = re.sub(r"\\mathrm\{([^}]*)\}", r"\1", tex).replace(r"\,", " ").replace(r"\ ", " ")
     text = (
         re.sub(r"\\left|\\right|\\quad", "", text).replace(r" \cdot ", "·").replace(r"\cdot", "·")
@@ -104,7 +104,7 @@ def plain(tex: str) -> str:
 
 
 def _over(match: re.Match[str]) -> str:
-    """A fraction a/b in one line, in brackets if the text around it would change its meaning."""
+    """Fraction a/b in one line, in brackets where the surrounding text requires them."""
     above, below = (
         m if re.fullmatch(r"[\w.\\]+|\([^()]*\)", m) else f"({m})" for m in match.groups()
     )
@@ -121,9 +121,9 @@ ARITHMETIC: Mapping[str, Any] = (
 def evaluate(
     tex: str, values: Mapping[str, T], arithmetic: Mapping[str, Any] = ARITHMETIC
 ) -> T | None:
-    """Value of the equation for `values` by symbol, such as numbers [SI].
+    """Value of the equation for the given `values` of the symbols, such as numbers [SI].
 
-    None if it is more than arithmetic, or has no value, such as a root of a negative number.
+    None if the equation is more than arithmetic, or if it has no value (root of a negative number).
     """
     variables = {f"x{k}": value for k, value in enumerate(values.values())}
     text = plain(put_in(tex, {s: f"({name})" for s, name in zip(values, variables, strict=True)}))

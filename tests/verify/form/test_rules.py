@@ -63,11 +63,26 @@ def test_equations_give_what_units_state():
 @pytest.mark.parametrize(
     ("unit", "tex", "more", "rule"),
     [
-        ("mm", r"\frac{F}{A}", {}, "the unit mm is a length, the equation F/A a pressure or stre"),
-        ("mm^4", "d^3", {}, r"the unit mm\^4 is \[length\]\^4, the equation d\^3 \[length\]\^3"),
-        ("mm", "A^k", {}, r"the equation A\^k has a variable power of \[length\]\^2"),
+        (
+            "mm",
+            r"\frac{F}{A}",
+            {},
+            "the unit mm is a length, but the equation F/A gives a pressure or s",
+        ),
+        (
+            "mm^4",
+            "d^3",
+            {},
+            r"the unit mm\^4 is \[length\]\^4, but the equation d\^3 gives \[length\]\^3",
+        ),
+        ("mm", "A^k", {}, r"the equation A\^k contains \[length\]\^2 with a variable exponent"),
         ("mm", r"\min(d, F)", {}, r"the equation min\(d, F\) compares a length and a force"),
-        ("MPa", r"\frac{F}{A} = F A", {}, "the unit MPa is a pressure or stress, the equation F A"),
+        (
+            "MPa",
+            r"\frac{F}{A} = F A",
+            {},
+            "the unit MPa is a pressure or stress, but the equation F A",
+        ),
         # what is fitted, or no arithmetic, has no dimension
     ],
 )
@@ -99,7 +114,7 @@ def test_a_formula_that_reads_itself_is_named_with_what_it_reads():
             return 2 * self.a
 
     case = Circle()
-    rule = "circular: a reads b, b reads middle, middle reads a$"
+    rule = "circular dependence: a reads b, b reads middle, middle reads a$"
     for _ in range(2):  # nothing of the first attempt is stored
         with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Circle.a: {rule}"):
             _ = case.a
@@ -193,7 +208,7 @@ def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula()
     found = limited(form).checks[1].interval(form(), {})
     assert found == (0.01, 0.01 * log(form().sigma))
     for ends in ((0.01, -0.01), (float("nan"), 0.01)):
-        rule = "its error is expected from .* to .*, and low must not be above high"
+        rule = "the lower limit of its expected error must not exceed the upper limit, got .* to "
         with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
             len(limited(expecting(lambda _: ends[0], lambda _: ends[1])).checks)  # noqa: B023
 
@@ -211,7 +226,7 @@ def test_a_number_without_a_unit_has_the_unit_1():
 def test_a_comparison_that_is_stated_wrongly_is_an_error():
     for stated_as, message in (
         ({"expected": Expected(-0.01, 0.01, "s"), "ordr": 2}, "comparisons have no argument ordr"),
-        ({"expected": Expected(-0.01, 0.01, "")}, "its expected error states no source"),
+        ({"expected": Expected(-0.01, 0.01, "")}, "give the source of its expected error"),
     ):
         with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
             approximation(Rod.sigma, **stated_as)
@@ -219,8 +234,8 @@ def test_a_comparison_that_is_stated_wrongly_is_an_error():
 
 def test_a_reference_without_numbers_is_an_error():
     for result, message in (
-        (None, r"returns NoneType, not solved\(...\)"),
-        (solved(1.0, sigma=float("nan")), "sigma is nan"),
+        (None, r"must return solved\(...\), got NoneType"),
+        (solved(1.0, sigma=float("nan")), "the value sigma must be finite, got nan"),
     ):
 
         class Faulty(Rod):
