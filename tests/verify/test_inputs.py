@@ -121,7 +121,7 @@ WRONG_VALUES = [
     ({"posts": [POST | {"play": "2 m"}]}, "inputs.posts[1]: play = 2000 mm: the post falls out"),
     ({"posts": [POST, POST]}, "inputs.posts[2].at = 2: a post is there already"),
     ({"posts": 3}, "inputs.posts: needs tables [[inputs.posts]], got 3"),
-    ({"posts": [POST] * 1001}, "inputs.posts: has 1001 entries, at most 1000"),
+    ({"posts": [POST] * 1001}, "inputs.posts: has 1001 entries, but at most 1000 are permitted"),
 ]  # fmt: skip
 
 
@@ -183,7 +183,7 @@ WRONG_FILES = {
                     CANNOT + "Cannot overwrite a value (at line 8, column 9)"),
     "no quotes": (RING.replace('"60 mm"', "60 mm"), CANNOT),
     "nested": ("case = " + "[" * 50_000, CANNOT + "nested too deeply"),
-    "too long": ("#" * 1_000_001, "is larger than 1,000,000 bytes, no parameter file is"),
+    "too long": ("#" * 1_000_001, "a parameter file must not be larger than 1,000,000 bytes"),
 }  # fmt: skip
 
 

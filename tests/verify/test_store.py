@@ -85,7 +85,7 @@ def test_a_store_of_a_later_format_is_refused_and_stays(store):
     store.store("sweep", "ring", {"a": b"1"})
     with sqlite3.connect(store.path) as file:
         file.execute("PRAGMA user_version = 9")
-    with pytest.raises(OSError, match=r"later version \(format 9, this one reads 1\)"):
+    with pytest.raises(OSError, match=r"later version \(format 9; this version reads format 1\)"):
         store.store("sweep", "ring", {"b": b"1"})
     with sqlite3.connect(store.path) as file:
         assert file.execute("SELECT key FROM entries").fetchall() == [("a",)]
@@ -95,7 +95,7 @@ def test_a_damaged_file_is_named_and_reads_as_empty_where_that_serves(store):
     store.path.write_bytes(b"no database" * 100)
     assert store.one("sweep", "a") is None
     for action in (store.groups, lambda: store.load("sweep", ["a"])):
-        with pytest.raises(OSError, match=rf"{FILE}: .*; remove it to begin again$"):
+        with pytest.raises(OSError, match=rf"{FILE}: .*; remove the file to begin again$"):
             action()
 
 
@@ -103,7 +103,7 @@ def test_a_damaged_file_is_named_and_reads_as_empty_where_that_serves(store):
     ("error", "words"),
     [
         ("attempt to write a readonly database", "readonly database: results cannot be stored"),
-        ("database or disk is full", "make room on its disk, or remove it to begin again$"),
+        ("database or disk is full", "free space on its disk, or remove the file to begin again$"),
     ],
 )
 def test_what_cannot_be_written_can_be_read(store, monkeypatch, error, words):

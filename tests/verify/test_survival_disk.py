@@ -81,7 +81,9 @@ def test_a_cache_that_is_full_or_read_only_is_one_line_and_what_it_has_is_read(
     assert status == UNDECIDED
     (line,) = [line for line in lines if "cannot be stored" in line]
     assert line.startswith(f"freewheel: {tiny / 'fem' / FILE}: ")
-    assert line.endswith("make room on its disk, or remove it to begin again: going on without")
+    assert line.endswith(
+        "free space on its disk, or remove the file to begin again: going on without"
+    )
     remount(tiny, "size=64m")
     assert check("--fem", cache=tiny)[0] == UNDECIDED
     remount(tiny, "ro")

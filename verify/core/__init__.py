@@ -1,1 +1,1 @@
-"""Units, inputs, cases, rows, figure data, files and texts: the base of all other packages."""
+"""Base of all other packages: units, inputs, cases, rows, figure data, files and texts."""

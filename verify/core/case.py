@@ -1,4 +1,4 @@
-"""Definition of a case: inputs, two independent models, and the checks that pair them."""
+"""Definition of a case: inputs, formulas, reference, and the checks that compare them."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,8 +19,8 @@ Values = Mapping[str, float]
 class FemResult:
     """Finite-element values of one level, in SI units.
 
-    `h` is the mesh size relative to a constant length; `u_it` are the iteration or round-off
-    uncertainties of single values; `arrays` are data for later checks.
+    `h` is the mesh size relative to a constant length. `u_it` are the uncertainties of single
+    values due to iteration or round-off. `arrays` are data for later checks.
     """
 
     h: float
@@ -32,7 +32,10 @@ class FemResult:
 
 @dataclass(frozen=True)
 class Context:
-    """Data for a check. `fem` holds the levels from coarse to fine, empty if not run."""
+    """Data for a check.
+
+    `fem` contains the levels from coarse to fine; it is empty if they were not run.
+    """
 
     case: str
     inputs: Any
@@ -46,12 +49,12 @@ class Context:
         return len(self.fem) >= 3
 
     def series(self, key: str) -> tuple[list[float], list[float]]:
-        """Mesh sizes and finite-element values of `key`, coarse to fine."""
+        """Mesh sizes and finite-element values of `key`, from coarse to fine."""
         return [r.h for r in self.fem], [r.values[key] for r in self.fem]
 
 
 class Check(Protocol):
-    """One claim of a case, judged by `rows`; see `verify.judging.checks`."""
+    """One claim of a case; `rows` judges it (see `verify.judging.checks`)."""
 
     @property
     def paper_only(self) -> bool: ...
@@ -66,9 +69,10 @@ class Check(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """A value of the formulas that `check` prints; `judged` if a row compares it with FE.
+    """A value of the formulas that `check` prints.
 
-    The last four fields are as in `verify.form.quantity.Quantity`.
+    `judged` is True if a row compares it with finite elements. The last four fields are the same as
+    in `verify.form.quantity.Quantity`.
     """
 
     key: str
@@ -84,13 +88,13 @@ class Output:
 
 @dataclass(frozen=True, kw_only=True)
 class Dynamic:
-    """Part of a case that only `check --dynamic` computes: motion in time, with compiled code.
+    """Part of a case that only `check --dynamic` computes: a simulation in time.
 
     `run(inputs, values)` receives the values of the formulas and returns further values in SI
     units; it imports compiled code in its body. The other functions receive the inputs and all
-    values. If there is no answer, each of them raises ArithmeticError or ValueError with one line.
-    `overall` returns the verdict of both parts together, and the findings that replace the first
-    finding of the formulas.
+    values. Without a solution, each of them raises ArithmeticError or ValueError with a message of
+    one line. `overall` returns the common verdict of formulas and simulation, and the findings that
+    replace the first finding of the formulas.
     """
 
     run: Callable[[Any, Values], Values]
@@ -104,10 +108,10 @@ class Dynamic:
 
 @dataclass(frozen=True, kw_only=True)
 class Portion:
-    """Part of the finite-element values of a case, computed in less time, for sweeps of few rows.
+    """Part of the finite-element values of a case that takes less time, for sweeps of few rows.
 
-    `fem(inputs, level)` returns the values `keys`, equal to those of `fem` of the case on the same
-    mesh; `levels` are at least three, coarse to fine.
+    `fem(inputs, level)` returns the values `keys`, which are equal to those of `fem` of the case on
+    the same mesh. `levels` are at least three levels, from coarse to fine.
     """
 
     name: str
@@ -118,11 +122,12 @@ class Portion:
 
 @dataclass(frozen=True, kw_only=True)
 class Scan:
-    """Region about the default inputs in which the formulas of a case are compared for the report.
+    """Region around the default inputs in which the formulas of a case are compared for the report.
 
-    `vary` are axes in the form of `freewheel sweep`, "z=3:12:4"; `only` are parts of the names of
-    the rows to compare (empty: all rows). `star` varies one input at a time instead of all
-    together; `at` gives other inputs values that are not the default, "e=2mm".
+    `vary` are axes in the form of `freewheel sweep`, such as "z=3:12:4". `only` are parts of the
+    names of the rows to compare (empty: all rows). With `star`, one input at a time is varied
+    instead of all combinations. `at` gives other inputs a value other than the default, such as
+    "e=2mm".
     """
 
     vary: tuple[str, ...]
@@ -132,17 +137,17 @@ class Scan:
 
 
 def _unknown(case_id: str) -> "Case":
-    """Lookup in a process in which no cases are registered."""
+    """Raise ValueError: in this process, no cases are registered."""
     raise ValueError(f"unknown case {case_id!r}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """One subject of one paper, with its formulas, reference and checks.
+    """One subject of one paper, with its formulas, its reference and its checks.
 
     `analytic(inputs)` and `reference(inputs, level)` share no code. `reference` imports meshes and
-    fem in its body, so that formulas start fast; `method` is its name. `levels` are from coarse to
-    fine.
+    fem in its body, so that formulas can be evaluated without loading them; `method` is the name of
+    the reference. `levels` are from coarse to fine.
     """
 
     finder: ClassVar[Callable[[str], "Case"]] = staticmethod(_unknown)  # the registry sets it
@@ -179,5 +184,5 @@ class Case:
 
     @property
     def named(self) -> str:
-        """What commands call it: its id, or the name of its file."""
+        """Name of the case in commands: its id, or the name of its file."""
         return self.file.name if self.file else self.id

@@ -1,4 +1,4 @@
-"""Output of the commands for judged rows."""
+"""Output of the commands about judged rows, for the terminal."""
 
 import re
 from collections.abc import Sequence
@@ -12,7 +12,10 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def verdict_lines(report: Report) -> list[str]:
-    """Counts by case, then every row that did not simply pass, each reason once a case."""
+    """Lines with the counts by case, and with rows that did not simply pass.
+
+    Each reason is stated once for a case.
+    """
     head = ("case", "rows", *(s.value for s in Status))
     lines = [head]
     for case in report.cases:
@@ -27,7 +30,7 @@ def verdict_lines(report: Report) -> list[str]:
 
 
 def print_rows(rows: Sequence[Row]) -> None:
-    """Print the judged rows in short form, reasons of rows that did not pass, and the summary."""
+    """Print a table of the judged rows, the reasons of rows that did not pass, and a summary."""
     print(title(rows))
     lines = aligned([_numbers_first(cells) for cells in row_cells(rows)])
     print_wrapped(*(f"  {line}" for line in lines))
@@ -35,7 +38,7 @@ def print_rows(rows: Sequence[Row]) -> None:
 
 
 def sentences(rows: Sequence[Row]) -> list[str]:
-    """Why rows did not simply pass, then the closing sentences."""
+    """Reasons of rows that did not simply pass, followed by the closing sentences."""
     found = []
     for (status, _, reason), group in causes(shown_rows(rows)).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
@@ -44,7 +47,7 @@ def sentences(rows: Sequence[Row]) -> list[str]:
 
 
 def _numbers_first(cells: tuple[str, ...]) -> tuple[str, ...]:
-    """The cells of a row with its difference first, its name and scale in the last column."""
+    """Cells of a row with its difference first and its name (with the scale) last."""
     status, name, *values, difference, allowed = cells
     number, _, scale = difference.partition(" of ")
     name += f"; difference relative to {scale}" if scale else ""
@@ -52,12 +55,12 @@ def _numbers_first(cells: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
-    """Lines whose columns are as wide as their longest cell, powers raised."""
+    """Lines of a table with aligned columns and raised exponents."""
     shown = [tuple(map(raised, line)) for line in lines]
     wide = [max(map(len, column)) for column in zip(*shown, strict=True)]
     return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in shown]
 
 
 def raised(text: str) -> str:
-    """10^-5 as 10⁻⁵, kg m^2 as kg m²."""
+    """Text with raised exponents: "10^-5" becomes "10⁻⁵", "kg m^2" becomes "kg m²"."""
     return _POWER.sub(lambda match: match[1].translate(_RAISED), text)

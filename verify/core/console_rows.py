@@ -1,4 +1,4 @@
-"""The rows of a check on the terminal: formula and reference, then the findings."""
+"""Table of the rows of a check for the terminal, and the closing sentences."""
 
 from collections.abc import Mapping, Sequence
 
@@ -15,7 +15,7 @@ Causes = Mapping[tuple[Status, str, str], list[Row]]
 
 
 def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
-    """Head and lines of the table of rows; convergence rows that passed are omitted.
+    """Head and lines of the table of rows, without passed convergence rows.
 
     The column of references has the head "FE" if all references are finite elements.
     """
@@ -27,7 +27,7 @@ def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
 
 
 def title(rows: Sequence[Row]) -> str:
-    """Title of the table: the references with which the formulas are compared."""
+    """Title of the table with the references that the formulas are compared with."""
     names = {
         PRINTED if (name := _full_name(row)).startswith("printed ") else name
         for row in rows if row.kind in COMPARED and row.reference is not None
@@ -37,7 +37,7 @@ def title(rows: Sequence[Row]) -> str:
 
 
 def shown_rows(rows: Sequence[Row]) -> list[Row]:
-    """All rows except passed convergence rows, which share the line of their comparison."""
+    """All rows except passed convergence rows, which belong to the line of their comparison."""
     known = {row.quantity for row in rows}
     return [
         row for row in rows
@@ -56,7 +56,7 @@ def causes(rows: Sequence[Row]) -> Causes:
 
 
 def closing(rows: Sequence[Row]) -> list[str]:
-    """The closing sentences: number of passed rows, largest difference, detection limit, others."""
+    """Closing sentences: number of passed rows, largest difference, detection limit, other rows."""
     found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
     found += [
         _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
@@ -78,13 +78,13 @@ def closing(rows: Sequence[Row]) -> list[str]:
 
 
 def _counted(rows: Sequence[Row], what: str) -> str:
-    """`5 of 6 comparisons pass`; empty without rows."""
+    """Text such as `5 of 6 comparisons pass`; empty without rows."""
     passed = sum(row.status is Status.PASS for row in rows)
     return f"{passed} of {len(rows)} {what} pass" if rows else ""
 
 
 def _unjudged(rows: Sequence[Row]) -> list[str]:
-    """One sentence with the rows that were not judged, by status; the largest difference first."""
+    """Sentence with the rows that were not judged, by status, with the largest difference first."""
     parts = []
     for status in UNJUDGED:
         group = sorted((row for row in rows if row.status is status), key=size, reverse=True)
@@ -109,7 +109,7 @@ def _shortened(names: Sequence[str]) -> str:
 
 
 def _compared(row: Row, *, named: bool) -> tuple[str, ...]:
-    """Status, quantity, both values, method of the reference, difference, allowed difference."""
+    """Cells of a row: status, quantity, values, reference, difference, allowed difference."""
     name = reference_name(row) if row.reference is not None else ""
     found, allowed = difference_texts(row)
     if found and not allowed:
@@ -121,10 +121,10 @@ def _compared(row: Row, *, named: bool) -> tuple[str, ...]:
 
 
 def number(value: float | int | str | None) -> str:
-    """Six significant digits; empty for nothing."""
+    """Text of a number with six significant digits; empty for None."""
     return "" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def unit_of(unit: str) -> str:
-    """A unit as printed after a number; empty for a plain number."""
+    """Unit as printed after a number; empty for a plain number."""
     return "" if unit == "1" else unit

@@ -1,4 +1,4 @@
-"""Connections to an SQLite file that several processes use: waiting, format, and plain errors."""
+"""Connections to an SQLite file that several processes use: waiting, format, error messages."""
 
 import sqlite3
 import time
@@ -20,34 +20,43 @@ NO_ROOM = ("full", "disk I/O")  # in messages of SQLite
 
 @dataclass(frozen=True)
 class Database:
-    """A file in a format with a number, whose tables `tables` makes; later formats are refused."""
+    """An SQLite file whose tables the statements `tables` make.
+
+    `format` is the number of its format. A file with a later format causes an error.
+    """
 
     path: Path
     tables: Sequence[str]
     format: int
 
     def is_there(self) -> bool:
-        """Whether the file exists; OSError if something else is in its place."""
+        """Whether the file exists. Raises OSError if something other than a file has its path."""
         if self.path.is_file():
             return True
         if self.path.exists():
-            raise OSError(f"{self.path}: is not a file: results cannot be stored there")
+            raise OSError(f"{self.path}: is not a regular file: results cannot be stored there")
         return False
 
     @contextmanager
     def writing(self, patience: float | None = None) -> Iterator[sqlite3.Connection]:
-        """One transaction, all or nothing; OSError if it is not possible within `patience` s."""
+        """Context of one transaction.
+
+        Raises OSError if it is not possible within `patience` seconds.
+        """
         with self._named_errors("stored"), _closed(self._prepared(patience)) as database, database:
             yield database
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
-        """A connection for reading; it also works on a full disk and in a read-only folder."""
+        """Connection for reading; it also works on a full disk and in a read-only folder."""
         with self._named_errors("read"), _closed(self._readable()) as database:
             yield database
 
     def compact(self) -> None:
-        """Return free pages to the file system; this temporarily needs the same amount of space."""
+        """Return free pages to the file system.
+
+        This temporarily requires the same amount of space.
+        """
         with self._named_errors("stored"), _closed(self._prepared(None)) as database:
             database.isolation_level = None
             database.execute("VACUUM")
@@ -76,7 +85,7 @@ class Database:
             return database
 
     def _unwritten(self) -> sqlite3.Connection | None:
-        """A connection that writes nothing, not even lock files; None if that is impossible."""
+        """Connection that writes nothing, not even lock files; None if that is impossible."""
         log = self.path.with_name(f"{self.path.name}-wal")
         # without a lock another process could change the file: only where it has nothing to add
         is_whole = not log.exists() or log.stat().st_size == 0
@@ -99,8 +108,9 @@ class Database:
         found = int(database.execute("PRAGMA user_version").fetchone()[0])
         if found > self.format:
             raise OSError(
-                f"{self.path}: written by a later version (format {found}, this one reads "
-                f"{self.format}): results cannot be stored there; FREEWHEEL_CACHE names another "
+                f"{self.path}: written by a later version (format {found}; this version reads "
+                "format "
+                f"{self.format}): results cannot be stored there; set FREEWHEEL_CACHE to another "
                 "folder"
             )
         return found
@@ -112,9 +122,9 @@ class Database:
         except sqlite3.Error as error:
             hint = ""
             if type(error) is sqlite3.DatabaseError:  # others, such as a lock, are its subclasses
-                hint = "; remove it to begin again"
+                hint = "; remove the file to begin again"
             elif any(words in str(error) for words in NO_ROOM):
-                hint = "; make room on its disk, or remove it to begin again"
+                hint = "; free space on its disk, or remove the file to begin again"
             raise OSError(f"{self.path}: {error}: results cannot be {done} there{hint}") from error
 
 
@@ -127,7 +137,11 @@ def _closed(database: sqlite3.Connection) -> Iterator[sqlite3.Connection]:
 
 
 def _write_ahead(database: sqlite3.Connection, patience: float) -> None:
-    """Let readers and a writer work at the same time; SQLite does not wait if two create a file."""
+    """Set the mode in which readers and a writer can work at the same time.
+
+    If two processes create a file at the same time, SQLite does not wait; therefore, this function
+    tries again.
+    """
     end = time.monotonic() + patience
     while True:
         try:

@@ -1,10 +1,10 @@
 """Difference of formula and reference, and the allowed difference, in display format.
 
-One convention: (formula - reference)/reference. A positive difference is a formula with the larger
-magnitude, also if both values are negative; the difference is in the same interval as the expected
-model error. If a row has another scale than its reference, the difference is (formula -
-reference)/scale, with the sign of the values; the scale is named next to it. Balances and orders
-are plain numbers; facts have no difference.
+The difference is (formula - reference)/reference. A positive difference means that the formula has
+the larger magnitude, also if both values are negative. If the scale of a row is not its reference,
+the difference is (formula - reference)/scale, with the sign of the values; the name of the scale is
+displayed next to it. For balances and orders, the difference is a plain number. Facts have no
+difference.
 """
 
 import math
@@ -21,8 +21,8 @@ FEWEST, MOST = 2, 8  # significant digits
 class Difference:
     """A difference `value` with its expanded uncertainty `U`, both as fractions.
 
-    `of` is the name of the scale, empty for the reference. `allowed` are the ends between which a
-    judged row passes. Without `percent`, the values are plain numbers.
+    `of` is the name of the scale, empty for the reference. `allowed` contains the limits between
+    which a judged row passes. If `percent` is False, the values are plain numbers.
     """
 
     value: float
@@ -33,20 +33,23 @@ class Difference:
 
 
 def divisor(row: Row) -> float | None:
-    """What the row's differences and uncertainties are divided by, in its unit; positive."""
+    """Positive divisor of the row's differences and uncertainties, in the unit of the row."""
     if row.kind in COMPARED and not _scale_name(row) and row.reference:
         return abs(row.reference)
     return 1.0 if row.kind is Kind.TREND else row.scale or None
 
 
 def sense(row: Row) -> float:
-    """-1 if the reference is negative, so that a larger value has a smaller magnitude; else 1."""
+    """Sign by which differences are multiplied: -1 if the reference is negative, otherwise 1.
+
+    For negative values, a larger value has a smaller magnitude.
+    """
     of_reference = row.kind in COMPARED and not _scale_name(row) and row.reference
     return math.copysign(1.0, of_reference) if of_reference else 1.0
 
 
 def difference(row: Row) -> Difference | None:
-    """The difference of a row; None for a statement, or if no number can be compared."""
+    """Difference of a row; None for a statement, or if no number can be compared."""
     found, whole = offset(row), divisor(row)
     if row.kind is Kind.FACT or found is None or whole is None or not math.isfinite(found / whole):
         return None
@@ -58,9 +61,10 @@ def difference(row: Row) -> Difference | None:
 
 
 def difference_texts(row: Row) -> tuple[str, str]:
-    """Difference and allowed difference, such as "+0.0041 %" and "±0.0093 %"; empty for none.
+    """Texts of difference and allowed difference, such as "+0.0041 %" and "±0.0093 %".
 
-    Both have enough digits to show on which side of an end the difference lies.
+    Both have enough digits to show whether the difference is within its limits. They are empty if
+    there is no difference.
     """
     found = difference(row)
     if found is None:
@@ -77,12 +81,15 @@ def difference_texts(row: Row) -> tuple[str, str]:
 
 
 def percent(fraction: float, *, signed: bool = False) -> str:
-    """0.0123 as "1.2 %": two significant digits, whole percents from 100 on."""
+    """Text of a fraction in percent: 0.0123 gives "1.2 %".
+
+    It has two significant digits, and no decimals from 100 % on.
+    """
     return significant(100 * fraction, FEWEST, signed=signed) + " %"
 
 
 def significant(value: float, digits: int, *, signed: bool = False) -> str:
-    """A number with the given significant digits, as 1.2e-8 if it has too many decimals."""
+    """Text of a number with the given significant digits; as 1.2e-8 if it has too many decimals."""
     sign = "+" if signed else ""
     if value == 0:
         return "0"
@@ -94,19 +101,22 @@ def significant(value: float, digits: int, *, signed: bool = False) -> str:
 
 
 def largest(rows: list[Row]) -> Row | None:
-    """The row with the largest difference of all rows with a formula value, judged or not."""
+    """Row with the largest difference, judged or not; None if no row has a difference."""
     compared = [row for row in rows if row.kind in COMPARED and difference(row) is not None]
     return max(compared, key=size, default=None)
 
 
 def size(row: Row) -> float:
-    """The magnitude of the row's difference as a fraction; zero without one."""
+    """Magnitude of the row's difference as a fraction; zero if it has none."""
     found = difference(row)
     return 0.0 if found is None else abs(found.value)
 
 
 def offset(row: Row) -> float | None:
-    """Formula less reference in the row's unit; the residual of a balance, a fact's margin."""
+    """Formula minus reference, in the unit of the row.
+
+    For a balance, it is the residual; for a fact, the margin.
+    """
     if row.kind in (Kind.EXACT, Kind.ASYMPTOTIC, Kind.FACT):
         return row.difference
     if row.analytic is None or row.reference is None:
@@ -115,13 +125,13 @@ def offset(row: Row) -> float | None:
 
 
 def _scale_name(row: Row) -> str:
-    """The name of the scale of the row, empty if the scale is the compared value."""
+    """Name of the scale of the row; empty if the scale is the compared value."""
     itself = row.analytic is not None and row.scale == abs(row.analytic)
     return "" if itself and row.kind in COMPARED and row.reference else row.scale_name
 
 
 def _allowed(row: Row, U: float | None) -> tuple[float, float] | None:
-    """The expected interval of an approximation, or ± the tolerance of a judged row."""
+    """Expected interval of an approximation, or ± the tolerance of another judged row."""
     if row.kind is Kind.APPROXIMATION or row.status in UNJUDGED:
         return row.interval
     return None if U is None else (-U, U)
@@ -132,7 +142,7 @@ def _shown(fraction: float, found: Difference) -> float:
 
 
 def _digits(numbers: list[float]) -> int:
-    """The fewest digits with which rounded numbers have the order of the exact numbers."""
+    """Smallest number of digits with which the rounded numbers are in the same order."""
     exact = _order(numbers)
     for digits in range(FEWEST, MOST):
         if _order([float(f"{x:.{digits}g}") for x in numbers]) == exact:
@@ -141,7 +151,7 @@ def _digits(numbers: list[float]) -> int:
 
 
 def _order(numbers: list[float]) -> tuple[bool, ...]:
-    """Whether the first number lies between the others, and whether the others differ."""
+    """Whether the first number is between the others, and whether the others differ."""
     if len(numbers) == 1:
         return ()
     value, low, high = numbers

@@ -45,14 +45,15 @@ RENDER_SECONDS = 60.0
 
 
 def python_problem(version: Sequence[int]) -> str:
-    """Reason in one line if Python `version` (major, minor, ...) is not supported, otherwise ""."""
+    """Reason why Python `version` (major, minor, ...) is not supported; "" if it is supported."""
     if OLDEST <= tuple(version[:2]) <= NEWEST:
         return ""
     minors = range(NEWEST[1], OLDEST[1] - 1, -1)
     found = [name for name in (f"python3.{minor}" for minor in minors) if shutil.which(name)]
-    remedy = f"make PYTHON={found[0]}" if found else "set PYTHON"
+    remedy = f"make PYTHON={found[0]}" if found else "run make with PYTHON=PATH of such a version"
     return (
-        f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, this is {version[0]}.{version[1]}: {remedy}"
+        f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, but this is {version[0]}.{version[1]}: "
+        f"{remedy}"
     )
 
 
@@ -66,20 +67,20 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Missing libraries, all or of a `need`; empty on other systems than Linux."""
+    """Missing shared libraries: all, or those of one use; empty on systems other than Linux."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))
 
 
 def install_line(libraries: Collection[str]) -> str:
-    """The command that brings `libraries`."""
+    """Command that installs the Debian packages of `libraries`."""
     packages = [package for library, package, _ in LIBRARIES if library in libraries]
     return f"apt-get install {' '.join(packages)}"
 
 
 def probe(script: str, seconds: float) -> str:
-    """Run Python code in a separate process: "" if it succeeds, else the error in one line."""
+    """Error of Python code in a separate process, in one line; "" if the code succeeds."""
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter and the project's script
             [sys.executable, "-c", script],
@@ -97,9 +98,10 @@ def probe(script: str, seconds: float) -> str:
 
 
 def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
-    """What keeps pyvista from drawing off-screen, with the packages to install; "" if nothing.
+    """Reason why pyvista cannot draw off-screen, with the packages to install; "" if it can.
 
-    It draws in a separate process, because VTK dies of a missing OpenGL without an exception.
+    The test draws in a separate process, because VTK ends the process without an exception if
+    OpenGL is missing.
     """
     problem = probe(RENDER, seconds)
     if not problem:
@@ -109,7 +111,7 @@ def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
 
 
 def remedy_for_pictures() -> str:
-    """Packages to install if pyvista cannot draw, appended to the reason; only for Linux."""
+    """Packages to install if pyvista cannot draw; empty on systems other than Linux."""
     if sys.platform != "linux":
         return ""
     absent = [library for library in OPENGL if not loads(library)]
@@ -119,7 +121,7 @@ def remedy_for_pictures() -> str:
 
 
 def missing_for_meshes(problem: str) -> str:
-    """What an import of gmsh that failed with `problem` means, with the packages to install."""
+    """Message for a failed import of gmsh, with the packages to install."""
     absent = [x for x, _, of in LIBRARIES if f"{x}:" in problem or (of == MESHES and not loads(x))]
     if absent:
         return f"gmsh, which makes the meshes, needs {', '.join(absent)}: {install_line(absent)}"
@@ -127,7 +129,7 @@ def missing_for_meshes(problem: str) -> str:
 
 
 def require_gmsh() -> None:
-    """Raise OSError with one line and the packages to install if gmsh cannot be imported."""
+    """Raise OSError with a message of one line if gmsh cannot be imported."""
     try:
         importlib.import_module("gmsh")  # by name: a check of the libraries needs no gmsh
     except ModuleNotFoundError:  # the package, not a system library

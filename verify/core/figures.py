@@ -1,4 +1,4 @@
-"""Data types of figures: fields, pictures, plots, sketches, tables. Plain data."""
+"""Data types of figures: fields, pictures, plots, sketches, tables (without functions)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ LIMITS_TITLE = "Limits of the part"  # table of a check
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """A solved mesh for pictures and files: `points` (n, 2 or 3), `cells` (m, corners) and data."""
+    """Solved mesh for pictures and files: `points` (n, 2 or 3), `cells` (m, corners), data."""
 
     name: str
     points: Array
@@ -27,16 +27,16 @@ class Field:
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """How to draw one field: data, unit, deformation.
+    """Description of how one field is drawn: data, unit, deformation.
 
-    `data` is the name of point or cell data of `field`, `component` a column of them; values are
-    divided by `factor` to obtain `unit`; without data, the body has one colour. `mirror` lists the
+    `data` is the name of point or cell data of `field`, `component` one of its columns. Values are
+    divided by `factor` to obtain `unit`. Without data, the body has one colour. `mirror` lists the
     coordinates ("x", "y") to be reflected: "x" completes a part of a symmetric body at the plane x
     = 0. `width` extends a line to a ribbon that can be rotated [unit of the points]. `share` is the
-    drawn size of the largest displacement over the size of the body, if the default would hide the
-    shape. `window` (left, bottom, right, top) selects a part of the undeformed body, with
-    displacements relative to their mean there. With `decades`, the data are logarithms to base ten;
-    the colour bar states powers of ten in `unit`.
+    ratio of the drawn largest displacement to the size of the body, if the default would hide the
+    shape. `window` (left, bottom, right, top) selects a part of the undeformed body; displacements
+    are then relative to their mean in this part. With `decades`, the data are logarithms to base
+    ten, and the colour bar has powers of ten in `unit`.
     """
 
     field: str
@@ -56,11 +56,11 @@ class Picture:
 
 @dataclass(frozen=True, kw_only=True)
 class Profile:
-    """A formula's curve and finite-element values on it, for a plot with the difference below.
+    """Plot of a formula along a line with finite-element values and their difference below.
 
-    `x`, `y` draw the formula; at `x_fem` the formula gives `y_ref` and finite elements `y_fem`
-    with standard uncertainty `u`. Differences are divided by `scale`, which `scale_name` names.
-    Those of a formula that `neglects` something may exceed the uncertainty.
+    `x`, `y` draw the formula. At `x_fem`, the formula gives `y_ref`, and finite elements give
+    `y_fem` with standard uncertainty `u`. Differences are divided by `scale`, which has the name
+    `scale_name`. If the formula `neglects` an effect, differences may exceed the uncertainty.
     """
 
     title: str
@@ -80,10 +80,10 @@ class Profile:
 
 @dataclass(frozen=True, kw_only=True)
 class Refinement:
-    """Errors on increasingly fine meshes, log-log: convergence of each quantity.
+    """Plot of errors on increasingly fine meshes with logarithmic axes.
 
     Each of `errors`, a name and relative errors (m,), is drawn over `cells` (m,), the number of
-    cells on the length in `x_label`, with a line of slope `order` through its last point.
+    cells on the length in `x_label`. A line of slope `order` is drawn through its last point.
     """
 
     title: str
@@ -97,7 +97,7 @@ class Refinement:
 
 @dataclass(frozen=True, kw_only=True)
 class Dots:
-    """Values of one quantity next to each other: name, value, half-width or None, and source.
+    """Plot of values of one quantity: name, value, half-width of its error bar (or None), source.
 
     The source is "formula", "fe" or "paper".
     """
@@ -110,7 +110,7 @@ class Dots:
 
 @dataclass(frozen=True, kw_only=True)
 class Curve:
-    """A curve: points x, y (m,), drawn as "line", "dashes" or "dots".
+    """A curve with points x, y (m,), drawn as "line", "dashes" or "dots".
 
     Curves with the same `colour` (0 to 5) belong together.
     """
@@ -124,7 +124,7 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class Band:
-    """The range between two curves, `lower` and `upper` over x (m,), with a `colour`."""
+    """The area between two curves, `lower` and `upper` over x (m,), with a `colour`."""
 
     name: str
     x: Array
@@ -135,11 +135,12 @@ class Band:
 
 @dataclass(frozen=True, kw_only=True)
 class Curves:
-    """Curves on common axes with names below; y starts at `y_bottom` (default: zero or the lowest).
+    """Plot of curves on common axes, with the names of the curves below.
 
-    Curves are clipped at `y_top`. `x_names` are names at given values of x. `bands` are drawn
-    behind the curves. `y_log` and `x_log` select logarithmic axes from the lowest value on; values
-    that are not positive are omitted.
+    The y axis starts at `y_bottom`, by default at zero or the lowest value. Curves are clipped at
+    `y_top`. `x_names` are names at given values of x. `bands` are drawn behind the curves. `y_log`
+    and `x_log` select logarithmic axes that start at the lowest value; values that are not positive
+    are omitted.
     """
 
     title: str
@@ -157,11 +158,12 @@ class Curves:
 
 @dataclass(frozen=True, kw_only=True)
 class Map:
-    """Range of validity: signed relative error `error` (k, m) of a formula over two parameters.
+    """Map of the signed relative error `error` (k, m) of a formula over two parameters.
 
-    Columns and rows have names, the first row at the bottom. A cell has the shade of the first of
-    the `limits` that is not exceeded. If the error is NaN, there is nothing to compare, for the
-    reason `without`. `checked` (k, m) marks the cells for which `checked_name` is true.
+    Columns and rows have names; the first row is at the bottom. The shade of a cell is that of the
+    smallest of the `limits` that the error does not exceed. If the error is NaN, there is no
+    comparison; `without` states the reason. `checked` (k, m) marks the cells for which
+    `checked_name` is true.
     """
 
     title: str
@@ -179,7 +181,7 @@ class Map:
 
 @dataclass(frozen=True, kw_only=True)
 class Panel:
-    """A state of a thin body: `lines` (m, 2), `faint` lines behind, `dots` (m, 2) on it."""
+    """A state of a thin body: `lines` (m, 2), `faint` lines behind them, and `dots` (m, 2)."""
 
     name: str
     lines: tuple[Array, ...]
@@ -189,7 +191,10 @@ class Panel:
 
 @dataclass(frozen=True, kw_only=True)
 class Shapes:
-    """States next to each other on one scale, in `unit`; lines have the real `thickness`."""
+    """Drawing of several states next to each other on one scale, in `unit`.
+
+    Lines are drawn with the real `thickness`.
+    """
 
     title: str
     unit: str
@@ -201,7 +206,10 @@ class Shapes:
 
 @dataclass(frozen=True, kw_only=True)
 class Zone:
-    """A zone from the top of the zone below to `top` (m,); `tone` "good", "fair" or "bad"."""
+    """A zone from the top of the zone below it up to `top` (m,).
+
+    `tone` is "good", "fair" or "bad".
+    """
 
     name: str
     top: Array
@@ -210,11 +218,12 @@ class Zone:
 
 @dataclass(frozen=True, kw_only=True)
 class Zones:
-    """Regions of states in a plane: zones above each other over `x` (m,), from y = 0 to `y_top`.
+    """Plot of zones above each other over `x` (m,), from y = 0 to `y_top`.
 
-    A zone whose top is not above the zone below is not drawn. `curves` are drawn over the zones;
-    `point` is a position and its name. Zones have their names inside; their colours need not be
-    distinguished, although `figures.css` makes them distinct for colour-blind readers and in print.
+    A zone whose top is not above the zone below it is not drawn. `curves` are drawn over the zones.
+    `point` is a position and its name. Zones have their names inside, so that their colours need
+    not be distinguished. In `figures.css`, the colours are distinct for colour-blind readers and in
+    print.
     """
 
     title: str
@@ -230,10 +239,10 @@ class Zones:
 
 @dataclass(frozen=True, kw_only=True)
 class Density:
-    """A quantity `z` (k, m) over a plane, in colours: columns at `x` (m,), rows at `y` (k,), even.
+    """Plot of a quantity `z` (k, m) over a plane, in colours.
 
-    `range` is the colour scale, common to compared figures; None: the range of z.
-    `point` is a place and its name.
+    Columns are at `x` (m,), rows at `y` (k,), in equal steps. `range` is the colour scale, which
+    compared figures share; None selects the range of z. `point` is a position and its name.
     """
 
     title: str
@@ -250,7 +259,7 @@ class Density:
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """Contributions as bars from zero, one below the other: name, value, and text."""
+    """Plot of contributions as bars from zero, one below the other: name, value, and text."""
 
     title: str
     label: str
@@ -263,8 +272,9 @@ class Mode:
     """A mode of rotating shafts: for each shaft, positions z (m,) and displacements x, y (m,).
 
     Displacements are complex, with any scale: at the time t, they are the real parts of x e^{iωt}
-    and y e^{iωt}, ω > 0. y = -ix, a circle from x to y, is forward whirl of a shaft that rotates in
-    this sense; y = ix is backward whirl; if x and y are in phase, the motion is in a plane.
+    and y e^{iωt}, ω > 0. If y = -ix, the motion is a circle from x to y: forward whirl of a shaft
+    that rotates in this sense. If y = ix, it is backward whirl. If x and y are in phase, the motion
+    is in a plane.
     """
 
     name: str
@@ -276,8 +286,8 @@ class Whirl:
     """Modes of coaxial shafts in space, animated on the page, on one scale along z.
 
     `outlines` are z and radius (m,) of each shaft; a step has two points with equal z. `names` are
-    those of the shafts. `supports` are the positions z of bearings to ground, `links` those between
-    shafts. Lengths are in `unit`.
+    the names of the shafts. `supports` are the positions z of bearings to ground, `links` the
+    positions of bearings between shafts. Lengths are in `unit`.
     """
 
     title: str
@@ -292,12 +302,13 @@ class Whirl:
 
 @dataclass(frozen=True, kw_only=True)
 class Campbell:
-    """Natural frequencies (n, branches) over the speed (n,), in the units of the labels.
+    """Campbell diagram: natural frequencies (n, branches) over the speed (n,), with label units.
 
-    `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither); `names` are at the ends of
-    branches. `excitations` are lines through the origin: name and frequency per speed. `critical`
-    are speed, frequency and name of their intersections with branches; `peers` are speeds and
-    frequencies (k,) of `peers_name`. The `range` of operating speeds is shaded.
+    `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither). `names` are drawn at the
+    ends of branches. `excitations` are lines through the origin: name and frequency per speed.
+    `critical` contains speed, frequency and name of the intersections of these lines with branches.
+    `peers` are speeds and frequencies (k,) by another method, which has the name `peers_name`. The
+    `range` of operating speeds is shaded.
     """
 
     title: str
@@ -329,9 +340,9 @@ class ParallelAxis:
 
 @dataclass(frozen=True, kw_only=True)
 class Parallel:
-    """Sets of parameters as lines across upright axes: `members` (k, axes), some `highlighted`.
+    """Plot of parameter sets as lines across vertical axes: `members` (k, axes).
 
-    The latter are row, name and colour (0 to 5); the others are thin.
+    `highlighted` lines are given by row, name and colour (0 to 5); all other lines are thin.
     """
 
     title: str
@@ -366,7 +377,7 @@ class Shape:
 
 @dataclass(frozen=True, kw_only=True)
 class Sketch:
-    """What a case looks like, as data; `title` says it in words."""
+    """A sketch of a case as data; `title` is its description in words."""
 
     title: str
     shapes: tuple[Shape, ...]
@@ -374,10 +385,11 @@ class Sketch:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaValue:
-    """A value of the formulas in its display unit; `judged` if a row compares it with FE.
+    """A value of the formulas in its display unit.
 
-    `form` is "as printed" or "corrected" if a formula has several forms; `safe` is the safe side,
-    "too high" or "too low".
+    `judged` is True if a row compares the value with finite elements. `form` is "as printed" or
+    "corrected" if a formula has several forms. `safe` is the safe side of its error, "too high" or
+    "too low".
     """
 
     key: str = ""
@@ -394,7 +406,7 @@ class FormulaValue:
 
 @dataclass(frozen=True, kw_only=True)
 class Table:
-    """A table for printing; cells are strings or numbers."""
+    """A table for printing; cells are texts or numbers."""
 
     title: str
     header: tuple[str, ...]
@@ -404,7 +416,7 @@ class Table:
 
 @dataclass(frozen=True, kw_only=True)
 class Equation:
-    """An equation as TeX and the same with numbers put in."""
+    """An equation as TeX, and the same equation with inserted numbers."""
 
     tex: str
     numbers: str = ""
@@ -414,7 +426,7 @@ class Equation:
 
 @dataclass(frozen=True, kw_only=True)
 class InputValue:
-    """One input in its display unit."""
+    """An input in its display unit."""
 
     name: str
     symbol: str

@@ -1,4 +1,4 @@
-"""Files that are written completely or not at all, even if a process is killed."""
+"""Writing of files completely or not at all, even if a process is killed."""
 
 import os
 import tempfile
@@ -11,7 +11,10 @@ PREFIX = ".part-"
 
 
 def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
-    """Let `write` fill a file that then replaces `path`; OSError if that fails."""
+    """Write a file completely by the function `write`; it then replaces `path`.
+
+    Raises OSError if that fails.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     with _temporary(path.parent) as (file, temporary):
         write(file)
@@ -21,7 +24,10 @@ def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
 
 
 def made_folder(folder: Path) -> None:
-    """The folder exists; OSError that names a file that is in its place."""
+    """Make a folder if it does not exist.
+
+    Raises OSError, with the name of the obstacle if a file has the path.
+    """
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Inputs of a case: SI floats with a unit, a symbol and a range; from defaults or from a file.
+"""Inputs of a case: SI numbers with unit, symbol and bounds; from defaults or from a file.
 
 A parameter file is TOML:
 
@@ -35,13 +35,13 @@ TOP_LEVEL = ("case", "name", "inputs")
 
 
 class InputError(ValueError):
-    """Wrong input; the message is one line with file, key, rule and value."""
+    """Error for a wrong input; the message is one line with file, key, rule and value."""
 
 
 class EntryError(ValueError):
-    """Violation of a rule in one entry of a table, found by the validator of a model.
+    """Error for a rule violated by one entry of a table, raised by the validator of a model.
 
-    `entry` is numbered from 1; `key` is the input, empty if the rule applies to the whole entry.
+    `entry` is numbered from 1. `key` is the input, empty if the rule applies to the whole entry.
     """
 
     def __init__(self, table: str, entry: int, key: str, rule: str) -> None:
@@ -50,7 +50,7 @@ class EntryError(ValueError):
 
 
 class Inputs(BaseModel):
-    """Base of every case's inputs: frozen, no unknown keys, floats in SI units."""
+    """Base class of the inputs of all cases: frozen, no unknown keys, floats in SI units."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -58,7 +58,10 @@ class Inputs(BaseModel):
     instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
 
     def display(self) -> tuple[InputValue, ...]:
-        """Every input in its unit, in the order of the model; an entry of a table is a line."""
+        """All inputs in their units, in the order of the model.
+
+        Each entry of a table is one line.
+        """
         found: list[InputValue] = []
         for name, field in type(self).model_fields.items():
             value, about = getattr(self, name), meta(field)
@@ -74,7 +77,10 @@ class Inputs(BaseModel):
         return tuple(found)
 
     def record(self) -> dict[str, Any]:
-        """Values and units by name for other programs, each entry of a table as such a record."""
+        """Values and units of the inputs by name, for other programs.
+
+        A table is a list of records.
+        """
         found: dict[str, Any] = {}
         for name, field in type(self).model_fields.items():
             value, unit = getattr(self, name), meta(field)["unit"]
@@ -86,7 +92,7 @@ class Inputs(BaseModel):
 
 
 def _entry(table: str, number: int, entry: Inputs) -> InputValue:
-    """One entry of a table as a line: the values that differ from the defaults."""
+    """One entry of a table as a line with the values that differ from the defaults."""
     told = [
         f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
         for name, field in type(entry).model_fields.items()
@@ -113,15 +119,17 @@ def quantity(
     example: str = "",
     **bounds: float,
 ) -> Any:
-    """A float input in `unit`; the bounds gt, ge, lt, le are also in this unit.
+    """Declaration of a float input in `unit`; the bounds gt, ge, lt, le are also in this unit.
 
-    `default` is the number of the paper as text with its unit (a number if the unit is "1");
-    `claims` is the printed value to which it is equal ("paper:id").
-    `omitted` is the value if a parameter file omits the input; without it the input is required.
-    An input without a default has an `example` with its unit, for templates.
+    `default` is the number of the paper as text with its unit (a number if the unit is "1").
+    `claims` is the printed value to which the default is equal ("paper:id"). `omitted` is the value
+    if a parameter file omits the input; without `omitted`, the input is required. An input without
+    a default has an `example` with its unit, for templates.
     """
     if isinstance(default, int | float) and unit != "1":
-        raise ValueError(f'the default of {symbol} has no unit: write it as "{default} {unit}"')
+        raise ValueError(
+            f'the default of {symbol} must have a unit: write it as "{default} {unit}"'
+        )
     value = units.parse(default, unit) if isinstance(default, str) else default
     limits: dict[str, Any] = {k: bound * units.factor(unit) for k, bound in bounds.items()}
     return Field(
@@ -132,7 +140,7 @@ def quantity(
 
 
 def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: int) -> Any:
-    """A whole number with the bounds gt, ge, lt, le."""
+    """Declaration of an integer input with the bounds gt, ge, lt, le."""
     limits: dict[str, Any] = dict(bounds)
     return Field(
         default=default, json_schema_extra=_extra("1", symbol, what, claims, REQUIRED), **limits
@@ -140,21 +148,21 @@ def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: i
 
 
 def text(default: str | None, what: str, *, omitted: str | None = REQUIRED) -> Any:
-    """A name that the user chooses, printable and short."""
+    """Declaration of an input that is a text chosen by the user, printable and short."""
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
 
 
 def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> Any:
-    """A list of tables, of the model that the annotation tuple[Model, ...] names.
+    """Declaration of an input that is a list of tables; the annotation is tuple[Model, ...].
 
-    Left out, it is empty, unless it is `required`.
+    If omitted, it is empty, unless it is `required`.
     """
     omitted: Any = REQUIRED if required else ()
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
 
 
 def word(default: str, what: str) -> Any:
-    """An input with one of several words as its value; if omitted, the default."""
+    """Declaration of an input whose value is one of several words; if omitted, the default."""
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
 
 
@@ -170,7 +178,7 @@ def meta(field: FieldInfo) -> dict[str, Any]:
 
 
 def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
-    """The bounds of an input in words, with their SI values."""
+    """Bounds of an input as words with SI values."""
     return [
         (word, getattr(bound, rule))
         for bound in field.metadata
@@ -180,14 +188,16 @@ def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
 
 
 def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
-    """Case id, name and raw inputs of a parameter file; InputError if it cannot be read."""
+    """Case id, name and raw inputs of a parameter file. Raises InputError if it cannot be read."""
     try:
         if path.is_dir():
             raise InputError(f"{path}: is a directory, expected a TOML file")
         if path.exists() and not path.is_file():
             raise InputError(f"{path}: is not a regular file, expected a TOML file")
         if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
+            raise InputError(
+                f"{path}: a parameter file must not be larger than {MAX_BYTES:,} bytes"
+            )
         text = path.read_bytes().decode("utf-8-sig")
         data = tomllib.loads(text)
     except (OSError, ValueError) as error:
@@ -221,7 +231,7 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
 
 
 def _quotes(error: tomllib.TOMLDecodeError, text: str) -> str:
-    """Correct form of a value with a unit that lacks quotes and is therefore no TOML; else ""."""
+    """Correction of a value with a unit but without quotes (invalid TOML); "" for other errors."""
     place = re.search(r"at line (\d+)", str(error))
     line = text.split("\n")[int(place[1]) - 1] if place else ""
     bare = re.match(r"\s*([\w-]+)\s*=\s*([-+\d.][-+\d.eE]*\s*[A-Za-zµμ°%][^\"'#]*)", line)
@@ -229,12 +239,12 @@ def _quotes(error: tomllib.TOMLDecodeError, text: str) -> str:
 
 
 def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:
-    """Inputs from the raw values of a parameter file; InputError for the first fault."""
+    """Inputs from the raw values of a parameter file. Raises InputError for the first error."""
     return _built(model, raw, where, "inputs")
 
 
 def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) -> Inputs:
-    """The inputs at `place`: "inputs" or an entry of a table, "inputs.supports[2]"."""
+    """Inputs at `place`: "inputs", or an entry of a table such as "inputs.supports[2]"."""
     fields = model.model_fields
     if unknown := [key for key in raw if key not in fields]:
         raise InputError(
@@ -257,7 +267,7 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
 
 
 def missing(model: type[Inputs], needed: Sequence[str]) -> str:
-    """Required inputs missing in a file: their names, then their descriptions."""
+    """Text for required inputs that a file omits: their names, then their descriptions."""
     about = {name: meta(model.model_fields[name]) for name in needed}
     told = [
         f"{name}: {one['what']}"
@@ -269,7 +279,7 @@ def missing(model: type[Inputs], needed: Sequence[str]) -> str:
 
 
 def _meant(key: str, model: type[Inputs]) -> str:
-    """The input with a name or symbol similar to an unknown key, as a question; otherwise ""."""
+    """Question with the input whose name or symbol is similar to an unknown key; "" if none is."""
     fields = {name: meta(field) for name, field in model.model_fields.items()}
     known = {one["symbol"].lower(): name for name, one in fields.items() if one["symbol"]}
     known |= {name.lower(): name for name in fields}
@@ -281,18 +291,23 @@ def _meant(key: str, model: type[Inputs]) -> str:
 
 
 def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:
-    """The entries of a table, counted from 1 in messages."""
+    """Entries of a table; messages number them from 1."""
     if not isinstance(raw, list) or not all(isinstance(entry, dict) for entry in raw):
         raise InputError(f"{where}: {place}: needs tables [[{place}]], {_got(raw)}")
     if len(raw) > MOST_ENTRIES:
-        raise InputError(f"{where}: {place}: has {len(raw)} entries, at most {MOST_ENTRIES}")
+        raise InputError(
+            f"{where}: {place}: has {len(raw)} entries, but at most {MOST_ENTRIES} are permitted"
+        )
     return tuple(
         _built(model, entry, where, f"{place}[{k}]") for k, entry in enumerate(raw, start=1)
     )
 
 
 def value_of(field: FieldInfo, raw: Any, where: str) -> Any:
-    """One raw TOML value in the type of the model; its bounds are not checked. InputError."""
+    """A raw TOML value in the type of the model, without a check of its bounds.
+
+    Raises InputError if the type, the unit or the dimension is wrong.
+    """
     unit, kind = meta(field)["unit"], kind_of(field)
     if kind is float and isinstance(raw, str):
         try:
@@ -300,7 +315,7 @@ def value_of(field: FieldInfo, raw: Any, where: str) -> Any:
         except ValueError as error:
             raise InputError(f"{where}: {error}") from error
     if isinstance(raw, int) and abs(raw) > LARGEST_INTEGER:
-        raise InputError(f"{where}: {_text(raw)} is out of range")
+        raise InputError(f"{where}: the integer {_text(raw)} is too large")
     if kind is float:
         if isinstance(raw, bool) or not isinstance(raw, int | float):
             raise InputError(f"{where}: needs {_wanted(unit)}, {_got(raw)}")
@@ -329,13 +344,13 @@ def is_table(field: FieldInfo) -> bool:
 
 
 def entry_model(field: FieldInfo) -> type[Inputs]:
-    """The model of the entries of a table."""
+    """Model of the entries of a table."""
     found: type[Inputs] = get_args(field.annotation)[0]
     return found
 
 
 def kind_of(field: FieldInfo) -> type:
-    """The type of an input: float, int, str for words and texts, tuple for tables."""
+    """Type of an input: float, int, str for words and texts, tuple for tables."""
     annotation = field.annotation
     if get_origin(annotation) is tuple:
         return tuple
@@ -353,7 +368,7 @@ def choices(field: FieldInfo) -> tuple[str, ...]:
 
 
 def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
-    """The first fault in inputs at `place` as `key = value unit: rule`, in the input's unit."""
+    """Text of the first error in inputs at `place`: `key = value unit: rule`."""
     error: Any = wrong.errors(include_url=False)[0]
     message = str(error["msg"]).removeprefix("Value error, ")
     if not error["loc"]:
@@ -368,7 +383,7 @@ def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
 
 
 def beyond(name: str, value: Any, word: str, bound: float, unit: str) -> str:
-    """That a value [SI] is beyond a bound [SI], in the input's unit."""
+    """Text that a value [SI] exceeds a bound [SI], in the unit of the input."""
     return f"{name} = {_with_unit(value, unit)}: must be {word} {_with_unit(bound, unit)}"
 
 
@@ -393,7 +408,7 @@ def _got(value: Any) -> str:
 
 
 def _text(value: Any) -> str:
-    """A TOML value in one line; Python refuses to print integers of thousands of digits."""
+    """A TOML value in one line; for integers with thousands of digits, a description."""
     if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
         return f"an integer of {value.bit_length()} bits"
     try:

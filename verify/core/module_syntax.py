@@ -1,4 +1,4 @@
-"""Syntax trees of modules and their import statements, read once a process."""
+"""Syntax trees of modules and their import statements; each process reads a module once."""
 
 import ast
 import sys
@@ -18,7 +18,11 @@ _PARSING = Lock()
 
 @dataclass(frozen=True)
 class Imported:
-    """An import statement of a module: whether it is at the top, and for type checkers only."""
+    """An import statement of a module.
+
+    `at_top` is True for a statement at the top level, `for_types` for one that only type checkers
+    execute.
+    """
 
     node: ast.Import | ast.ImportFrom
     at_top: bool
@@ -26,7 +30,7 @@ class Imported:
 
 
 def file_of(module: str) -> Path:
-    """The file of a module, imported or not; for a package, its stub if it has one."""
+    """File of a module, imported or not; for a package, its stub if it has one."""
     file = getattr(sys.modules.get(module), "__file__", None)
     if file is None:
         spec = find_spec(module)
@@ -38,10 +42,10 @@ def file_of(module: str) -> Path:
 
 
 def parsed(source: str) -> ast.Module:
-    """The syntax tree of a source; only one thread at a time makes a tree.
+    """Syntax tree of a source text; only one thread at a time makes a tree.
 
-    Python 3.11 adds up the depths of all trees in the making: if two threads make trees at the same
-    time, it raises SystemError.
+    If two threads made trees at the same time, Python 3.11 would add up the depths of both trees
+    and raise SystemError.
     """
     with _PARSING:
         return ast.parse(source)
@@ -49,19 +53,19 @@ def parsed(source: str) -> ast.Module:
 
 @cache
 def tree(module: str) -> ast.Module:
-    """The syntax tree of a module, which nobody may change."""
+    """Syntax tree of a module; it must not be changed."""
     return parsed(file_of(module).read_text("utf-8"))
 
 
 @cache
 def nodes(module: str) -> tuple[ast.AST, ...]:
-    """All nodes of that tree, in the order of `ast.walk`."""
+    """All nodes of the syntax tree of a module, in the order of `ast.walk`."""
     return tuple(ast.walk(tree(module)))
 
 
 @cache
 def imports(module: str) -> tuple[Imported, ...]:
-    """All import statements of a module, also those inside functions."""
+    """All import statements of a module, including those inside functions."""
     top = tree(module)
     types = for_types(nodes(module))
     return tuple(
@@ -72,33 +76,37 @@ def imports(module: str) -> tuple[Imported, ...]:
 
 @cache
 def names(module: str) -> frozenset[str]:
-    """The names that a module's code reads or binds, except its imports."""
+    """Names that the code of a module reads or binds, except its imports."""
     return frozenset(n.id for n in nodes(module) if isinstance(n, ast.Name))
 
 
 @cache
 def attributes(module: str, owner: str) -> frozenset[str]:
-    """The attributes that a module reads from objects called `owner`, from any if it is empty."""
+    """Attributes that a module reads from objects called `owner`.
+
+    From any object if it is empty.
+    """
     read = [n for n in nodes(module) if isinstance(n, ast.Attribute)]
     return frozenset(n.attr for n in read if not owner or last_name(n.value) == owner)
 
 
 def for_types(among: Iterable[ast.AST]) -> set[ast.AST]:
-    """What only type checkers execute of some nodes of a module."""
+    """Nodes among the given ones that only type checkers execute."""
     guarded = (n for n in among if isinstance(n, ast.If) and last_name(n.test) == "TYPE_CHECKING")
     return {item for guard in guarded for part in guard.body for item in ast.walk(part)}
 
 
 def last_name(node: ast.expr) -> str:
-    """The last part of a dotted name."""
+    """Last part of a dotted name."""
     return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
 
 
 def named(item: ast.AST, importer: str) -> Iterator[str]:
-    """Modules, and names in modules, that an import statement names.
+    """Modules, and names in modules, that an import statement contains.
 
-    A public name of a package is replaced by the name that its stub imports. The whole package,
-    with all its names, is included only if a statement imports the package or all its names.
+    A public name of a package is replaced by the name that the stub of the package imports. The
+    whole package, with all its names, is included only if a statement imports the package or all
+    its names.
     """
     if isinstance(item, ast.Import):
         for alias in item.names:
@@ -115,7 +123,7 @@ def named(item: ast.AST, importer: str) -> Iterator[str]:
 
 
 def public_names(stub: ast.Module) -> Mapping[str, str]:
-    """Full names by public name of a package, from its stub."""
+    """Full names of the public names of a package, from its stub."""
     return {
         alias.asname or alias.name: f"{node.module}.{alias.name}"
         for node in stub.body if isinstance(node, ast.ImportFrom) for alias in node.names
@@ -128,14 +136,14 @@ def _home(source: str, name: str) -> str:
 
 @cache
 def _public(module: str) -> Mapping[str, str]:
-    """Full names by public name, of a package with a stub."""
+    """Full names of the public names of a package; empty for a package without a stub."""
     if not is_of_project(module) or file_of(module).name != STUB:
         return {}
     return public_names(tree(module))
 
 
 def _has_part(package: str, name: str) -> bool:
-    """Whether a package with public names has a module of a name."""
+    """Whether a package with public names has a module with this name."""
     if not _public(package):
         return False
     folder = file_of(package).parent
@@ -143,14 +151,14 @@ def _has_part(package: str, name: str) -> bool:
 
 
 def origin(item: ast.ImportFrom, importer: str) -> str:
-    """The module from which a statement imports."""
+    """Module from which a statement imports."""
     parent = importer.rsplit(".", item.level)[0] if item.level else ""
     return ".".join(filter(None, (parent, item.module)))
 
 
 @cache
 def aliases(module: str) -> tuple[tuple[Imported, str, str], ...]:
-    """Each name that imports of the project's modules bind, with its statement and full name."""
+    """Names bound by imports of project modules, each with its statement and full name."""
     return tuple(
         (one, alias.asname or alias.name, full)
         for one in imports(module)
@@ -166,6 +174,6 @@ def _full_name(node: ast.Import | ast.ImportFrom, alias: ast.alias, importer: st
 
 
 def forget() -> None:
-    """Read the files again."""
+    """Clear all stored trees, so that the files are read again."""
     for one in (tree, nodes, imports, names, attributes, aliases, _public):
         one.cache_clear()

@@ -1,4 +1,7 @@
-"""Results as bytes for the store, and back; only classes of the project and numpy are allowed."""
+"""Conversion of results to bytes for the store, and back.
+
+Only classes of the project and of numpy are allowed.
+"""
 
 import pickle
 from enum import Enum
@@ -13,24 +16,27 @@ class _Reader(pickle.Unpickler):
     def find_class(self, module: str, name: str) -> Any:
         if (module, name) in MADE or module.startswith(OURS):
             return super().find_class(module, name)
-        raise pickle.UnpicklingError(f"{module}.{name} is no class of a result")
+        raise pickle.UnpicklingError(f"{module}.{name} is not a permitted class in a stored result")
 
 
 class _Writer(pickle.Pickler):
     def reducer_override(self, value: Any) -> Any:
-        """Members of enumerations by value: Python 3.11.2 writes them by the function getattr."""
+        """Reduction of enumeration members to their values (Python 3.11.2 would use getattr)."""
         return (type(value), (value.value,)) if isinstance(value, Enum) else NotImplemented
 
 
 def to_bytes(value: Any) -> bytes:
-    """A result as bytes."""
+    """Bytes of a result."""
     content = BytesIO()
     _Writer(content, protocol=5).dump(value)
     return content.getvalue()
 
 
 def from_bytes(content: bytes) -> Any:
-    """The result; UNREADABLE for bytes that are none."""
+    """Result from its bytes.
+
+    Raises one of the exceptions UNREADABLE if the bytes are not a result.
+    """
     return _Reader(BytesIO(content)).load()
 
 

@@ -1,7 +1,7 @@
-"""Code as text that words, layout and places do not change.
+"""Text of code that does not depend on wording, layout and position.
 
-Docstrings, comments, layout, messages of exceptions, descriptions of inputs and imports of
-project modules do not count.
+Docstrings, comments, layout, messages of exceptions, descriptions of inputs and imports of project
+modules are ignored.
 """
 
 import ast
@@ -18,7 +18,7 @@ FIELD_WORDS = ("claims", "example", "what", "symbol")
 
 
 def is_of_project(name: str) -> bool:
-    """Whether a dotted name is a package of the project or a name inside one."""
+    """Whether a dotted name is a package of the project, or a name inside such a package."""
     return name.partition(".")[0] in PROJECT
 
 
@@ -26,10 +26,10 @@ Bound = Mapping[str, str]  # meaning of each imported name
 
 
 def plain(node: ast.AST, bound: Bound) -> str:
-    """Text of a syntax tree without docstrings, messages and positions; the tree is unchanged.
+    """Text of a syntax tree without docstrings, messages and positions; the tree is not changed.
 
-    It equals the text of `ast.dump` in Python 3.11: with empty lists, which 3.13 omits, and without
-    `type_params`, which 3.12 added.
+    The text equals that of `ast.dump` in Python 3.11: it includes empty lists, which Python 3.13
+    omits, and excludes `type_params`, which Python 3.12 added.
     """
     kind = type(node)
     changed = _CHANGED[kind](node, bound) if kind in _CHANGED else {}
@@ -79,7 +79,7 @@ def _assert(_node: Any, _bound: Bound) -> dict[str, object]:
 
 
 def _call(node: Any, bound: Bound) -> dict[str, object]:
-    """A declaration without its texts; any other call unchanged."""
+    """Changed fields of a call: without texts for a declaration of an input or formula."""
     called = node.func.id if isinstance(node.func, ast.Name) else ""
     name = bound.get(called, called).rpartition(".")[2]
     if name == DECLARATION:
@@ -106,7 +106,7 @@ def _without_docstring(body: list[ast.stmt]) -> list[ast.stmt]:
 
 
 def _is_text(node: ast.expr) -> bool:
-    """Whether an argument is a message: a text, a formatted text or texts in a row."""
+    """Whether an argument is a message: a text, a formatted text, or joined texts."""
     if isinstance(node, ast.BinOp):
         return _is_text(node.left) or _is_text(node.right)
     return isinstance(node, ast.JoinedStr) or (

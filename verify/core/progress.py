@@ -1,4 +1,4 @@
-"""Progress of a run: a bar on a terminal and in a notebook, otherwise a line from time to time."""
+"""Display of the progress of a run: a bar on a terminal and in a notebook, otherwise lines."""
 
 import sys
 import threading
@@ -16,7 +16,7 @@ WIDTH = 16  # characters of a bar
 
 @dataclass(frozen=True)
 class State:
-    """Number of done levels or other tasks, of all, the running task, and the remaining seconds."""
+    """State of a run: numbers of completed and of all tasks, running tasks, remaining seconds."""
 
     done: int
     total: int
@@ -30,7 +30,7 @@ Show = Callable[[State], None]
 
 @contextmanager
 def shown(*, quiet: bool) -> Iterator[Show]:
-    """Function that a run calls with its state about four times a second."""
+    """Context with the function that a run calls with its state about four times a second."""
     if quiet:
         yield lambda _state: None
     elif sys.stderr.isatty():
@@ -44,7 +44,7 @@ def shown(*, quiet: bool) -> Iterator[Show]:
 
 
 class Lines:
-    """Plain lines on stderr, with a pause of several seconds between lines."""
+    """Display of the state as plain lines on stderr, with several seconds between lines."""
 
     def __init__(
         self, clock: Callable[[], float] = time.monotonic, stream: TextIO | None = None
@@ -60,7 +60,10 @@ class Lines:
 
 @contextmanager
 def rewritten(stream: TextIO) -> Iterator[Show]:
-    """A bar in one line of `stream`, written again for each state and removed at the end."""
+    """Context with a function that displays the state as a bar in one line of `stream`.
+
+    The line is written again for each state and removed at the end.
+    """
     longest = 0
 
     def show(state: State) -> None:
@@ -82,19 +85,22 @@ def rewritten(stream: TextIO) -> Iterator[Show]:
 
 
 def line(state: State) -> str:
-    """One line: "finite elements 12 of 48, spring-continuum level 8, about 14 s left"."""
+    """State as one line of text.
+
+    For example: "finite elements 12 of 48, spring-continuum level 8, about 14 s left".
+    """
     left = f"about {duration(state.remaining)} left"
     return f"{state.what} {state.done} of {state.total}, {names(state.running)}, {left}"
 
 
 def names(running: Sequence[str]) -> str:
-    """The levels in progress, at most two."""
+    """Names of the running levels, at most two."""
     more = f" and {len(running) - MOST_NAMES} more" if len(running) > MOST_NAMES else ""
     return ", ".join(running[:MOST_NAMES]) + more
 
 
 def duration(seconds: float) -> str:
-    """Rounded as an estimate deserves: "14 s", "3 min", "1 h 20 min"."""
+    """Text of a rounded duration: "14 s", "3 min", "1 h 20 min"."""
     if seconds < 90:
         return f"{max(round(seconds), 1)} s"
     minutes = round(seconds / 60)
@@ -103,7 +109,10 @@ def duration(seconds: float) -> str:
 
 @contextmanager
 def told_if_slow(message: str, *, quiet: bool, after: float = FIRST) -> Iterator[None]:
-    """Print `message` on stderr if the body takes more than `after` seconds, and the duration."""
+    """Context that prints `message` on stderr if its body takes more than `after` seconds.
+
+    At the end, it prints the duration.
+    """
     start = time.monotonic()
     timer = threading.Timer(after, lambda: print(message, file=sys.stderr, flush=True))
     timer.daemon = True

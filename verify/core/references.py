@@ -1,6 +1,6 @@
 """Name of the reference of a formula: finite elements, or another method.
 
-A case states the method of its reference; a row whose `partner` is set names another.
+A case states the method of its reference. If a row has a `partner`, this is the reference.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ FINITE_ELEMENTS = "finite elements"
 
 @dataclass(frozen=True)
 class Method:
-    """The references of a `case` in words; `alone` is the default for rows without a method."""
+    """Names of the references of a case: `case` for the whole case, `alone` for a single row."""
 
     case: str = FINITE_ELEMENTS
     alone: str = FE

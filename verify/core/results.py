@@ -1,4 +1,4 @@
-"""Data types of the results of a run, which reports read. Nothing is computed or drawn here."""
+"""Data types of the results of a run, which reports read (without computation or drawing)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -34,7 +34,7 @@ class Kind(StrEnum):
 
 
 class Status(StrEnum):
-    """How a row was judged, worst first."""
+    """Status of a judged row, from worst to best."""
 
     FAIL = "FAIL"
     SKIP = "SKIP"
@@ -59,7 +59,7 @@ class Published:
 
 @dataclass(frozen=True, kw_only=True)
 class Partner:
-    """A second value that is neither the formula nor the finite-element result."""
+    """A second value of a row that is neither the formula nor the finite-element result."""
 
     by: str
     value: float
@@ -69,10 +69,10 @@ class Partner:
 class Grid:
     """Convergence of finite-element levels, and the data of their grid convergence index.
 
-    `levels` are values by relative mesh size, coarse to fine. If there is an order, the index is
-    gci = factor |v3 - v2|/(r^used - 1). All fields except orders and `factor` are in `unit`:
-    `scale` is the scale of round-off, `allowed` the limit of the index of a series without an
-    order.
+    `levels` are pairs of relative mesh size and value, from coarse to fine. If there is an order,
+    the index is gci = factor |v3 - v2|/(r^used - 1). All fields except the orders and `factor` are
+    in `unit`. `scale` is the scale of round-off. `allowed` is the limit of the index for a series
+    without an order.
     """
 
     unit: str
@@ -90,20 +90,21 @@ class Grid:
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
+    """One judged comparison.
 
-    `method` is that of the reference `fem`; `interval` is the expected signed model error of an
-    approximation; `levels` are the values of the reference by mesh size, coarse to fine, and
-    `levels_u` their standard uncertainties if a limit is fitted.
+    Dimensional numbers are in `unit`; `detects` and `demand` are relative. `method` is that of the
+    reference `fem`. `interval` is the expected signed model error of an approximation. `levels` are
+    the values of the reference by mesh size, from coarse to fine. `levels_u` are their standard
+    uncertainties, if a limit is fitted.
 
-    `difference` is formula minus reference for approximations and printed numbers. For all other
-    identities, for trends and limits, the reference is judged by the formula: the difference is
-    reference minus formula. For a balance, it is the residual; for a fact, the margin.
-    `verify.core.differences.offset` has one sign, formula minus reference, for all rows.
+    For approximations and printed numbers, `difference` is formula minus reference. For all other
+    identities, for trends and for limits, it is reference minus formula, because the reference is
+    judged by the formula. For a balance it is the residual, and for a fact the margin.
+    `verify.core.differences.offset` is formula minus reference for all rows.
 
     `formula` is the key of the judged value of the case, `equation` its number in the paper or its
-    source, `form` the form of the formula, `safe` the safe side of its error, and `shares` are
-    assumptions and data common to both sides, other than the inputs.
+    source, `form` the form of the formula, and `safe` the safe side of its error. `shares` are
+    assumptions and data that formula and reference have in common in addition to the inputs.
     """
 
     case: str
@@ -143,17 +144,17 @@ class Row:
 
     @property
     def id(self) -> str:
-        """`case/quantity`, unique in a run."""
+        """Id of the row, `case/quantity`, unique in a run."""
         return f"{self.case}/{self.quantity}"
 
     @property
     def by(self) -> str:
-        """Whose value the formula is compared with."""
+        """Method of the value with which the formula is compared."""
         return FE if self.partner is None or self.fem is not None else self.partner.by
 
     @property
     def reference(self) -> float | None:
-        """The value that the formula is compared with: finite elements', or the partner's."""
+        """Value with which the formula is compared: that of finite elements, or of the partner."""
         return self.fem if self.fem is not None or self.partner is None else self.partner.value
 
 
@@ -161,9 +162,10 @@ class Row:
 class CaseResult:
     """All results of one case; `name` is the name of the user's parameters, if any.
 
-    `refused` is the reason why finite elements cannot solve these inputs, if they were not run.
-    `findings` are conclusions from the formulas in words, with the verdict first. `errors` are the
-    tracebacks of errors inside the case. `cells` are the numbers of cells of the `fields` by name.
+    `refused` is the reason why finite elements cannot solve these inputs; it is empty if they were
+    solved. `findings` are conclusions from the formulas in words, with the verdict first. `errors`
+    are the tracebacks of errors inside the case. `cells` are the numbers of cells of the `fields`,
+    by name.
     """
 
     id: str
@@ -195,7 +197,10 @@ class CaseResult:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperClaim:
-    """A judged row that claims a printed number, in the unit of the number; `u` is the FE's."""
+    """A judged row for a printed number, in the unit of this number.
+
+    `u` is the uncertainty of the finite-element value.
+    """
 
     row: str
     status: Status
@@ -206,10 +211,10 @@ class PaperClaim:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperCell:
-    """A cell of a printed table; for a number its `value` ("paper:id") and its use.
+    """A cell of a printed table; for a number, `value` is its key ("paper:id").
 
-    `inputs` are the case inputs that repeat it, `rows` the judged rows that claim it, `errata` ids
-    of the same paper's errata about it.
+    `inputs` are the inputs of cases with this number, `rows` the judged rows that compare it, and
+    `errata` the ids of errata of the paper about it.
     """
 
     text: str
@@ -222,7 +227,7 @@ class PaperCell:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperTable:
-    """A table as printed in a paper; `note` is the reason for a lack of rows."""
+    """A table as printed in a paper; if no row compares it, `note` states the reason."""
 
     paper: str
     name: str
@@ -247,11 +252,11 @@ class ValidityAxis:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityLimit:
-    """Region in which the error of a formula is within `limit`: points by verdict, and words.
+    """Region in which the error of a formula is within `limit`.
 
-    `words` states the largest box of points that are all inside, including their error bars; for a
-    star, the range of each input alone. `box` contains the ranges: the name of an input and two
-    values in its unit.
+    Points are counted as inside, outside or undecided. `words` describes the largest box whose
+    points are all inside, including their error bars; for a star, it describes the range of each
+    input alone. `box` contains the ranges: the name of an input and two values in its unit.
     """
 
     limit: float
@@ -264,11 +269,11 @@ class ValidityLimit:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityRegion:
-    """Measured errors (points,) of a formula over some inputs, and their bars, relative.
+    """Measured relative errors (points,) of a formula over some inputs, and their error bars.
 
-    They are over a grid of one or two `axes`, the last index fastest; for a star, over the axis
-    along which the error changes most. `breaks` is the input with which the middle limit is
-    exceeded first.
+    The errors are on a grid of one or two `axes`, with the last index varying fastest. For a star,
+    they are on the axis along which the error changes most. `breaks` is the input with which the
+    second limit is exceeded first.
     """
 
     over: str
@@ -284,9 +289,10 @@ class ValidityRegion:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityCard:
-    """Range of validity of one formula; `error`, `U` are those of its row at the default inputs.
+    """Range of validity of one formula.
 
-    `tex` is the formula if the case states it, `place` its place in the paper.
+    `error` and `U` are those of its row at the default inputs. `tex` is the formula, if the case
+    states it; `place` is its place in the paper.
     """
 
     case: str
@@ -301,9 +307,10 @@ class ValidityCard:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityExact:
-    """A formula and finite elements that solve the same problem: their largest difference.
+    """A formula with its largest difference from finite elements that solve the same problem.
 
-    `U` is the error bar of that point; both are relative. None if no point was solved.
+    `U` is the error bar of the point with this difference; both are relative. They are None if no
+    point was solved.
     """
 
     quantity: str
@@ -316,10 +323,11 @@ class ValidityExact:
 
 @dataclass(frozen=True, kw_only=True)
 class Validity:
-    """The cards of one case; `missing` gives the reason if nothing was measured.
+    """Ranges of validity of the formulas of one case.
 
-    `over` states the range over which the exact formulas were compared, `others` the formulas that
-    were omitted, and `maps` the cases with further maps.
+    `missing` is the reason if nothing was measured. `over` describes the range over which the exact
+    formulas were compared. `others` are the omitted formulas, and `maps` the cases with further
+    maps.
     """
 
     case: str
@@ -336,7 +344,7 @@ class Validity:
 
 @dataclass(frozen=True, kw_only=True)
 class ScaleInput:
-    """An input that a ratio divides by, to a `power`, with its `own` value in `unit`."""
+    """An input that is a divisor of a ratio, with its `power`, and its value `own` in `unit`."""
 
     name: str
     symbol: str
@@ -347,11 +355,11 @@ class ScaleInput:
 
 @dataclass(frozen=True, kw_only=True)
 class StudyAxis:
-    """An input that a study varies; `own` is its value at the case in `unit`; `log`: equal ratios.
+    """An input that a study varies; `own` is its value in the case, in `unit`.
 
-    `ratio` is `factor` times its value over the product of the inputs `per`; it is empty if none is
-    declared. `scales` states whether a part of another size, with all inputs in proportion, has the
-    same error at the same ratios.
+    With `log`, its values have equal ratios. `ratio` is `factor` times its value divided by the
+    product of the inputs `per`; it is empty if no ratio is declared. `scales` states whether a part
+    of another size, with all inputs in proportion, has the same error at the same ratios.
     """
 
     name: str
@@ -369,11 +377,11 @@ class StudyAxis:
 
 @dataclass(frozen=True, kw_only=True)
 class StudiedFormula:
-    """A formula at the points of a study: relative errors with bars, NaN if `problems` says why.
+    """Relative errors of a formula at the points of a study, with error bars.
 
-    `by` is the name of the reference, `of` that of the magnitude to which errors are related (empty
-    for the reference). `is_positive` states whether the reference is positive at the default
-    inputs.
+    An error is NaN if `problems` states why there is none. `by` is the name of the reference. `of`
+    is the name of the magnitude to which errors are related, empty for the reference. `is_positive`
+    states whether the reference is positive at the default inputs.
     """
 
     quantity: str
@@ -389,11 +397,11 @@ class StudiedFormula:
 
 @dataclass(frozen=True, kw_only=True)
 class StoredStudy:
-    """A stored study: `points` of values in the units of the axes, and formulas compared there.
+    """A stored study: `points` in the units of the axes, and the formulas compared at these points.
 
-    A star varies one input at a time, from the default values in its first point; a grid all
-    combinations. `held` names the other inputs that do not have default values, with their meaning;
-    `at` states their names and values in the units of the case.
+    A star varies one input at a time, starting from the default values in its first point; a grid
+    contains all combinations. `held` describes the other inputs that do not have default values;
+    `at` contains their names and values in the units of the case.
     """
 
     case: str
@@ -418,12 +426,12 @@ class CrossState(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Crosscheck:
-    """A number of the project and of a second solver on the same mesh and loads.
+    """A number of the project and of a second solver, on the same mesh with the same loads.
 
-    `ours` and `theirs` are in `unit`; `difference` (theirs over ours, minus one) and `allowed` are
-    relative. `why` is the cause of a difference, or the reason why nothing was measured or no
-    solver can solve it. `row` is the id of the row to which it belongs, if any; `seconds` are those
-    of the project and of the other solver.
+    `ours` and `theirs` are in `unit`. `difference` (theirs divided by ours, minus one) and
+    `allowed` are relative. `why` is the cause of a difference, or the reason why nothing was
+    measured or why no second solver can solve the problem. `row` is the id of the row to which the
+    number belongs, if any. `seconds` are the run times of the project and of the second solver.
     """
 
     case: str
@@ -448,9 +456,9 @@ class Crosscheck:
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """A change since a release: the `aspect` of a row, from `was` to `now`, in words.
+    """A change of the `aspect` of a row since a release, from `was` to `now`, as texts.
 
-    `size` is the change of the value. A loosened requirement or band needs a stated `reason`.
+    `size` is the change of the value. A loosened requirement or interval needs a stated `reason`.
     """
 
     row: str
@@ -464,9 +472,10 @@ class Change:
 
 @dataclass(frozen=True, kw_only=True)
 class Drift:
-    """Changes since a `release`; of `compared` rows, `tightened` have stricter requirements.
+    """Changes since a `release`.
 
-    `tighter` are these demands and bands.
+    Among the `compared` rows, `tightened` rows have stricter requirements. `tighter` contains the
+    stricter requirements and intervals.
     """
 
     release: str
@@ -480,17 +489,18 @@ class Drift:
 
     @property
     def unexplained(self) -> tuple[Change, ...]:
-        """Loosened without a reason: red."""
+        """Changes that loosen a requirement without a stated reason; they are an error."""
         return tuple(c for c in self.changes if c.loosened and not c.reason)
 
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingsTried:
-    """A printed number that the first reading of its formula does not give, and other readings.
+    """A printed number that its formula does not give as read first, and other readings.
 
-    `readings` is the best of `hits` combinations that give the number, empty if none does, with its
-    `value`; `chance` is the expected number of chance matches with as few changes. `missing` is the
-    reason if nothing was tried. `reference` is the number or the erratum, "paper:id".
+    `hits` combinations of readings give the number; `readings` is the best of them, with its
+    `value`, and is empty if there is none. `chance` is the expected number of chance matches with
+    as few changes. If nothing was tried, `missing` is the reason. `reference` is the number or the
+    erratum, "paper:id".
     """
 
     reference: str
@@ -512,10 +522,11 @@ class ReadingsTried:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetPart:
-    """Contribution of one cause to a relative difference, by a rerun without it; `u` half-width.
+    """Contribution of one cause to a relative difference, by a computation without this cause.
 
-    None if there was no rerun, with the reason in `note`. A cause `shared` by formula and finite
-    elements is not a part of their difference and is not subtracted from it.
+    `u` is its half-width. Both are None if there was no such computation; `note` then states the
+    reason. A cause `shared` by formula and finite elements is no part of their difference and is
+    not subtracted from it.
     """
 
     cause: str
@@ -528,7 +539,10 @@ class BudgetPart:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetJoint:
-    """Excess of two causes removed together over their sum one by one; None if not rerun."""
+    """Effect of removing two causes together, minus the sum of their single effects.
+
+    `value` is None if it was not computed.
+    """
 
     causes: tuple[str, str]
     value: float | None
@@ -539,9 +553,10 @@ class BudgetJoint:
 class RowBudget:
     """Components of the difference (formula - FE)/scale of a row, all relative.
 
-    `remainder` is `total` minus the parts, with the half-width `u`; `U` is the tolerance of the
+    `remainder` is `total` minus the parts, with the half-width `u`. `U` is the tolerance of the
     row. For an identity, `within` states whether both explain the remainder. `headline` rows are
-    drawn. `apart` states whether reruns explain a large difference; if not, `why` gives the reason.
+    drawn. `apart` states whether computations explain a large difference; if not, `why` gives the
+    reason.
     """
 
     quantity: str
@@ -561,9 +576,9 @@ class RowBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class CaseBudget:
-    """The budgets of the rows of one case; `missing` gives the reason if nothing was measured.
+    """Error budgets of the rows of one case; `missing` is the reason if nothing was measured.
 
-    `seconds` is the total time of its reruns on one processor.
+    `seconds` is the total time of its computations on one processor.
     """
 
     case: str
@@ -591,13 +606,13 @@ class MutantGroup:
 
     @property
     def caught(self) -> int:
-        """Mutants that a row or a test notices."""
+        """Number of mutants that a row or a test detects."""
         return self.rows + self.tests
 
 
 @dataclass(frozen=True, kw_only=True)
 class Survivor:
-    """A mutant that was not detected, and the reason why it cannot be, if there is one."""
+    """A mutant that was not detected; `reason` states why it cannot be detected, if it cannot."""
 
     group: str
     where: str
@@ -610,10 +625,11 @@ class Survivor:
 
 @dataclass(frozen=True, kw_only=True)
 class Caught:
-    """The inserted faults that the suite detects; without a measurement `missing` states why.
+    """Inserted faults (mutants) that the suite detects.
 
-    `references` contains the shares of rows that fail if their references are changed; `stale`
-    lists the groups that were not measured for this code.
+    If nothing was measured, `missing` is the reason. `references` contains the shares of rows that
+    fail if their references are changed. `stale` lists the groups that were not measured for this
+    code.
     """
 
     date: str = ""
@@ -626,9 +642,9 @@ class Caught:
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """A complete run: judged cases, the ledgers and the origin of the numbers.
+    """A complete run: judged cases, ledgers, and the origin of the numbers.
 
-    `name` is the name of a user's parameter file; empty for the default inputs of the cases.
+    `name` is the name of a user's parameter file; it is empty for the default inputs of the cases.
     """
 
     cases: tuple[CaseResult, ...]
@@ -650,7 +666,7 @@ class Report:
 
     @property
     def has_ledgers(self) -> bool:
-        """Whether it reports on the papers: not on a user's parameters or cases."""
+        """Whether the run reports on the papers (not on parameters or cases of a user)."""
         return not self.name and any(paper["title"] for paper in self.papers)
 
     @property

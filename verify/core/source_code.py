@@ -1,9 +1,9 @@
-"""Code on which a function depends, and a hash of it without words, names and places.
+"""Code on which a function depends, and its hash, independent of wording, names and positions.
 
 Code is compared as a syntax tree without docstrings, comments, layout, messages of exceptions,
-descriptions of inputs and imports of project modules. A name that such an import defines is
-replaced by the code of its module. Therefore, a module can be moved or renamed, and an exchange of
-two modules is noticed.
+descriptions of inputs, and imports of project modules. A name that such an import defines is
+replaced by the code of its module. Therefore, moving or renaming a module has no effect, but an
+exchange of two modules changes the hash.
 """
 
 import ast
@@ -43,26 +43,26 @@ def _source_of(function: Any) -> str:
 
 @cache
 def whole_source_of(function: Any) -> str:
-    """Hash of a function, the names of its module it uses, and all formulas these reach."""
+    """Hash of a function, the names of its module that it uses, and all formulas reached."""
     return remembered("formulas", function, lambda: _hash(*whole_parts_of(function), whole=True))
 
 
 @cache
 def modules_of(function: Any) -> tuple[str, ...]:
-    """The modules that a `fem` function reaches."""
+    """Modules that a `fem` function reaches."""
     return tuple(remembered("modules", function, lambda: parts_of(function)[1]))
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code of a function and of the names of its module it uses, and all modules it reaches."""
+    """Code of a function and of the names of its module that it uses, and all reached modules."""
     used, start = _used(function, whole=True)
     return used, sorted(_reached(start, whole=True))
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code of a `fem` function and of the names of its module it uses, and modules it reaches.
+    """Code of a `fem` function and of the names of its module that it uses, and reached modules.
 
-    If it reaches COMPILED, its results are results of formulas, and all formulas count.
+    If it reaches COMPILED, its results are results of formulas, and all formulas are included.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -83,7 +83,7 @@ def _group_hash(group: frozenset[str]) -> str:
 
 
 def forget() -> None:
-    """Read the sources again: processes read a module once."""
+    """Clear stored sources, so that the files are read again; otherwise, each is read once."""
     syntax.forget()
     for one in (
         source_of, whole_source_of, modules_of, is_module, _read, _shallow, _borrowed, _bound,
@@ -117,9 +117,10 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
 
 
 def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """The same of a function that names its parts, and of the members that its modules read.
+    """Code and modules for a function that names its parts, and for members that its modules read.
 
-    A reference in a separate file reads sizes off the case: attributes of the case's modules.
+    A reference in a separate file reads sizes from the case: attributes of the case that its
+    modules read are therefore included.
     """
     read: frozenset[str] = frozenset()
     while True:
@@ -137,9 +138,10 @@ def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[s
 
 
 def _read_off_a_case(module: str) -> frozenset[str]:
-    """The attributes of a case that a module reads: in the suite, those of the object q.
+    """Attributes of a case that a module reads.
 
-    In modules outside the suite, the case can have any name: all attributes that they read.
+    In the suite, these are attributes of the object q. In modules outside the suite, the case can
+    have any name; all attributes that these modules read are included.
     """
     return syntax.attributes(module, CASE if module.startswith("verify.cases.") else "")
 
@@ -147,9 +149,9 @@ def _read_off_a_case(module: str) -> frozenset[str]:
 def _used_in(
     module: ModuleType, owner: str, names: Sequence[str], *, whole: bool
 ) -> tuple[dict[str, str], set[str]]:
-    """The same of some names of a module, or of members of its class `owner`.
+    """Code and modules for some names of a module, or for members of its class `owner`.
 
-    Formulas that members use, of which sizes are made, count.
+    Formulas that members use to compute sizes are included.
     """
     borrowed = _borrowed(module.__name__, formulas=whole or bool(owner))
     parts = _parts(module.__name__, owner)
@@ -169,7 +171,7 @@ def _used_in(
 
 @cache
 def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
-    """What a module defines by name, and with a point before their names the members of a class."""
+    """Statements of a module by defined name; members of the class `owner` have a leading point."""
     body = syntax.tree(module).body
     if not owner:
         return {name: node for node in body for name in _defined(node)}
@@ -182,7 +184,7 @@ def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
 def _part(
     module: str, owner: str, name: str, *, whole: bool
 ) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
-    """Code of one of these names, the names that it reads, and the modules that it imports."""
+    """Code of one name, the names that it reads, and the modules that it imports."""
     node = _parts(module, owner)[name]
     reads = tuple(n.id for n in ast.walk(node) if isinstance(n, ast.Name))
     imported = tuple(_imported(node, module))
@@ -191,7 +193,7 @@ def _part(
 
 @cache
 def _borrowed(module: str, *, formulas: bool) -> dict[str, frozenset[str]]:
-    """Names defined by the imports of a module, with the modules to which each refers."""
+    """Names defined by the imports of a module, with the modules to which each name refers."""
     found: dict[str, set[str]] = {}
     for one in syntax.imports(module):
         for alias in one.node.names if one.at_top else ():
@@ -212,7 +214,7 @@ def _defined(node: ast.stmt) -> list[str]:
 
 
 def _imported(part: ast.AST, importer: str) -> Iterator[str]:
-    """Modules of analytic, fem, meshes and the cases that a part of `importer` imports."""
+    """Modules of analytic, fem, meshes and cases that a part of `importer` imports."""
     nodes = list(ast.walk(part))
     types = syntax.for_types(nodes)
     for item in nodes:
@@ -221,11 +223,11 @@ def _imported(part: ast.AST, importer: str) -> Iterator[str]:
 
 
 def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
-    """Code that a whole module imports.
+    """Modules that a whole module imports and on which results depend.
 
     Unless `whole`, imports of analytic at the top of the module are excluded, because they belong
-    to the other side. Modules of inputs belong to both sides: sizes and loads that they compute
-    also act on finite elements.
+    to the formulas, not to the reference. Modules of inputs belong to both: sizes and loads that
+    they compute also act on finite elements.
     """
     for one in syntax.imports(module):
         if not one.for_types:
@@ -235,7 +237,7 @@ def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
 
 
 def _is_of_both(module: str) -> bool:
-    """Whether code of analytic that a module imports belongs to both sides."""
+    """Whether the code of analytic that a module imports belongs to both formulas and reference."""
     return module.startswith("analytic.") or OF_BOTH.search(module) is not None
 
 
@@ -244,7 +246,7 @@ def _is_formula(name: str) -> bool:
 
 
 def include(folder: Path) -> None:
-    """Include the modules of a folder outside the suite, like the modules of the suite's cases."""
+    """Include the modules of a folder outside the suite, as those of the suite's cases."""
     _outside.add(folder)
 
 
@@ -277,7 +279,7 @@ def is_module(name: str) -> bool:
 
 
 def is_package(name: str) -> bool:
-    """Whether a module of the project has modules inside it."""
+    """Whether a module of the project is a package with modules inside it."""
     spec = find_spec(name)
     return spec is not None and spec.submodule_search_locations is not None
 
@@ -297,7 +299,7 @@ def _reached(start: set[str], *, whole: bool) -> set[str]:
 def _read(
     module: str, *, whole: bool = False, group: frozenset[str] = frozenset()
 ) -> tuple[str, tuple[str, ...]]:
-    """Hash of a module's code, and of its imported modules that count."""
+    """Hash of a module's code, and the modules that it imports and that affect results."""
     bound = _bound(module, whole=whole, group=group)
     code = plain(syntax.tree(module), bound)
     return _digest("\n".join([code, *_exported(module, bound)])), tuple(
@@ -306,7 +308,7 @@ def _read(
 
 
 def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
-    """Meanings of names that a module imports only for import by others."""
+    """Meanings of names that a module imports only so that others can import them."""
     used = syntax.names(module)
     top = (one.node for one in syntax.imports(module) if one.at_top)
     names = {alias.asname or alias.name for node in top for alias in node.names}
@@ -316,7 +318,7 @@ def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
 
 @cache
 def _shallow(module: str) -> str:
-    """Hash of the code of a module; imported names are represented by their original names."""
+    """Hash of the code of a module, with imported names replaced by their original names."""
     names = {name: full for _, name, full in syntax.aliases(module) if not is_module(full)}
     own = {name: full.rpartition(".")[2] for name, full in names.items()}
     return _digest(plain(syntax.tree(module), own))[:16]
@@ -324,11 +326,11 @@ def _shallow(module: str) -> str:
 
 @cache
 def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> Mapping[str, str]:
-    """Meaning of each name defined by an import of a project module: its code.
+    """Meaning of each name that an import of a project module defines: the code of that module.
 
-    Modules of `group` are included in addition to those of `_counts`. A name of the other side,
-    whose code is not included (`_imported_by`), or of any other module is represented by the name
-    alone.
+    Modules of `group` are included in addition to those of `_counts`. The name alone represents a
+    name of the other side, whose code is not included (`_imported_by`), or a name of any other
+    module.
     """
     found = {}
     others = not whole and not _is_of_both(module)

@@ -1,9 +1,9 @@
 """Files of the project by content, and digests of all files on which a module may depend.
 
 A module depends on its file, on the modules in its import statements (including those in
-functions), on their dependencies, and on data in the folders of these modules. Statements are found
-in the text, which takes a thousandth of the time of syntax trees; a statement in a docstring is
-also included.
+functions), on the dependencies of these modules, and on data in their folders. Import statements
+are found by a text search, which takes a thousandth of the time of syntax trees. A statement in a
+docstring is therefore also included.
 """
 
 import ast
@@ -31,7 +31,7 @@ _IMPORT = re.compile(
 
 @cache
 def digest() -> str:
-    """Digest of the content of all files of the project's packages and of the Python version."""
+    """Digest of all files of the project's packages and of the Python version."""
     return _combined(_contents())
 
 
@@ -43,7 +43,10 @@ def digest_of(*modules: str) -> str:
 
 
 def code_of(*modules: str) -> str:
-    """The same without comments and layout of Python code; it takes about a second."""
+    """Digest as `digest_of`, without comments and layout of Python code.
+
+    It takes about a second.
+    """
     contents, sources = _contents(), _sources()
     return _combined({
         file: _tree(sources[file]) if file.endswith(".py") else contents[file]
@@ -81,13 +84,13 @@ def _meant(name: str) -> list[str]:
 
 @cache
 def _public(package: str) -> Mapping[str, str]:
-    """Full names by public name, of a package with a stub."""
+    """Full names of the public names of a package; empty for a package without a stub."""
     stub = _sources().get(f"{package.replace('.', '/')}/{STUB}")
     return {} if stub is None else public_names(parsed(stub.decode()))
 
 
 def forget() -> None:
-    """Read the files again."""
+    """Clear stored contents, so that the files are read again."""
     for one in (digest, digest_of, _sources, _contents, _modules, _data, _imported, _public):
         one.cache_clear()
 
@@ -106,7 +109,7 @@ def _contents() -> Mapping[str, bytes]:
 
 @cache
 def _sources() -> Mapping[str, bytes]:
-    """All files of the packages by their path from the root."""
+    """Contents of all files of the packages, by path from the root of the project."""
     return {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in _files()}
 
 
@@ -119,14 +122,14 @@ def _files() -> Iterator[Path]:
 
 @cache
 def _modules() -> Mapping[str, str]:
-    """Files of modules by dotted name."""
+    """Files of modules, by dotted module name."""
     python = (path for path in _sources() if path.endswith(".py"))
     return {path[:-3].removesuffix("/__init__").replace("/", "."): path for path in python}
 
 
 @cache
 def _data() -> Mapping[str, list[str]]:
-    """Files that are no modules, by the nearest folder above that has some, or by their reader."""
+    """Data files (other than modules), by the nearest package folder above, or by their reader."""
     packages = {_folder(path) for path in _modules().values()}
     found: dict[str, list[str]] = {}
     for path in _sources():
@@ -145,7 +148,7 @@ def _folder(path: str) -> str:
 
 @cache
 def _imported(file: str) -> frozenset[str]:
-    """Modules of the project that statements of a file name, and names inside modules."""
+    """Modules of the project, and names inside modules, in the import statements of a file."""
     text = _COMMENT.sub(b" ", _sources()[file]).decode()
     return frozenset(name for found in _IMPORT.finditer(text) for name in _named(*found.groups()))
 

@@ -1,7 +1,7 @@
-"""Hashes of sources, stored until a file changes on which they may depend.
+"""Stored hashes of sources, valid until a file changes on which they may depend.
 
-The hash of the code on which a function depends needs the syntax trees of hundreds of modules,
-about ten seconds for all cases. The results are stored with a digest of these files.
+The hash of the code on which a function depends requires the syntax trees of hundreds of modules:
+about ten seconds for all cases. Therefore, hashes are stored with a digest of these files.
 """
 
 import atexit
@@ -23,7 +23,7 @@ _used: list["Memory"] = []
 
 
 class Memory:
-    """Results by name, each with the digest of its files, in the store of a folder."""
+    """Hashes by name, each with the digest of its files, in the store of a folder."""
 
     def __init__(self, folder: Path) -> None:
         self._store = Store(folder)
@@ -31,7 +31,7 @@ class Memory:
         self._new: dict[str, Any] = {}
 
     def remembered(self, name: str, modules: Collection[str], make: Callable[[], T]) -> T:
-        """Result of `make`, a value of JSON, for some modules, stored by a name."""
+        """Result of `make` (a JSON value) for some modules; stored under a name and reused."""
         files = digest_of(*sorted({*modules, HASHES}))
         known, value = self._found.get(name, ("", None))
         if known != files:
@@ -41,7 +41,7 @@ class Memory:
         return found
 
     def keep(self) -> None:
-        """Write new entries; if the store cannot be written, only time is lost."""
+        """Write new entries; an error of the store is ignored, because it only costs time."""
         if self._new:
             with suppress(OSError):
                 content = json.dumps(self._stored() | self._new).encode()
@@ -54,14 +54,14 @@ class Memory:
 
 
 def use(folder: Path) -> None:
-    """Store hashes in a folder, and reuse them until the process ends."""
+    """Store hashes in a folder, and reuse stored hashes until the process ends."""
     if not _used:
         _used.append(Memory(folder))
         atexit.register(share)
 
 
 def forget() -> None:
-    """Clear the memory of this process: the next hashes are read from the files."""
+    """Write new entries and clear the memory of this process."""
     share()
     _used.clear()
 
@@ -75,7 +75,7 @@ def share() -> None:
 def remembered(name: str, function: Any, make: Callable[[], T], modules: Collection[str] = ()) -> T:
     """Result of `make` for a function of the project, from the stored hashes if these are in use.
 
-    It may depend on the imports of the module of the function, or on the imports of `modules`.
+    The result may depend on the imports of the function's module, or on the imports of `modules`.
     """
     module = str(getattr(function, "__module__", ""))
     if not _used or not _is_of_project(module):

@@ -1,11 +1,11 @@
-"""Results that take time to compute, in one SQLite file, by kind, subject and key.
+"""Store of results that take time to compute: one SQLite file, by kind, subject and key.
 
-A key includes all data on which a result depends: an entry is never wrong, only unused. Every
-commit is complete: a process that is killed loses at most the entry that it was writing. Several
-processes can use the store at the same time.
+A key includes all data on which a result depends; therefore, an entry is never wrong, only unused.
+Every commit is complete: a process that is killed loses at most the entry that it was writing.
+Several processes can use the store at the same time.
 
 The file has two tables: `entries`, and the times of the last reading in `readings`. `PRAGMA
-user_version` is the number of its format; a file with a later format is refused.
+user_version` is the number of its format. A file with a later format causes an error.
 """
 
 import io
@@ -53,7 +53,7 @@ FORGET = (
 
 @dataclass(frozen=True)
 class Group:
-    """Entries of one kind and subject: number, bytes, dates of the first and the last."""
+    """Summary of the entries of one kind and subject: number, bytes, dates of first and last."""
 
     kind: str
     subject: str
@@ -64,24 +64,24 @@ class Group:
 
 
 class Store:
-    """The entries in a folder; `kind` is the study that made an entry, `subject` its case."""
+    """Stored entries in a folder; `kind` is the study that made an entry, `subject` its case."""
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / FILE
         self._database = Database(self.path, TABLES, FORMAT)
 
     def load(self, kind: str, keys: Sequence[str]) -> dict[str, bytes]:
-        """Contents of the keys that have an entry; OSError if the file cannot be read."""
+        """Contents of those keys that have an entry. Raises OSError if the file cannot be read."""
         parts = [keys[k : k + AT_ONCE] for k in range(0, len(keys), AT_ONCE)]
         named = [(f"AND key IN ({','.join('?' * len(part))})", part) for part in parts]
         return self._read(kind, named)
 
     def all(self, kind: str, subject: str) -> dict[str, bytes]:
-        """The content of every entry of a kind and subject by key; OSError as `load`."""
+        """Contents of all entries of a kind and subject, by key. Raises OSError as `load` does."""
         return self._read(kind, [("AND subject = ?", [subject])])
 
     def one(self, kind: str, key: str) -> bytes | None:
-        """The content of one key; None if there is none or the file cannot be read."""
+        """Content of one key; None if there is none or if the file cannot be read."""
         try:
             return self.load(kind, [key]).get(key)
         except OSError:
@@ -90,7 +90,10 @@ class Store:
     def store(
         self, kind: str, subject: str, entries: Mapping[str, bytes], made: float | None = None
     ) -> None:
-        """Write entries by key, all or none, made now or at a time [s since 1970]; OSError."""
+        """Write entries by key, all or none, with the time `made` [s since 1970], by default now.
+
+        Raises OSError if the file cannot be written.
+        """
         made_folder(self.path.parent)
         made = time.time() if made is None else made
         lines = [(kind, key, subject, made, content) for key, content in entries.items()]
@@ -100,13 +103,16 @@ class Store:
                 _trim(database)
 
     def check(self) -> None:
-        """OSError if nothing can be stored: found before the work."""
+        """Raise OSError if nothing can be stored, so that this is known before a computation."""
         made_folder(self.path.parent)
         with self._database.writing() as database:
             database.execute("BEGIN IMMEDIATE")
 
     def dates(self, kind: str, keys: Sequence[str]) -> dict[str, tuple[float, int]]:
-        """Date [s since 1970] and bytes of the entries of these keys; OSError as for `load`."""
+        """Date [s since 1970] and number of bytes of entries, by key.
+
+        Raises OSError as `load` does.
+        """
         if not self._database.is_there():
             return {}
         question = "SELECT made, LENGTH(content) FROM entries WHERE kind = ? AND key = ?"
@@ -115,7 +121,10 @@ class Store:
         return {key: line for key, line in lines.items() if line}
 
     def groups(self) -> list[Group]:
-        """Stored results by kind and subject; OSError if the store cannot be read."""
+        """Summaries of the entries by kind and subject.
+
+        Raises OSError if the store cannot be read.
+        """
         if not self._database.is_there():
             return []
         with self._database.reading() as database:
@@ -156,7 +165,7 @@ class Store:
         return found
 
     def _note(self, kind: str, keys: Sequence[str]) -> None:
-        """Remember that entries were read now, so that others are removed first."""
+        """Store the time of reading of entries, so that other entries are removed before them."""
         lines = [(kind, key, time.time()) for key in keys]
         # a note is no reason to fail, or to wait for another process that writes
         with suppress(OSError), self._database.writing(patience=0.0) as database:
@@ -164,7 +173,7 @@ class Store:
 
 
 def _size(database: sqlite3.Connection) -> int:
-    """Size in bytes of the pages in use."""
+    """Size of the used pages in bytes."""
     pages, free, size = (
         int(database.execute(f"PRAGMA {name}").fetchone()[0])
         for name in ("page_count", "freelist_count", "page_size")
@@ -179,13 +188,13 @@ def _trim(database: sqlite3.Connection) -> None:
 
 
 def packed(arrays: Mapping[str, NDArray[Any]]) -> bytes:
-    """Arrays as the bytes of an npz file."""
+    """Bytes of an npz file with these arrays."""
     file = io.BytesIO()
     np.savez(file, allow_pickle=False, **arrays)
     return file.getvalue()
 
 
 def unpacked(content: bytes) -> dict[str, NDArray[Any]]:
-    """The arrays of such bytes."""
+    """Arrays from the bytes of an npz file."""
     with np.load(io.BytesIO(content), allow_pickle=False) as data:
         return {name: data[name] for name in data.files}

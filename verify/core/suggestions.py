@@ -1,4 +1,4 @@
-"""Suggested names for an unknown name."""
+"""Suggestions of known names for an unknown name."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -8,7 +8,7 @@ LIKE = 0.4  # of difflib's ratio: below, names have nothing in common
 
 
 def nearest(name: str, known: Iterable[str], *, most: int = FEW, between: str = ", ") -> str:
-    """Known names in words, those similar to `name` first; at most `most`, then a count."""
+    """Text of known names, beginning with those similar to `name`; after `most` names, a count."""
     every = list(known)
     like = get_close_matches(name, every, n=most, cutoff=LIKE)
     order = [*like, *(one for one in every if one not in like)]

@@ -1,8 +1,8 @@
-"""Checks before the set-up: Python and system libraries, installed by apt-get if permitted.
+"""Checks before the set-up: Python, and system libraries, which apt-get installs if permitted.
 
-Only the standard library is used, and Python 3.7 can read the file: the module runs as a script
-before the virtual environment exists. The exit status is 0; 2 after one line with the required
-action; 130 after Ctrl-C.
+Only the standard library is used, and Python 3.7 can read the file, because the module runs as a
+script before the virtual environment exists. The exit status is 0; 2 after one line with the
+required action; 130 after Ctrl-C.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ REPAIR = "dpkg --configure -a"  # required by apt-get after an interrupted insta
 
 @dataclass(frozen=True)
 class Machine:
-    """What decides whether system packages are installed, and by which command."""
+    """Properties of a machine that decide whether, and by which command, packages are installed."""
 
     root: bool = False
     apt: bool = False  # Debian, Ubuntu or a descendant, with apt-get
@@ -42,7 +42,7 @@ class Machine:
 
 
 def this_machine() -> Machine:
-    """The machine and the user that run this process."""
+    """Properties of this machine and of the user of this process."""
     return Machine(
         root=hasattr(os, "geteuid") and os.geteuid() == 0,
         apt=debian_family(_os_release()) and shutil.which("apt-get") is not None,
@@ -72,7 +72,7 @@ def packages_for(libraries: Collection[str], venv: str = "") -> list[str]:
 
 
 def line_to_run(libraries: Collection[str], venv: str, machine: Machine) -> str:
-    """The command that installs the missing packages on `machine`."""
+    """Command that installs the missing packages on `machine`."""
     packages = " ".join(packages_for(libraries, venv))
     sudo = "" if machine.root else "sudo "
     if machine.apt:
@@ -83,7 +83,7 @@ def line_to_run(libraries: Collection[str], venv: str, machine: Machine) -> str:
 
 
 def apt_install(packages: Sequence[str]) -> str:
-    """Install Debian packages without questions: "" if successful, otherwise the reason."""
+    """Install Debian packages without questions; returns "", or the reason of a failure."""
     outdated = _update()
     status, output = _run([*INSTALL, *packages])
     if status and REPAIR in output:
@@ -93,14 +93,14 @@ def apt_install(packages: Sequence[str]) -> str:
 
 
 def reason(output: str) -> str:
-    """The first line of apt-get's output that states an error; "" if there is none."""
+    """First line of apt-get's output that states an error; "" if there is none."""
     starts = ("E: ", "W: Failed to fetch")
     lines = [line for line in output.splitlines() if line.startswith(starts)]
     return " ".join(lines[0][3:].split()) if lines else ""
 
 
 def _update() -> str:
-    """Update the package lists, after waiting for another apt-get: "" or the error."""
+    """Update the package lists, after waiting for another apt-get; returns "" or the error."""
     end = time.monotonic() + LOCK_SECONDS
     while True:
         _, output = _run([*APT, "update"])
@@ -130,13 +130,13 @@ def _os_release() -> str:
 
 
 def _without_venv() -> bool:
-    """Whether this Python cannot make a virtual environment with pip in it."""
+    """Whether this Python cannot make a virtual environment that contains pip."""
     importlib.invalidate_caches()
     return importlib.util.find_spec("venv") is None or importlib.util.find_spec("ensurepip") is None
 
 
 def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
-    """Install missing packages; "" if all succeed."""
+    """Install missing packages; returns "", or a message with the command to run."""
     packages = packages_for(libraries, venv)
     _say(f"installing with apt-get ({FORBIDDEN}=1 forbids it): {' '.join(packages)}")
     problem = apt_install(packages)
@@ -146,14 +146,20 @@ def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
 
 
 def check(machine: Machine) -> str:
-    """Install or name missing packages: "" if set-up can continue, else the reason in one line."""
+    """Install or report missing packages.
+
+    Returns "" if the set-up can continue, otherwise the reason in one line.
+    """
     problem = python_problem(sys.version_info[:2])
     if problem:
         return problem
     lacking = _without_venv()
     venv = venv_package(sys.base_prefix, sys.version_info[:2]) if lacking else ""
     if lacking and not venv:
-        return f"{sys.executable} has no module venv or ensurepip: set PYTHON to one that has"
+        return (
+            f"{sys.executable} has no module venv or ensurepip: set PYTHON to a Python that "
+            "has both"
+        )
     missing = missing_libraries()
     if (missing or venv) and machine.may_install:
         return _install(missing, venv, machine)
@@ -162,7 +168,7 @@ def check(machine: Machine) -> str:
     if venv or missing_libraries(MESHES):
         return f"missing {what}; run: {line}"
     if missing:
-        _say(f"without {what} pictures are fewer; run: {line}")
+        _say(f"without {what}, reports have fewer pictures; run: {line}")
     return ""
 
 
@@ -170,7 +176,7 @@ def main() -> int:
     try:
         problem = check(this_machine())
     except KeyboardInterrupt:
-        _say("system libraries are not complete; the next make continues")
+        _say("the installation of system libraries was interrupted; the next make continues it")
         return 130
     if problem:
         _say(problem)

@@ -1,4 +1,4 @@
-"""Lines on a terminal: lines longer than its width are wrapped, piped lines are not."""
+"""Printing of lines on a terminal: long lines are wrapped to its width, piped lines are not."""
 
 import re
 import shutil
@@ -18,7 +18,7 @@ _SPACE = "\u00a0"
 
 
 def print_wrapped(*lines: str) -> None:
-    """Print lines, each wrapped to the terminal."""
+    """Print lines, each wrapped to the width of the terminal."""
     columns = width()
     for line in lines:
         print("\n".join(wrapped(line, columns)))
@@ -32,7 +32,10 @@ def width() -> int:
 
 
 def wrapped(line: str, columns: int) -> list[str]:
-    """A line in parts of at most `columns`; the last cell of a table is wrapped below itself."""
+    """A line as parts of at most `columns` columns.
+
+    The last cell of a table is continued below its beginning.
+    """
     if not columns or len(line) <= columns:
         return [line]
     inset = len(line) - len(line.lstrip()) + INSET

@@ -1,4 +1,4 @@
-"""Numbers for equations: powers of ten as TeX writes them, brackets around negative ones."""
+"""Numbers for equations: powers of ten in TeX, brackets around negative numbers."""
 
 
 def tex(value: float, digits: int = 6) -> str:
@@ -15,6 +15,6 @@ def tex(value: float, digits: int = 6) -> str:
 
 
 def factor(value: float, digits: int = 6) -> str:
-    """A number as a factor after a sign or a dot: negative numbers have brackets."""
+    """A number as a factor in a product; a negative number has brackets."""
     text = tex(value, digits)
     return f"({text})" if value < 0 else text

@@ -1,4 +1,4 @@
-"""Units of an answer: those of the case (mm, N, MPa), SI base units, or inch and pound-force."""
+"""Unit systems of an answer: units of the case (mm, N, MPa), SI, or inch and pound-force."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -40,7 +40,10 @@ LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
 
 
 def system_of(raw: Any) -> System:
-    """Unit system of a file: inch if most of its lengths, or else most of its units, are."""
+    """Unit system of a file: "inch" if most of its lengths are in inches.
+
+    In a file without lengths, all units are counted.
+    """
     given = list(_units_in(raw))
     lengths = [unit for unit in given if units.dimensions(unit) == LENGTH]
     inch = [bool(INCH_WORDS & set(re.findall(r"[A-Za-z_]+", u))) for u in lengths or given]
@@ -48,7 +51,7 @@ def system_of(raw: Any) -> System:
 
 
 def _units_in(raw: Any) -> Iterator[str]:
-    """Every unit that a TOML value holds."""
+    """All units in a TOML value."""
     if isinstance(raw, Mapping):
         for value in raw.values():
             yield from _units_in(value)
@@ -70,12 +73,12 @@ def _known(unit: str) -> bool:
 
 
 def unit_in(unit: str, system: System) -> str:
-    """The unit that shows quantities of `unit` in a system."""
+    """Unit in which quantities with the unit `unit` are displayed in a system."""
     return DISPLAYED[system].get(unit, unit)
 
 
 def converted(value: float, unit: str, system: System) -> tuple[float, str]:
-    """A value in `unit` as value and unit of a system.
+    """Value and unit in a system, converted from a value in `unit`.
 
     >>> value, unit = converted(25.4, "mm", "inch")
     >>> round(value, 12), unit
@@ -91,7 +94,7 @@ def ratio(unit: str, target: str) -> float:
 
 
 def text_in(text: str, system: System) -> str:
-    """A sentence whose numbers with a unit, lists and ranges of them too, are converted.
+    """Sentence with converted numbers: all numbers with a unit, also in lists and ranges.
 
     >>> text_in("d is 25.4 mm; 10 to 20 MPa", "inch")
     'd is 1 in; 1.45 to 2.9 ksi'
@@ -111,7 +114,7 @@ def cells_in(lines: Iterable[Sequence[str]], system: System) -> list[tuple[str, 
 
 
 def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
-    """Numbers and their unit, each number with at least as many digits as before."""
+    """Converted numbers and their unit; each number has at least as many digits as before."""
     unit = next(name for name in names if phrase.endswith(f" {name}"))
     target = unit_in(unit, system)
     numbers = phrase.removesuffix(f" {unit}")
@@ -119,7 +122,7 @@ def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
 
 
 def _text(number: str, factor: float) -> str:
-    """A converted number of a sentence, with its number of digits, within bounds."""
+    """Text of a converted number, with its previous number of digits, within bounds."""
     sign, bare = ("±", number[1:]) if number[0] == "±" else ("", number)
     value = float(bare.replace(",", "")) * factor
     digits = len(re.sub(r"e.*|[-+.,]", "", bare).lstrip("0"))

@@ -1,7 +1,7 @@
-"""Units at the edge: strings such as "11.6 mm" to SI floats and back.
+"""Conversion of texts such as "11.6 mm" to SI numbers, and back.
 
-The registry holds only the units in use, so that it builds in milliseconds. Angles are a
-separate dimension here: a plain number is no angle.
+The registry contains only the units in use, so that it is built within milliseconds. An angle is a
+separate dimension here: a plain number is not an angle.
 """
 
 import math
@@ -15,7 +15,7 @@ from typing import cast
 
 @contextmanager
 def _without(package: str) -> Iterator[None]:
-    """Have imports not find a package that is not imported yet."""
+    """Context in which a package that is not imported yet cannot be found by imports."""
     if package in sys.modules:
         yield
         return
@@ -76,8 +76,8 @@ DIMENSIONS = {
     "N/mm": "a stiffness", "kg/m^3": "a density", "1": "a number", "s": "a time",
     "J/m": "an energy per length", "N m": "a torque", "r/min": "a speed of rotation",
     "rad/s": "a speed of rotation", "m/s": "a speed", "s/m": "a reciprocal speed",
-    "kg": "a mass", "kg m^2": "a moment of inertia", "N m/rad": "a stiffness against turning",
-    "N m s/rad": "a damping of turning", "1/mm": "a curvature", "Hz": "a frequency",
+    "kg": "a mass", "kg m^2": "a moment of inertia", "N m/rad": "a torsional stiffness",
+    "N m s/rad": "a torsional damping", "1/mm": "a curvature", "Hz": "a frequency",
     "GPa": "a pressure or stress", "µm": "a length", "rad": "an angle",
     "N/m": "a stiffness", "N/µm": "a stiffness", "N s/m": "a damping",
     "g mm": "an unbalance, mass times eccentricity",
@@ -122,7 +122,7 @@ _FACTOR = re.compile(
 
 @cache
 def registry() -> "pint.UnitRegistry[float]":
-    """The project's units; base units are SI with the kilogram entered through the gram."""
+    """Registry of the project's units, with SI base units; the kilogram is defined by the gram."""
     units: pint.UnitRegistry[float] = pint.UnitRegistry(None, preprocessors=[])
     for line in DEFINITIONS:
         units.define(line)
@@ -131,7 +131,7 @@ def registry() -> "pint.UnitRegistry[float]":
 
 @cache
 def factor(unit: str) -> float:
-    """Number of SI units in one `unit`: factor("mm") = 0.001, factor("1") = 1.
+    """Value of one `unit` in SI units: factor("mm") = 0.001, factor("1") = 1.
 
     >>> factor("N/mm"), round(factor("deg"), 6)
     (1000.0, 0.017453)
@@ -145,9 +145,9 @@ def factor(unit: str) -> float:
 
 
 def parse(text: str, unit: str) -> float:
-    """The SI value of `text`, which must have the dimension of `unit`.
+    """SI value of `text`, which must have the dimension of `unit`.
 
-    Raises ValueError: missing unit, unknown unit, wrong dimension, not finite.
+    Raises ValueError for a missing, unknown or unsuitable unit, and for a value that is not finite.
 
     >>> parse("11.6 mm", "mm")
     0.0116
@@ -197,7 +197,7 @@ def is_bare(text: str) -> bool:
 
 @cache
 def dimensions(unit: str) -> frozenset[tuple[str, float]]:
-    """Dimensions with their powers; empty for plain numbers."""
+    """Dimensions of a unit with their powers; empty for plain numbers."""
     if unit == "1":
         return frozenset()
     found = registry().Quantity(1.0, _parsed(unit)).dimensionality
@@ -205,7 +205,10 @@ def dimensions(unit: str) -> frozenset[tuple[str, float]]:
 
 
 def _parsed(unit: str) -> "pint.Unit":
-    """`N m`, `kg/m^3`, `1/mm`: parsed factor by factor, so that no text takes a long time."""
+    """Unit from a text such as `N m`, `kg/m^3` or `1/mm`.
+
+    The text is parsed factor by factor, so that no text takes a long time.
+    """
     parts: list[str] = []
     at, unit = 0, unit.replace("²", "^2").replace("³", "^3")
     if unit.count("%") > 1:
@@ -219,7 +222,7 @@ def _parsed(unit: str) -> "pint.Unit":
         parts[-1] += f"**{power}" if power else ""
         at = match.end()
     if not parts or parts[0][0] in "*/":
-        raise ValueError(f'"{_short(unit)}" is not a unit; that of a plain number is "1"')
+        raise ValueError(f'"{_short(unit)}" is not a unit; a plain number has the unit "1"')
     try:
         return registry().Unit("".join(parts))
     except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:

@@ -1,4 +1,4 @@
-"""Value types of the verdicts of formulas. Nothing here computes."""
+"""Data types of the verdicts of formulas (without computation)."""
 
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -18,7 +18,7 @@ class Form(StrEnum):
 
 
 class Safe(StrEnum):
-    """Estimate of a quantity that leads to a safe design."""
+    """Side of the true value on which an estimate of a quantity leads to a safe design."""
 
     ABOVE = "above"  # a value above the true one
     BELOW = "below"  # a value below the true one
@@ -26,7 +26,10 @@ class Safe(StrEnum):
 
 
 class Verdict(StrEnum):
-    """May a formula be used? `verify.verdicts.rule` derives it from errors, never a person."""
+    """Verdict on the use of a formula.
+
+    `verify.verdicts.rule` derives it from errors; it is never set by a person.
+    """
 
     EXACT = "exact"
     ACCURATE = "accurate"
@@ -41,9 +44,10 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Side:
-    """From which to which value, in `unit`, an input was varied.
+    """Range over which an input was varied, in `unit`.
 
-    `ratio_ends` are the ends of the dimensionless `ratio`: both values over powers of other inputs.
+    `ratio_ends` are the ends of the dimensionless `ratio`: both values divided by powers of other
+    inputs.
     """
 
     name: str
@@ -57,9 +61,9 @@ class Side:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignRange:
-    """A range of an input over which engineers use a formula, and by which `source`.
+    """A range of an input over which engineers use a formula, according to `source`.
 
-    `spanned` states whether a study of the case compares the formula from end to end.
+    `spanned` states whether a study of the case compares the formula over the whole range.
     """
 
     case: str
@@ -71,13 +75,13 @@ class DesignRange:
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictRange:
-    """Range in which the error of a formula is within `limit`, in words, and its number of points.
+    """Range in which the error of a formula is within `limit`: a description, and number of points.
 
-    `over` are the varied inputs of the study of a case, `studied` their ends, `held` the constant
-    inputs that differ from the default. `box` contains the ranges within the limit, one input at a
-    time if `is_star`; it is empty if no point is within the limit. `interpolation` is the largest
-    difference of the error at a point from a straight line between its neighbours; None if no point
-    has two.
+    `over` are the varied inputs of the study of a case, `studied` their ranges, and `held` the
+    constant inputs that differ from the default. `box` contains the ranges within the limit, one
+    input at a time if `is_star`; it is empty if no point is within the limit. `interpolation` is
+    the largest difference between the error at a point and a straight line between its neighbours;
+    it is None if no point has two neighbours.
     """
 
     case: str
@@ -95,19 +99,21 @@ class VerdictRange:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaVerdict:
-    """The verdict of one formula in one form, and its evidence. Errors are relative.
+    """Verdict of one formula in one form, and its evidence; errors are relative.
 
-    `source` cites the paper, by its first author and year.
+    `source` cites the paper by first author and year. `error` and `U` are those of the row
+    `worst_row` at the default inputs, which has the largest error. `above` and `below` are the
+    largest errors on both sides over all points, including error bars. `within` is the accuracy
+    class for ACCURATE and PART.
 
-    `error`, `U` are those at the default inputs, of `worst_row`, the row with the largest error;
-    `above` and `below` are the largest errors on both sides over all points, including error bars.
-    `within` is the accuracy class for ACCURATE and PART. `is_of_part` states whether the errors are
-    relative to the part, or only to a model with the same idealisation; `model` is the error
-    relative to such a model if `rows` also compare with the part. `points` is the number of points
-    at other inputs than those of the paper, `unsolved` the number without an answer; `own_only` are
-    cases without a study. `misprint` is the change from the corrected to the printed value, None if
-    no row has both. `caution` is a failure that is not an error, detected by `caution_row`;
-    `readings` is the range of the value for the readings that the paper leaves open.
+    `is_of_part` states whether the errors are relative to the part, or only to a model with the
+    same idealisation. `model` is the error relative to such a model, if `rows` also compare with
+    the part. `points` is the number of points at inputs other than those of the paper, `unsolved`
+    the number of points without a solution. `own_only` are cases without a study.
+
+    `misprint` is the change from the corrected to the printed value, None if no row has both.
+    `caution` is a failure other than an error, detected by `caution_row`. `readings` is the range
+    of the value for the readings that the paper leaves open.
     """
 
     id: str
@@ -147,6 +153,6 @@ class FormulaVerdict:
 
     @property
     def cases(self) -> tuple[str, ...]:
-        """The cases whose rows it rests on."""
+        """Cases whose rows are the evidence of the verdict."""
         rows = self.rows + self.model_rows
         return tuple(dict.fromkeys(row.partition("/")[0] for row in rows))

@@ -1,9 +1,9 @@
-"""A virtual environment from a lock file with hashes; an interrupted set-up is continued.
+"""Set-up of a virtual environment from a lock file with hashes.
 
-Only the standard library is used: the module is run as a script (FOLDER LOCK) by the Python of the
-new environment. Packages are installed in small groups. Files that a killed set-up has downloaded
-are not downloaded again, even if the index does not let `pip` cache them. The exit status is 0, or
-2 after one line with the reason.
+An interrupted set-up is continued. Only the standard library is used: the module is run as a script
+(FOLDER LOCK) by the Python of the new environment. Packages are installed in small groups. Files
+that a killed set-up has downloaded are not downloaded again, even if the index does not let `pip`
+cache them. The exit status is 0, or 2 after one line with the reason.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ NO_NETWORK = ("Retrying (", "Temporary failure", "No route to host")
 
 
 class SetUpError(Exception):
-    """Reason why there is no environment, in one line."""
+    """Error of the set-up; the message states the reason in one line."""
 
 
 def pins(lock: str) -> dict[str, str]:
-    """The lock's entries, each with its hashes, by name and version ("numpy==2.4.6")."""
+    """Entries of the lock file with their hashes, by name and version ("numpy==2.4.6")."""
     entries = re.split(r"^(?=[A-Za-z0-9])", lock, flags=re.MULTILINE)[1:]
     matches = ((PIN.match(entry), entry) for entry in entries)
     return {match[0]: entry for match, entry in matches if match}
@@ -62,14 +62,15 @@ def installed(site: Path) -> set[str]:
 
 
 def normalized(name: str) -> str:
-    """The name of a package in the form of the lock file."""
+    """Name of a package in the form of the lock file."""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def remove_incomplete(site: Path) -> list[str]:
-    """Remove packages whose installation was killed; they are then installed again.
+    """Remove packages whose installation was killed, so that they are installed again.
 
-    pip writes RECORD last, and renames a package that it replaces with a "~" in its name.
+    pip writes RECORD last, and renames a package that it replaces to a name with "~". Returns the
+    names of the removed packages.
     """
     found = site.glob("*.dist-info")
     killed = [x for x in found if not (x / "RECORD").is_file() or x.name.startswith("~")]
@@ -79,7 +80,7 @@ def remove_incomplete(site: Path) -> list[str]:
 
 
 def usable(folder: Path) -> bool:
-    """Whether `folder` has an environment that this version of Python made there, with pip."""
+    """Whether `folder` contains an environment with pip that this version of Python made there."""
     pip = folder / "bin" / "pip"
     try:
         made_here = f"{folder}/bin/python" in pip.read_text("utf-8", "replace")
@@ -102,7 +103,7 @@ def site_packages(folder: Path) -> Path:
 
 
 def create(folder: Path) -> None:
-    """Make an empty environment with pip, which replaces the present content of `folder`."""
+    """Make an empty environment with pip; it replaces the present content of `folder`."""
     if folder.is_symlink() or folder.is_file():
         folder.unlink()
     shutil.rmtree(folder, ignore_errors=True)
@@ -111,11 +112,11 @@ def create(folder: Path) -> None:
 
 
 def run(words: list[str], log: Path, **environ: str) -> None:
-    """Run a command with its output in `log`; raise SetUpError with its reason if it fails.
+    """Run a command with its output in `log`. Raises SetUpError with the reason if it fails.
 
     Ctrl-C kills the command immediately, so that pip does not delete its downloads. The command
-    also has the lock of `alone`: if only this process is killed, the next set-up waits for the
-    command.
+    also holds the lock of `alone`: if only this process is killed, the next set-up waits for the
+    end of the command.
     """
     with log.open("w", encoding="utf-8") as output:
         done = subprocess.run(  # noqa: S603 - the project's command
@@ -140,7 +141,10 @@ def reason(output: str, status: int) -> str:
 
 
 def install(folder: Path, lock: str, others: set[str]) -> None:
-    """Install the locked packages that neither `folder` nor `others` has, with progress."""
+    """Install the locked packages that neither `folder` nor `others` contains.
+
+    Print the progress.
+    """
     install_downloaded(folder, lock)
     there = installed(site_packages(folder)) | others
     todo = [entry for name, entry in pins(lock).items() if name not in there]
@@ -154,7 +158,7 @@ def install(folder: Path, lock: str, others: set[str]) -> None:
 
 
 def install_downloaded(folder: Path, lock: str) -> None:
-    """Install the complete files of the lock that a killed pip left."""
+    """Install completely downloaded files that a killed pip left, if their hashes are locked."""
     hashes = set(HASH.findall(lock))
     found = sorted((folder / DOWNLOADS).rglob("*.whl"))
     whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]
@@ -174,7 +178,7 @@ def pip(folder: Path, *words: str) -> None:
 
 @contextlib.contextmanager
 def alone() -> Iterator[None]:
-    """Wait for another set-up of this folder to end."""
+    """Context that waits for the end of another set-up of this folder, and excludes others."""
     try:
         import fcntl
     except ImportError:  # not on this system
@@ -194,10 +198,10 @@ def alone() -> Iterator[None]:
 
 
 def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> None:
-    """Make or complete the environment `folder` from `lock`.
+    """Make or complete the environment `folder` from the lock file `lock`.
 
-    With `project`, the project itself is installed, editable. Packages of the environment `shared`
-    are used if their versions agree with the lock.
+    With `project`, the project itself is installed in editable mode. Packages of the environment
+    `shared` are used if their versions agree with the lock file.
     """
     for name in (READY, FAILED):
         (folder / name).unlink(missing_ok=True)
@@ -223,8 +227,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("lock", type=Path)
-    parser.add_argument("--project", action="store_true", help="install the project too")
-    parser.add_argument("--shared", type=Path, help="environment whose packages are used")
+    parser.add_argument("--project", action="store_true", help="also install the project itself")
+    parser.add_argument(
+        "--shared", type=Path, help="environment whose packages are used if their versions agree"
+    )
     words = parser.parse_args()
     folder = ROOT / words.folder
     shared = ROOT / words.shared if words.shared else None
@@ -232,12 +238,12 @@ def main() -> int:
         with alone():
             set_up(folder, ROOT / words.lock, project=words.project, shared=shared)
     except KeyboardInterrupt:
-        say(f"{folder.name} is not complete; the next make continues")
+        say(f"the set-up of {folder.name} was interrupted; the next make continues it")
         return 130
     except (SetUpError, OSError) as error:
         if folder.is_dir():
             (folder / FAILED).write_text(f"{error}\n", "utf-8")
-        say(f"{folder.name} is not complete ({error}); the next make continues")
+        say(f"the set-up of {folder.name} is not complete ({error}); the next make continues it")
         return 2
     return 0
 

@@ -1,4 +1,4 @@
-"""Every value of raw inputs that is wrong by itself, whatever the other inputs are."""
+"""Messages for all values of raw inputs that are wrong irrespective of the other inputs."""
 
 import operator
 from collections.abc import Mapping
@@ -24,10 +24,10 @@ HOLDS = {"greater than": operator.gt, "at least": operator.ge, "less than": oper
 
 
 def wrong_values(model: type[Inputs], raw: Mapping[str, Any], table: str = "") -> dict[str, str]:
-    """Messages by place, "r_i" or "supports[2].k", in the words of `build`.
+    """Messages by place ("r_i" or "supports[2].k"), in the words of `build`.
 
-    `table` is where an entry stands, "supports[2]."; there, needed inputs that are left out are
-    MISSING. Rules between inputs are not checked.
+    `table` is the place of an entry, such as "supports[2]."; required inputs that the entry omits
+    have the message MISSING. Rules between several inputs are not checked.
     """
     found: dict[str, str] = {}
     for name, value in raw.items():
@@ -55,7 +55,7 @@ def _missing(model: type[Inputs], entry: Mapping[str, Any], place: str) -> dict[
 
 
 def _wrong(field: FieldInfo, place: str, raw: Any) -> str:
-    """What is wrong with one value, "" where nothing is."""
+    """Error message for one value; "" if it is correct."""
     try:
         value = value_of(field, raw, place)
     except InputError as error:

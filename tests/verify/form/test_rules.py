@@ -217,9 +217,9 @@ def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula()
 
 
 def test_a_number_without_a_unit_has_the_unit_1():
-    with pytest.raises(ValueError, match=r'is not a unit; that of a plain number is "1"$'):
+    with pytest.raises(ValueError, match=r'is not a unit; a plain number has the unit "1"$'):
         given("0.3", "", "ν", "Poisson's ratio")
-    with pytest.raises(ValueError, match=r'of l has no unit: write it as "20.0 mm"$'):
+    with pytest.raises(ValueError, match=r'of l must have a unit: write it as "20.0 mm"$'):
         given(20.0, "mm", "l", "length")
 
 
