@@ -81,7 +81,9 @@ def test_sentence_table_and_map_have_where_the_formula_holds_and_what_breaks_it(
     said = value.formulas[0].verdict
     verdict, _, said = said.partition(". ")
     assert verdict == "Verdict over this sweep: accurate in part of the range: within 10 %"
-    assert said.startswith("Within 10 % at all 67 points that are solved; within 5 % for ")
+    assert said.startswith(
+        "The error is within 10 % at all 67 points that are solved; within 5 % for "
+    )
     assert "z 4..10" in said
     assert "first exceeded for z above 10" in said
     assert "The largest error is +6.00 ± 0.10 % at z = 12, δ_1 = 2 mm" in said
@@ -127,7 +129,7 @@ def test_a_sample_shows_how_the_error_scatters_and_through_what():
     assert "100 % within 2 %" in formula.verdict
     first, second, *_, last = [f.title for f in formula.figures]
     assert (first, second) == ("Result", "Error of the formula")
-    assert last == "Error over δ_1, which scatters it most"
+    assert last == "Error over δ_1, the most influential input"
     error_values = formula.figures[1].values
     assert len(error_values) == 128  # rows of A and B
     assert np.abs(error_values).max() < 1.65

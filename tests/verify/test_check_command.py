@@ -80,7 +80,7 @@ def test_the_answer_comes_first(tmp_path, capsys):
     assert margin.startswith("  margin: 1.06, limited by hoop stress in the fillets")
     heads = [x.split(":")[0].split(" by ")[0] for x in rest if not x.startswith(("  ", "("))]
     shared = "assumptions that formula and reference share"
-    verdicts = "verdicts of the formulas (freewheel explain EQUATION has the evidence)"
+    verdicts = "verdicts of the formulas (freewheel explain EQUATION prints the evidence)"
     assert [h for h in heads if h != "warning"] == ["limits", "values", verdicts, "inputs", shared]
     # the printed target lies between the torques in plane strain and plane stress
     status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)

@@ -123,4 +123,4 @@ def test_an_array_in_a_message_of_a_formula_is_one_line(tmp_path, monkeypatch):
 
 def test_clearing_the_store_needs_a_kind(capsys):
     assert run(["store", "--clear="]) == 2
-    assert capsys.readouterr().err.startswith("freewheel: --clear needs a kind of results")
+    assert capsys.readouterr().err.startswith("freewheel: --clear requires a kind of results")

@@ -75,7 +75,7 @@ def test_verify_writes_the_report_and_a_failed_row_makes_the_exit_status_one(
     ("line", "message"),
     [
         ("verify ring-lam", "unknown case 'ring-lam', did you mean ring-lame?"),
-        ("verify ring-lame --quick", "no case can be named with it"),
+        ("verify ring-lame --quick", "do not name cases together with"),
         ("verify --pdf short", 'Invalid value "short" for --pdf. Choose from: "record", "full"'),
         ("verify --jobs -1", "--jobs must be 0 (one per core) to 256, got -1"),
         ("verify ring-lame --out file/out", "file: is a file, expected a folder"),

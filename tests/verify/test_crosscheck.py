@@ -148,7 +148,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
         assert f"{name}: not installed: here" in printed
     assert "0 comparisons of 0 problems" in printed
     for name, words in (
-        ("ring-lame", "ring-lame: nothing compared, calculix: not installed: here"),
+        ("ring-lame", "ring-lame: no problem was compared: calculix: not installed: here"),
         ("spring-map", "spring-map: no second solver solves this case"),
         ("ring-lam", "did you mean ring-lame?"),
     ):

@@ -151,15 +151,18 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     assert "2 r_o for r_o" in capsys.readouterr().out
     # without a reading that gives the number the status is one
     assert run(["search", "wang2023:k1-fea"]) == 1
-    assert "none reproduces the number" in capsys.readouterr().out
+    assert "no reading reproduces the number" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
     ("words", "line"),
     [
         (["foo:bar"], "no printed number"),
-        (["ring-lame"], "needs --key"),
-        (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"], "is in MPa"),
+        (["ring-lame"], "give --key"),
+        (
+            ["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"],
+            "must have the dimension of MPa",
+        ),
         (["ring-lame/no row"], "has no row"),
         (["wang2023:k1-theory", "--changes", "9"], "--changes must be 1 to 3"),
     ],

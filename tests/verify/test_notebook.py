@@ -94,7 +94,7 @@ def test_a_table_is_a_dataframe_where_pandas_is_installed(judged, monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", made)
     assert judged.to_dataframe() == ("frame", judged.table)
     monkeypatch.setitem(sys.modules, "pandas", None)
-    with pytest.raises(ImportError, match=r"needs pandas: install it, or use \.table"):
+    with pytest.raises(ImportError, match=r"requires pandas: install pandas, or use \.table"):
         judged.to_dataframe()
 
 
@@ -180,7 +180,8 @@ def test_with_fem_the_rows_stand_below_the_limits():
     [(lambda: verify.run("nosuch"), "unknown case 'nosuch'"),
      (lambda: verify.check("nosuch.toml"), "nosuch.toml: cannot be read"),
      (lambda: verify.check("freewheel-clutch", {"T": "30 kg"}), "inputs.T: .* is not a torque"),
-     (lambda: verify.check("any.toml", {"T": "1 N m"}), "a parameter file contains its inputs")],
+     (lambda: verify.check("any.toml", {"T": "1 N m"}), "inputs must not be given for a "
+                                                        "parameter file")],
 )  # fmt: skip
 def test_what_is_wrong_is_one_line(call, message):
     with pytest.raises(ValueError, match=message) as caught:

@@ -96,8 +96,10 @@ def stored(clone):
         (NOW, None, f"the version must be later than {NOW}"),
         ("0.0.9", None, f"must be later than {NOW}.*, got '0.0.9'"),
         ("next", None, "got 'next'"),
-        (NEXT, lambda at: (at / CHANGES).write_text(""), f"all changes committed: M {CHANGES}"),
-        (NEXT, lambda at: (at / "new.py").touch(), "all changes committed: .. new.py"),
+        (NEXT, lambda at: (at / CHANGES).write_text(""), "commit all changes before a release: "
+                                                         f"M {CHANGES}"),
+        (NEXT, lambda at: (at / "new.py").touch(), "commit all changes before a release: .. "
+                                                   "new.py"),
         (NEXT, lambda at: git(at, "tag", f"v{NEXT}"), f"version {NEXT} exists already"),
         (NEXT, lambda at: stored(at), f"version {NEXT} exists already"),
         (NEXT, lambda at: change(at, CHANGES, "## Unreleased", "## To come"), "has no heading"),
@@ -106,7 +108,7 @@ def stored(clone):
         (NEXT, lambda at: change(at, "CITATION.cff", f"version: {NOW}", "version: 0"),
          f"CITATION.cff: does not state version {NOW}"),
         (NEXT, lambda at: git(at, "config", "user.useConfigOnly", "true")
-         + git(at, "config", "--unset", "user.email"), "a release needs git: git var: "),
+         + git(at, "config", "--unset", "user.email"), "git var failed: "),
     ],
 )  # fmt: skip
 def test_a_release_that_cannot_be_made_changes_nothing(clone, monkeypatch, name, prepare, message):
@@ -132,7 +134,7 @@ def test_a_release_with_a_row_that_does_not_pass_changes_nothing(
 ):
     monkeypatch.setattr(making, "solved", lambda _jobs: failing(passing, status))
     before = state(clone)
-    with pytest.raises(InputError, match=f"needs every row: ring-lame/.*: {status}"):
+    with pytest.raises(InputError, match=f"requires that no row fails: ring-lame/.*: {status}"):
         making.release(clone, NEXT)
     assert state(clone) == before
 
@@ -149,7 +151,7 @@ def test_files_that_change_during_the_run_are_not_released(clone, monkeypatch, p
         return passing
 
     monkeypatch.setattr(making, "solved", solved)
-    with pytest.raises(InputError, match="needs the code that was run"):
+    with pytest.raises(InputError, match="the commit was changed during the run"):
         making.release(clone, NEXT)
     assert version(clone) == NOW
     assert git(clone, "status", "--porcelain") == ""
@@ -179,7 +181,7 @@ def test_a_folder_without_a_repository_is_one_line(clone, monkeypatch, capsys):
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(clone.parent))
     assert main([NEXT]) == 2
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("release: a release needs git: git status: fatal: not a git repository")
+    assert line.startswith("release: git status failed: fatal: not a git repository")
     (clone / "git").rename(clone / ".git")
     assert main([NEXT]) == 0
     assert f"tag v{NEXT}" in capsys.readouterr().out

@@ -156,11 +156,11 @@ def test_the_command_lists_and_clears(store, capsys):
 def test_options_that_make_no_sense_are_refused(store, capsys):
     store.store("level", "ring-lame", {"a": b"1"})
     for arguments, message in (
-        ("ring-lame --json", "store ring-lame: --json and --clear go without a case"),
-        ("--clear level:", "--clear level:: no subject after the colon"),
+        ("ring-lame --json", "store ring-lame: --json and --clear cannot be combined with a case"),
+        ("--clear level:", "--clear level:: a subject is missing after the colon"),
         ("--clear budgets", "kinds: level"),
-        ("--code numpy.linalg", "--code numpy.linalg: is no module of the project"),
-        ("--code fem.plane", "--code fem.plane: is a package: name one of its modules"),
+        ("--code numpy.linalg", "--code numpy.linalg: must be a module of the project"),
+        ("--code fem.plane", "--code fem.plane: is a package: give one of its modules"),
         ("ring-lame --code fem.plane.solve", "give either a case or a module"),
         ("no-case", "unknown case 'no-case'"),
     ):

@@ -1,1 +1,1 @@
-"""The command line, its output and its figures."""
+"""The command line: commands, their output and their figures."""

@@ -1,4 +1,4 @@
-"""Arguments that several commands share: whole numbers, names of cases, an engine."""
+"""Arguments that several commands share: integers, names of cases, the engine."""
 
 from typing import Annotated, Any, Literal
 
@@ -6,15 +6,18 @@ from cyclopts import Parameter
 
 
 def whole(_type: Any, tokens: Any) -> int:
-    """A whole number; cyclopts alone would round 1.5."""
+    """Integer of an argument.
+
+    Raises ValueError for a decimal number, which cyclopts would round.
+    """
     given = str(tokens[0].value)
     if not given.lstrip("+-").isdecimal():
-        raise ValueError(f"needs a whole number, got {given!r}")
+        raise ValueError(f"must be a whole number, got {given!r}")
     return int(given)
 
 
 def case_ids(_context: Any) -> list[str]:
-    """Suggestions of a shell for the name of a case."""
+    """Names of cases that a shell suggests."""
     from verify.cases.registry import CASES
 
     return list(CASES.ids)

@@ -1,4 +1,4 @@
-"""`freewheel check`: formulas, and finite elements, for a user's parameters."""
+"""The command `check`: formulas and, on request, finite elements for a user's parameters."""
 
 import json
 import shlex
@@ -40,7 +40,7 @@ FAILED = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Options of `check`; without `notes`, the slow study of assumed inputs is omitted."""
+    """Options of `check`; with notes=False, the slow study of assumed inputs is omitted."""
 
     fem: bool = False
     dynamic: bool = False
@@ -53,9 +53,10 @@ class Options:
 
 
 def run_check(path: Path, options: Options) -> int:
-    """Print the answer to a parameter file; 0: holds, 1: it or a row fails, 3: undecided.
+    """Print the answer to a parameter file and return the exit status.
 
-    InputError if the file or an option is wrong.
+    The status is 0 if the part holds, 1 if the part or a row fails, and 3 if the answer is
+    undecided. Raises InputError if the file or an option is wrong.
     """
     file = read(path)
     if options.out is not None:
@@ -76,7 +77,10 @@ def run_check(path: Path, options: Options) -> int:
 def check_part(
     file: ParameterFile, named: str, options: Options, where: Where, command: str = ""
 ) -> Checked:
-    """The answer to inputs with the name `named` in messages, and its evidence; InputError."""
+    """Answer to the inputs of a file, and its evidence; messages use the name `named`.
+
+    Raises InputError if finite elements or the simulation in time cannot solve the inputs.
+    """
     case, inputs, values = file.case, file.inputs, file.values
     if options.dynamic:
         asked_for(case, named)
@@ -109,7 +113,7 @@ def check_part(
 
 
 def in_system(checked: Checked, system: System) -> Checked:
-    """The checked part with result, dynamic part and assumed inputs in the units of a system."""
+    """The checked part with its results and assumed inputs in the units of `system`."""
     return replace(
         checked, result=in_units(checked.result, system),
         dynamic=dynamic_in_units(checked.dynamic, system),
@@ -118,7 +122,10 @@ def in_system(checked: Checked, system: System) -> Checked:
 
 
 def exit_status(checked: Checked) -> int:
-    """0: the part holds; 1: it or a row fails; 3: cannot say, or no value of the reference."""
+    """Exit status: 0 if the part holds, 1 if the part or a row fails, 3 for "cannot say".
+
+    It is also 3 if the reference has no value.
+    """
     rows = checked.result.rows
     if any(row.status in FAILED for row in rows) and not why_not_solved(rows):
         return EXIT_STATUS[Verdict.FAILS]
@@ -127,7 +134,7 @@ def exit_status(checked: Checked) -> int:
 
 @dataclass(frozen=True, kw_only=True)
 class _Assessed:
-    """Results of the inputs and of the formulas' values of a part."""
+    """Answer, notes and shared assumptions of a part."""
 
     answer: Answer
     notes: tuple[str, ...]
@@ -135,7 +142,10 @@ class _Assessed:
 
 
 def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
-    """Criteria, dependence on assumed inputs, shared readings; InputError for an overflow."""
+    """Answer, dependence on assumed inputs, and shared assumptions of a part.
+
+    Raises InputError if the criteria cannot be evaluated.
+    """
     case, inputs, values = file.case, file.inputs, file.values
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
@@ -151,7 +161,7 @@ def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
 
 
 def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
-    """The result with the reason, if any, why finite elements cannot judge its values."""
+    """The result, with the reason if finite elements cannot solve its inputs."""
     with np.errstate(all="ignore"):
         reason = case.too_large(inputs).partition("; check ")[0]
     if not reason:
@@ -166,7 +176,7 @@ def _command(path: Path, options: Options) -> str:
 
 
 def _write(checked: Checked, options: Options, system: System, seconds: float) -> None:
-    """The report of one part, whose findings begin with the answer."""
+    """Write the report of one part; its findings begin with the answer."""
     result = checked.result
     if checked.dynamic is not None:
         result = with_dynamic(result, checked.dynamic)

@@ -1,4 +1,4 @@
-"""Output of `check`: the answer, its limits, values, inputs, and the evidence."""
+"""Terminal output of `check`: the answer, its limits, values, inputs, and the evidence."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -38,12 +38,12 @@ class Checked:
 
 
 def is_notable(one: SharedReading) -> bool:
-    """Whether the error common to both sides is known and large enough for the first lines."""
+    """Whether an error that formula and reference share is known and at least `NOTABLE`."""
     return one.effect is not None and abs(one.effect) >= NOTABLE
 
 
 def answer_lines(checked: Checked, system: System = "mm") -> list[str]:
-    """The first lines: verdict, design value, margin, limiting criterion, then notes."""
+    """First lines of the answer: verdict, design value, margin, limiting criterion, and notes."""
     n = len(checked.result.warnings)
     warned = (f"{n} warning{'s' if n > 1 else ''}, listed below the limits",) if n else ()
     notes = (*warned, *(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)
@@ -55,7 +55,7 @@ def answer_lines(checked: Checked, system: System = "mm") -> list[str]:
 
 
 def limits_table(checked: Checked, system: System) -> Table:
-    """The limits of the part as a table of its report."""
+    """Table of the limits of the part, for its report."""
     header = ("", "criterion", "value", "limit", "margin", "source")
     return Table(
         title=LIMITS_TITLE,
@@ -65,7 +65,7 @@ def limits_table(checked: Checked, system: System) -> Table:
 
 
 def print_check(checked: Checked, system: System = "mm") -> None:
-    """The whole answer in the units of a system, the verdict first and the evidence last."""
+    """Print the whole answer in the units of `system`, with the verdict first."""
     result, dynamic = checked.result, checked.dynamic
     for line in answer_lines(checked, system):
         print_wrapped(raised(line))
@@ -78,7 +78,7 @@ def print_check(checked: Checked, system: System = "mm") -> None:
     if dynamic:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
     _print_table(
-        "verdicts of the formulas (freewheel explain EQUATION has the evidence)",
+        "verdicts of the formulas (freewheel explain EQUATION prints the evidence)",
         [_verdict(one.line) for one in checked.verdicts],
     )
     _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
@@ -116,13 +116,13 @@ def _print_list(title: str, lines: Sequence[str]) -> None:
 
 
 def _limit(cells: tuple[str, ...]) -> tuple[str, ...]:
-    """A limit with its numbers first, so that long texts are in the last column."""
+    """Cells of a limit with its numbers first and long texts in the last column."""
     state, what, value, limit, margin, source = cells
     return state, margin, value, limit, f"{what}; {source}"
 
 
 def _verdict(cells: tuple[str, ...]) -> tuple[str, ...]:
-    """Equation and verdict, then its sentence and the position of the inputs in one column."""
+    """Cells of a verdict: equation, verdict, and one column for all other texts."""
     return *cells[:2], "; ".join(filter(None, cells[2:]))
 
 

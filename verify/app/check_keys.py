@@ -1,4 +1,4 @@
-"""`freewheel check --keys`: the keys under which JSON has inputs and values."""
+"""The option `check --keys`: keys of inputs and values in the JSON output."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,7 +13,7 @@ from verify.core.terminal import print_wrapped
 
 
 def run_keys(file: Path) -> int:
-    """Print keys, units and descriptions of the case that `file` names, or of the case `file`."""
+    """Print keys, units and descriptions for a case; `file` is a parameter file or a case name."""
     case = _case(file)
     inputs = [
         (name, unit_of(meta(field)["unit"]), meta(field)["what"])

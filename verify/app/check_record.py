@@ -1,4 +1,4 @@
-"""Output of `check --json`: the answer to a user's parameters, for programs."""
+"""JSON output of `check`: the answer to a user's parameters, for programs."""
 
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -17,9 +17,10 @@ SCHEMA_VERSION = 3  # version 1 had no answer, and keys with spaces; version 2 h
 
 
 def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:
-    """The answer, then its evidence, in display units; `check.schema.json` describes it.
+    """JSON record of the answer and its evidence, in display units.
 
-    `dynamic` is None if it did not run, `rows` are empty without finite elements.
+    `check.schema.json` describes the record. `dynamic` is None if the simulation in time did not
+    run; `rows` is empty without finite elements.
     """
     from reports.records import row_record  # only the command line may import reports
 
@@ -47,7 +48,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
 
 
 def _findings(result: CaseResult, dynamic: DynamicResult | None) -> Sequence[str]:
-    """Findings of the formulas; the dynamic part may have replaced the first."""
+    """Findings of the formulas; the first may be replaced by that of the simulation in time."""
     if dynamic is None or not dynamic.first:
         return result.findings
     return dynamic.first + result.findings[1:]

@@ -1,4 +1,4 @@
-"""The command `freewheel`. Exit status 0 passed, 1 a row failed, 2 bad input."""
+"""The command `freewheel`; exit status 0: passed, 1: a row failed, 2: wrong input."""
 
 import errno
 import os
@@ -41,7 +41,7 @@ app.command(local_page, name="app")
 
 
 def _templates(_context: Any) -> list[str]:
-    """Suggestions of a shell for the name of a template."""
+    """Names of cases and templates that a shell suggests."""
     return [*case_ids(_context), "design-spring", "design-sprag"]
 
 
@@ -63,22 +63,22 @@ def verify(
     Parameters
     ----------
     cases
-        Cases to run, all by default; see `freewheel list`.
+        Cases to run; the default is all cases. `freewheel list` lists them.
     quick
-        Run only fast cases of every subject, with the full required sensitivity.
+        Run only the fast cases of every subject; rows are judged with the same requirements.
     jobs
         Number of processes; 0 for one per core.
     engine
-        Where to solve: in processes on this machine, or on a dask cluster.
+        Place of the computation: processes on this machine (local), or a dask cluster (dask).
     scheduler
         Address of the scheduler of the cluster, such as tcp://host:8786; without an address, dask
         starts a local cluster.
     out
-        Folder for the report, by default reports/out of this checkout.
+        Folder for the report; the default is reports/out of this checkout.
     cache
         Reuse finite-element results of earlier runs.
     single_file
-        Write the report as one page, for e-mail, instead of a first page and one page per case.
+        Write the report as a single page, for e-mail, instead of one page per case.
     pdf
         Content of report.pdf: record (verdicts, tables, errata of the papers, one page per case) or
         full (everything). The PDF of a single case is always full.
@@ -121,7 +121,7 @@ def check(
     fem
         Also solve the finite elements for these inputs and compare the formulas with them.
     dynamic
-        Also integrate the motion in time, if the case supports it; the first run takes some seconds
+        Also simulate the motion in time, if the case supports it; the first run takes some seconds
         longer.
     json
         Print JSON instead of text; `--keys` lists its keys.
@@ -183,13 +183,13 @@ def explain(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """Show how a row was judged, number by number, or the verdict of a formula.
+    """Print step by step how a row was judged, or print the verdict of a formula.
 
     Parameters
     ----------
     row
-        Name of a row, or words that the name contains; a parameter file may follow. For the verdict
-        of record of an equation, its paper and number, such as Belcin Eq. 20.
+        Name of a row, or words of this name; a parameter file may follow. For the verdict of an
+        equation: its paper and number, such as Belcin Eq. 20.
     json
         Print JSON instead of text.
     jobs
@@ -212,11 +212,11 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
     Parameters
     ----------
     cases
-        Studies to run: validity, validity:CASE, budget, budget:CASE or the name of a map. The
+        Studies to run: validity, validity:CASE, budget, budget:CASE or the name of a map; the
         default is all studies without a valid result.
     again
-        Write the records again from the stored results of this code, and solve failed points again.
-        To solve all points again, first run `freewheel store --clear KIND:CASE`.
+        Write the records again from stored results, and compute failed points again.
+        To compute all points again, first run `freewheel store --clear KIND:CASE`.
     jobs
         Number of processes; 0 for one per core.
     """
@@ -227,7 +227,7 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
 
 @app.command
 def doctor(*, json: bool = False) -> int:
-    """List which required components this machine has, and what to install.
+    """List the required components, which of them are missing, and what to install.
 
     Parameters
     ----------
@@ -248,14 +248,14 @@ def store(
     Parameters
     ----------
     case
-        Case whose stored results are listed instead, with their place and whether they are valid
+        Case whose stored results are listed, with their place and whether they are valid
         for this code.
     json
         Print JSON instead of text.
     clear
-        First remove the results of a kind, or of KIND:SUBJECT.
+        Before listing, remove the results of a kind, or of KIND:SUBJECT (such as fem:ring-lame).
     code
-        Module, such as `analytic.ring.lame`, or its file: the cases that use it are listed instead.
+        Module, such as `analytic.ring.lame`, or its file; the cases that use it are listed.
     """
     from verify.app.store import run_origin, run_store
 
@@ -266,7 +266,7 @@ def store(
 
 @app.command
 def new_case(file: Path, /, *, kind: ProblemKind = "plane") -> int:
-    """Write a Python file that declares a user's case, with comments; it runs without changes.
+    """Write a commented Python file with a new case, which runs without changes.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ def new_case(file: Path, /, *, kind: ProblemKind = "plane") -> int:
 
 @app.command
 def completion(shell: Literal["bash", "zsh", "fish"], /) -> int:
-    """Print the completion script of a shell; `--install-completion` sets it up."""
+    """Print the completion script of a shell; `--install-completion` installs it."""
     print(app.generate_completion(shell=shell))
     return 0
 
@@ -308,7 +308,7 @@ def main(arguments: list[str] | None = None) -> None:
 def run(arguments: list[str]) -> int:
     """Run one command line and return its exit status."""
     if "" in arguments and arguments[0] != "__complete":  # a shell requests suggestions
-        return _complain("an argument is empty: possibly a variable of the shell is not set")
+        return _complain("an argument is empty: possibly a shell variable is not set")
     try:
         status = int(app(arguments, result_action="return_value") or 0)
         sys.stdout.flush()  # a full disk or a closed pipe is noticed here, not at the very end
@@ -334,7 +334,10 @@ def run(arguments: list[str]) -> int:
 
 
 def _traced() -> str:
-    """Write the traceback of the present error: its file in words, or why there is none."""
+    """Write the traceback of the present error to a file.
+
+    Returns the name of the file in words, or the reason why it was not written.
+    """
     try:
         with tempfile.NamedTemporaryFile(
             "w", prefix="freewheel-", suffix=".txt", delete=False, encoding="utf-8",

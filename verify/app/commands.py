@@ -1,4 +1,4 @@
-"""Actions of the commands, without the parsing of the command line."""
+"""Actions of the commands list and verify, and functions that other commands share."""
 
 import gc
 import sys
@@ -37,7 +37,7 @@ GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are numerous and s
 
 
 def run_list() -> int:
-    """Print each case with its subject, its verdicts, its inputs and the optional ones."""
+    """Print each case with its subject, its verdicts, its required and its optional inputs."""
     for case in (*CASES, *map(find, files.installed())):
         assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
@@ -61,12 +61,14 @@ def run_verify(
     names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool,
     single_file: bool = False, full_pdf: bool = False, summary: Path | None = None,
 ) -> int:  # fmt: skip
-    """Run the cases on the paper's numbers, write the report and print the verdicts.
+    """Run cases with the paper's numbers, write the report and print the verdicts.
 
-    A summary in Markdown is appended to the file `summary`.
+    A summary in Markdown is appended to the file `summary`. Returns the exit status.
     """
     if quick and names:
-        raise InputError(f"--quick runs {', '.join(QUICK)}: no case can be named with it")
+        raise InputError(
+            f"--quick runs {', '.join(QUICK)}: do not name cases together with --quick"
+        )
     names = QUICK if quick else names
     out = out or ROOT / "reports" / "out"
     writable(out)
@@ -81,7 +83,9 @@ def run_verify(
         if (before := up_to_date.found(out, key)) is not None:
             print_wrapped(*before.lines)
             took = f"{time.perf_counter() - start:.1f} s"
-            print(f"report: {_page(out)} (of {before.made}: nothing has changed since; {took})")
+            print(
+                f"report: {_page(out)} (of {before.made}; nothing has changed since then; {took})"
+            )
             if summary:
                 in_short.write(before.summary, summary)
             return before.status
@@ -120,21 +124,21 @@ def run_verify(
 
 
 def _chosen(names: Sequence[str]) -> Sequence[Case]:
-    """The cases with these names, by default all; cases of the suite are imported when needed."""
+    """Cases with these names, by default all; cases of the suite are imported when needed."""
     if all(name in CASES.ids for name in names):
         return CASES.only(names or CASES.ids)
     return [find(name) for name in dict.fromkeys(names)]
 
 
 def _others(cases: Sequence[Case], known: Collection[str]) -> list[Case]:
-    """The unknown cases."""
+    """Cases that are not among the `known` ones."""
     return [find(name, cases) for name in ids(cases) if name not in known]
 
 
 def _solved_for_report(
     work: list[Job], where: Where, keys: Mapping[str, str]
 ) -> list[CaseResult]:  # fmt: skip
-    """The judged cases, stored; meanwhile the pictures of their report are drawn."""
+    """Judged cases, which are stored; meanwhile, the pictures of their report are drawn."""
     from reports.ahead import Ahead
 
     if not work:
@@ -173,12 +177,12 @@ def _exit_status(report: Report) -> int:
 
 
 def _moved_verdicts(report: Report) -> list[str]:
-    """Formulas whose verdict differs from the stored one; none if only some cases were run."""
+    """Formulas whose verdict differs from the stored one; empty if only some cases were run."""
     return moved(report.verdicts) if report.verdicts else []
 
 
 def drift_lines(report: Report) -> list[str]:
-    """Changes since the last release."""
+    """Lines about changes since the last release; empty if none is stored."""
     if not report.drift:
         return []
     from verify.audit.releases.changes import lines
@@ -187,7 +191,7 @@ def drift_lines(report: Report) -> list[str]:
 
 
 def writable(out: Path) -> None:
-    """Make the folder; a read-only place is found before the work."""
+    """Make the folder `out`. Raises InputError if it cannot be written."""
     for place in (out, *out.parents):
         if place.exists() and not place.is_dir():
             raise InputError(f"{place}: is a file, expected a folder")
@@ -203,7 +207,7 @@ def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
     full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
-    """Write the report into `out`; False if a substitute was used (reported).
+    """Write the report into `out`; returns False if a part was replaced by a substitute.
 
     With the `keys` of all judged cases, only changed files are written.
     """
@@ -225,14 +229,14 @@ def write_report(
 
 
 def _hint() -> str:
-    """Packages to install if pyvista cannot draw."""
+    """Packages to install if pyvista cannot draw; empty if no package is missing."""
     return environment.remedy_for_pictures().removeprefix("; ")
 
 
 def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     """Name, case, inputs and formula values of a parameter file.
 
-    InputError states the error in one line.
+    Raises InputError with a message of one line.
     """
     file = read(path)
     return file.name, file.case, file.inputs, file.values

@@ -1,4 +1,4 @@
-"""The command `doctor`: available and missing components of this machine, one line each.
+"""The command `doctor`: components of this machine, available or missing, one line each.
 
 Components that may crash are tried in separate processes, which run in parallel.
 """
@@ -36,12 +36,12 @@ SOLVING = (
 )  # fmt: skip
 TYPST = 'import typst\nassert typst.compile(b"Hello")'
 SECONDS = 60.0
-SEPARATE = "install this one in a separate environment"
+SEPARATE = "install this package in a separate environment"
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One line of output; `fatal` if no run is possible without the component."""
+    """One line of output; `fatal` is True if no run is possible without the component."""
 
     what: str
     state: str
@@ -50,7 +50,10 @@ class Finding:
 
 
 def run_doctor(*, as_json: bool) -> int:
-    """Print all findings; 0 if `verify` can run, perhaps with fewer pictures, 2 if not."""
+    """Print all findings and return the exit status.
+
+    It is 0 if `verify` can run, possibly with fewer pictures, and 2 if it cannot.
+    """
     found = list(findings())
     fatal = any(f.fatal for f in found)
     last = conclusion(found)
@@ -66,11 +69,15 @@ def run_doctor(*, as_json: bool) -> int:
 
 
 def conclusion(found: list[Finding]) -> str:
-    """Statement that nothing is missing, or the action to take."""
+    """Statement that no component is missing, or the action to take."""
     lost = [f for f in found if f.state == MISSING]
     if not lost:
-        return "all well"
-    consequence = "verify cannot run" if any(f.fatal for f in lost) else "verify runs, with less"
+        return "no component is missing"
+    consequence = (
+        "verify cannot run"
+        if any(f.fatal for f in lost)
+        else ("verify runs, but some parts of the report are missing")
+    )
     libraries = [f.what for f in lost if f.what in {library for library, _, _ in LIBRARIES}]
     remedy = environment.install_line(libraries) if libraries else "; ".join(f.detail for f in lost)
     return f"{consequence}: {remedy}"
@@ -106,7 +113,7 @@ def _machine() -> Iterator[Finding]:
 
 
 def _cores() -> int:
-    """Cores that this process may use."""
+    """Number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -126,12 +133,12 @@ def _packages() -> Iterator[Finding]:
     yield Finding("packages", MISSING if absent else OK, text, fatal=bool(absent))
     if shared := shared_names():
         yield Finding(
-            "names", MISSING, f"other packages also bring {', '.join(shared)}: {SEPARATE}"
+            "names", MISSING, f"other packages also contain {', '.join(shared)}: {SEPARATE}"
         )
     lock = ROOT / "requirements.txt"
     if lock.is_file():
         differ = "; ".join(mismatches(lock.read_text("utf-8")))
-        same = "installed packages are those of requirements.txt"
+        same = "the installed packages agree with requirements.txt"
         yield Finding("lock", MISSING if differ else OK, differ or same)
 
 
@@ -157,7 +164,9 @@ def _cache() -> Finding:
     folder = default_folder()
     problem = _unwritable(folder)
     if problem:
-        return Finding("cache", MISSING, f"{folder}: {problem}: no results are reused")
+        return Finding(
+            "cache", MISSING, f"{folder}: {problem}: results cannot be stored and reused"
+        )
     size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     free = shutil.disk_usage(folder).free
     return Finding("cache", OK, f"{folder}: {size / 1e6:.1f} MB, {free / 1e9:.1f} GB free")
@@ -166,7 +175,7 @@ def _cache() -> Finding:
 def _output() -> Finding:
     folder = ROOT / "reports" / "out"
     problem = _unwritable(folder)
-    detail = f"{folder}: {problem}: give verify --out FOLDER" if problem else str(folder)
+    detail = f"{folder}: {problem}: run verify with --out FOLDER" if problem else str(folder)
     return Finding("report folder", MISSING if problem else OK, detail)
 
 
@@ -180,7 +189,7 @@ def _unwritable(folder: Path) -> str:
 
 
 def _solver(name: str) -> Finding:
-    """A second solver, calculix or one of the separate environment: no run needs it."""
+    """Finding about a second solver, which no run requires."""
     found = solvers.solver(name)
     if found.missing:
         return Finding(name, OPTIONAL, found.missing)

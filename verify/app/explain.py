@@ -31,7 +31,10 @@ LISTED = 12
 
 
 def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bool) -> int:
-    """Explain the row named by `words`, for the parameter file if the last word is one."""
+    """Print the judgement of the row named by `words`, and return the exit status.
+
+    If the last word is a parameter file, the row is judged for its inputs.
+    """
     path = _file(words[-1]) if words else None
     name = " ".join(words[:-1] if path else words)
     if not path and (found := named(name)):
@@ -59,7 +62,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
 
 
 def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
-    """Print the verdicts of record of an equation, in each of its forms."""
+    """Print the stored verdicts of an equation in each of its forms; return the exit status."""
     if as_json:
         print(json.dumps([asdict(one) for one in found], ensure_ascii=False))
     else:
@@ -68,16 +71,19 @@ def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
 
 
 def _file(word: str) -> Path | None:
-    """A parameter file, also an unreadable one, because reading it states the error."""
+    """Path of a parameter file or case file; None if `word` is not a file.
+
+    The file may be unreadable; reading it states the error.
+    """
     path = Path(word)
     named = word.endswith((".toml", ".py")) or path.is_file() or (os.sep in word and path.is_dir())
     return path if named else None
 
 
 def _ids_of_paper(name: str) -> Iterator[str]:
-    """The ids of all rows of the suite; of one case if `name` begins with its id or is empty.
+    """Ids of all rows of the suite, or of one case if `name` begins with its id.
 
-    Messages use the present name as an example.
+    If `name` is empty, they are the ids of the first case; messages use the first id as an example.
     """
     named = name.partition("/")[0] if _plain(name) else CASES.ids[0]
     for case_id in [named] if named in CASES.ids else CASES.ids:
@@ -87,12 +93,12 @@ def _ids_of_paper(name: str) -> Iterator[str]:
 
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
-    """The ids of all rows of a case, determined without finite elements."""
+    """Ids of all rows of a case, determined without finite elements."""
     return [row.id for row in unsolved_rows(case, inputs, paper=paper)]
 
 
 def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
-    """All rows of a case without finite elements: those that need them are skipped."""
+    """All rows of a case without finite elements; rows that need them have the status SKIP."""
     context = Context(case.id, inputs, case.analytic(inputs), (), paper)
     return [
         row
@@ -103,14 +109,14 @@ def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
 
 
 def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
-    """The id that `name` matches: completely, at its end, by a part, or by words.
+    """Id of the row that `name` matches: completely, at its end, by a part, or by words.
 
-    A row precedes its convergence row. Present names are tried before earlier names. InputError
-    lists the matches unless there is exactly one.
+    A row takes precedence over its convergence row, and present names over earlier names. Raises
+    InputError with a list of the matches unless exactly one row matches.
     """
     text = _plain(name)
     if not text:
-        raise InputError(f"explain needs the name of a row, such as {ids[0]!r}")
+        raise InputError(f"give the name of a row, such as {ids[0]!r}")
     tests: tuple[Callable[[str], bool], ...] = (
         lambda i: text in (i, i.partition("/")[2]),
         lambda i: text in i,
@@ -133,7 +139,7 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
 
 
 def _plain(name: str) -> str:
-    """Lower case without commas, so that a row can be named by its words only."""
+    """Name in lower case without commas, so that a row can be found by its words."""
     return " ".join(name.lower().replace(",", " ").split())
 
 
@@ -143,7 +149,7 @@ def _listed(ids: Sequence[str]) -> str:
 
 
 def row_in_words(row: Row) -> str:
-    """A row and the steps of its judgement, one line each."""
+    """Text of a row and the steps of its judgement, one line each."""
     steps = derive(row).steps
     width = max(len(label) for label, _ in steps)
     head = f"{row.id} ({row.symbol}, {row.kind.value})"

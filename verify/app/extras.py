@@ -1,4 +1,4 @@
-"""The package among others: its extras, and names that it shares with other packages."""
+"""Extras of the package, and names of modules that other installed packages also have."""
 
 import re
 from importlib.metadata import PackageNotFoundError, packages_distributions, requires
@@ -12,7 +12,7 @@ LIBRARIES = {  # by module
 
 
 def extra_of(module: str) -> str:
-    """The extra whose requirements include the library of a module; "" if there is none.
+    """Extra of the package that installs the library of a module; "" if there is none.
 
     >>> extra_of("skfem")
     'fem'
@@ -30,7 +30,7 @@ def extra_of(module: str) -> str:
 
 
 def missing_library(error: ImportError) -> str:
-    """One line for the user: the missing library, and the command that installs it."""
+    """Message for a missing library, with the command that installs it."""
     module = str(error.name or "").partition(".")[0]
     extra = extra_of(module)
     if not extra:

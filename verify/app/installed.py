@@ -1,4 +1,4 @@
-"""Installed versions of packages, compared with the locked ones."""
+"""Installed versions of packages, compared with the versions of the lock file."""
 
 import re
 from importlib.metadata import PackageNotFoundError, version
@@ -7,7 +7,7 @@ PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;]+)(?:\s*;\s*(.*?))?\s*\\?$", re.MU
 
 
 def installed(name: str) -> str:
-    """The version of a package; "" if it is not installed."""
+    """Version of an installed package; "" if it is not installed."""
     try:
         return version(name)
     except PackageNotFoundError:
@@ -15,16 +15,16 @@ def installed(name: str) -> str:
 
 
 def mismatches(lock: str) -> list[str]:
-    """Packages of a lock that are not installed in its version, each with both versions."""
+    """Packages whose installed version differs from that in the lock file, with both versions."""
     return [
-        f"{name} {installed(name) or 'absent'}, lock {locked}"
+        f"{name} {installed(name) or 'absent'}, lock file {locked}"
         for name, locked, marker in PIN.findall(lock)
         if installed(name) != locked and (not marker or _applies(marker))
     ]
 
 
 def _applies(marker: str) -> bool:
-    """Whether a pin for certain systems applies to this one; False if that is unknown."""
+    """Whether an entry for certain systems applies to this system; False if that is unknown."""
     try:
         from packaging.markers import Marker
     except ImportError:

@@ -1,4 +1,4 @@
-"""Cases and parts from Python, with results that a notebook displays as tables and drawings."""
+"""Python functions for cases and parts; a notebook displays the results as tables and drawings."""
 
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -39,7 +39,7 @@ class Run:
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The judged rows; numbers in the unit of the row."""
+        """Judged rows of the case; numbers are in the unit of the row."""
         return self.result.rows
 
     @property
@@ -49,20 +49,20 @@ class Run:
 
     @property
     def table(self) -> Table:
-        """The judged rows as dictionaries of plain values; see `verify.app.tables`."""
+        """Judged rows as dictionaries of plain values; see `verify.app.tables`."""
         return of_rows(self.rows)
 
     def to_dataframe(self) -> "DataFrame":
-        """The table as a DataFrame; ImportError without pandas."""
+        """The table as a DataFrame. Raises ImportError if pandas is not installed."""
         return dataframe(self.table)
 
     @property
     def drawings(self) -> Drawings:
-        """Sketch, figures and convergence."""
+        """Sketch, figures and convergence plots of the case."""
         return drawings(self.result)
 
     def __repr__(self) -> str:
-        """The case, whether it passed, and the deciding row, in one line."""
+        """One line with the case, whether it passed, and the deciding row."""
         failed = [row for row in self.rows if row.status in FAILED]
         main = failed[0] if failed else next((r for r in self.rows if r.analytic is not None), None)
         told = f"; {_row_in_line(main)}" if main else ""
@@ -88,31 +88,31 @@ class Part:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the part holds, fails, or neither can be stated."""
+        """Whether the part holds, fails, or whether this cannot be stated."""
         return self.checked.answer.verdict
 
     @property
     def margin(self) -> float | None:
-        """The smallest margin [1], of the limit that decides; None without limits."""
+        """Smallest margin [1] of the criteria; None without criteria."""
         worst = self.checked.answer.limiting
         return worst.margin if worst else None
 
     @property
     def table(self) -> Table:
-        """The criteria as dictionaries: value and limit [SI], margin [1], source."""
+        """Criteria as dictionaries: value and limit [SI], margin [1], source."""
         return of_criteria(self.checked.answer.criteria)
 
     def to_dataframe(self) -> "DataFrame":
-        """The table as a DataFrame; ImportError without pandas."""
+        """The table as a DataFrame. Raises ImportError if pandas is not installed."""
         return dataframe(self.table)
 
     @property
     def values(self) -> dict[str, float]:
-        """The values of the formulas [SI] by the names that `freewheel check --keys` lists."""
+        """Values of the formulas [SI], by the names that `freewheel check --keys` lists."""
         return dict(self.file.values)
 
     def __repr__(self) -> str:
-        """The part, its verdict and its smallest margin, in one line."""
+        """One line with the part, its verdict and its smallest margin."""
         margin = "" if self.margin is None else f", margin {self.margin:.3g}"
         return f"<Part {self.file.name} ({self.file.case.id}): {self.verdict.value}{margin}>"
 
@@ -133,7 +133,7 @@ class Part:
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The rows by finite elements, if these were requested."""
+        """Rows of the comparison with finite elements, if this was requested."""
         return self.checked.result.rows
 
     @property
@@ -142,11 +142,12 @@ class Part:
 
 
 def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
-    """A case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml"), judged.
+    """Judged case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml").
 
-    `inputs` are texts with units, {"r_i": "40 mm"}, for inputs other than the default; omitted
-    inputs have the values of `freewheel init`. With `cache`, stored results are used. A longer run
-    writes its progress to stderr. InputError, a ValueError, states the error in one line.
+    `inputs` are texts with units, such as {"r_i": "40 mm"}, for inputs other than the default;
+    omitted inputs have the values of `freewheel init`. With `cache`, stored results are used. A
+    longer run writes its progress to stderr. Raises InputError (a ValueError) with a message of one
+    line.
     """
     if Path(case).suffix == ".toml" or inputs:
         part = _part(case, inputs)
@@ -162,9 +163,10 @@ def check(
     part: str | Path, inputs: Mapping[str, Any] | None = None, *, fem: bool = False,
     cache: bool = True,
 ) -> Part:  # fmt: skip
-    """Whether a part holds, by its parameter file, or by a case and `inputs` as for `run`.
+    """Check of a part, by its parameter file, or by a case and `inputs` as for `run`.
 
-    With `fem`, the formulas are compared with finite elements for these inputs. InputError.
+    With `fem`, the formulas are compared with finite elements for these inputs. Raises InputError
+    if an input is wrong.
     """
     file = _part(part, inputs)
     options = Options(fem=fem, cache=cache)
@@ -172,10 +174,13 @@ def check(
 
 
 def _part(part: str | Path, inputs: Mapping[str, Any] | None) -> ParameterFile:
-    """A parameter file, or the template of a case with some of its inputs changed."""
+    """Content of a parameter file, or of the template of a case with some changed inputs."""
     if Path(part).suffix == ".toml":
         if inputs:
-            raise ValueError(f"{part}: a parameter file contains its inputs; name a case")
+            raise ValueError(
+                f"{part}: inputs must not be given for a parameter file, which "
+                "contains them; give a case instead"
+            )
         return read(Path(part))
     case = find(str(part))
     raw = _template(case) | dict(inputs or {})
@@ -183,13 +188,13 @@ def _part(part: str | Path, inputs: Mapping[str, Any] | None) -> ParameterFile:
 
 
 def _template(case: Case) -> dict[str, Any]:
-    """The inputs that `freewheel init` writes for a case."""
+    """Inputs that `freewheel init` writes for a case."""
     written: dict[str, Any] = tomllib.loads(template(case))["inputs"]
     return written
 
 
 def _row_in_line(row: Row) -> str:
-    """A row with its status and its difference."""
+    """One line with a row, its status and its difference."""
     unit = "" if row.unit == "1" else f" {row.unit}"
     off = "" if row.difference is None else f", difference {row.difference:.3g}{unit}"
     return f"{row.quantity}: {row.status.value}{off}"
@@ -202,5 +207,5 @@ def _rows_table(rows: Sequence[Row], head: str) -> Markup:
 
 
 def _paragraph(lines: Sequence[str]) -> Markup:
-    """Lines below each other, with escaped text."""
+    """HTML paragraph of lines with escaped text."""
     return Markup("<p>{}</p>").format(Markup("<br>").join(lines))

@@ -1,4 +1,4 @@
-"""Origin of the stored numbers of a case, and the numbers that a change of a module makes stale."""
+"""Origin of the stored numbers of a case, and effect of a change of a module on them."""
 
 import inspect
 import os
@@ -19,13 +19,16 @@ SIDES = {"formulas": source_code.whole_parts_of, "reference": source_code.parts_
 
 
 def of_case(name: str) -> Iterator[str]:
-    """Lines on every stored result of a case on its default inputs; ValueError for no case."""
+    """Lines about every stored result of a case at its default inputs.
+
+    Raises ValueError if the case is unknown.
+    """
     case = find(name, CASES)
     store = Store(cache.default_folder())
-    yield f"{case.id}, {case.method.case} as reference; code of both sides:"
+    yield f"{case.id}, reference: {case.method.case}; code of formulas and reference:"
     for side, (function, modules) in _code(case).items():
         yield f"  {side:10} {function}, and {len(modules)} modules that it reaches"
-    yield f"levels, in {store.path}, kind {cache.KIND}, by hash of code, inputs and versions:"
+    yield f"levels in {store.path}, kind {cache.KIND}, with the hash of code, inputs and versions:"
     keys = {level: cache.key(case, case.inputs(), level) for level in case.levels}
     dates = store.dates(cache.KIND, list(keys.values()))
     for level, key in keys.items():
@@ -33,26 +36,31 @@ def of_case(name: str) -> Iterator[str]:
     own = [g for g in store.groups() if g.subject == case.id and g.kind != cache.KIND]
     for group in own:
         yield f"{group.kind}: {group.entries:,} results of any code and inputs, in the same file"
-    yield "measured with make deep and make crosscheck, files of the project:"
+    yield "files of the project with results of make deep and make crosscheck:"
     for path, state in _measured(case):
         yield f"  {state}  {os.path.relpath(path, ROOT)}"
 
 
 def of_module(name: str) -> Iterator[str]:
-    """Lines on the cases whose code includes a module; InputError if there is no such module."""
+    """Lines about the cases whose code includes a module.
+
+    Raises InputError if there is no such module.
+    """
     module = _module(name)
     found = {side: [c.id for c in CASES if _is_part(module, c, side)] for side in SIDES}
     for side, cases in found.items():
         yield f"{side} of {len(cases)} cases: {', '.join(cases) or 'none'}"
     yield (
-        f"A change of code (not of words or names) of {module} solves the references of "
-        f"{len(found['reference'])} cases again. Regions of validity, error budgets and second "
-        "solvers of all named cases are then not measured for this code."
+        f"If the code of {module} changes (other than words or names), verify solves the "
+        "references of "
+        f"{len(found['reference'])} cases again. The results on regions of validity, error "
+        "budgets and second "
+        "solvers of all listed cases are then no longer valid."
     )
 
 
 def _code(case: Case) -> dict[str, tuple[str, list[str]]]:
-    """For each side its function's place and the modules that it reaches."""
+    """For formulas and reference: place of the function, and the modules that it reaches."""
     found = {}
     for side, parts in SIDES.items():
         function = case.analytic if side == "formulas" else case.reference
@@ -68,16 +76,18 @@ def _is_part(module: str, case: Case, side: str) -> bool:
 
 
 def _module(name: str) -> str:
-    """The dotted name of a module that is given so, or as a file, from here or from the project."""
+    """Dotted name of a module, from a dotted name or a file name."""
     path = Path(name)
     if path.suffix == ".py":
         full = (path if path.is_file() else ROOT / path).resolve()
         parts = full.relative_to(ROOT).with_suffix("").parts if full.is_relative_to(ROOT) else ()
         name = ".".join(parts)
     if not is_of_project(name) or not all(name.split(".")) or not source_code.is_module(name):
-        raise InputError(f"--code {path}: is no module of the project, such as analytic.ring.lame")
+        raise InputError(
+            f"--code {path}: must be a module of the project, such as analytic.ring.lame"
+        )
     if source_code.is_package(name):
-        raise InputError(f"--code {path}: is a package: name one of its modules")
+        raise InputError(f"--code {path}: is a package: give one of its modules")
     return name
 
 

@@ -1,4 +1,4 @@
-"""Parts of a report in the store, by all their dependencies; missing parts are made."""
+"""Stored parts of a report; a part is made again if anything on which it depends changes."""
 
 import hashlib
 import json
@@ -17,9 +17,9 @@ T = TypeVar("T")
 
 
 class Parts:
-    """The parts of one report: `keys` are the keys of its judged cases, by name.
+    """Parts of one report, stored by the `keys` of its judged cases.
 
-    For a case without a key, or a report without a folder of a store, every part is made.
+    Without a key of a case, or without a folder of the store, every part is made again.
     """
 
     def __init__(self, folder: Path | None = None, keys: Mapping[str, str] | None = None) -> None:
@@ -28,13 +28,13 @@ class Parts:
     def of_cases(
         self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of a module's code for each case separately."""
+        """Results of a module's code for each case separately, by name of the case."""
         return self.by_group(name, module, {case: [case] for case in cases}, make)
 
     def by_group(
         self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of a module's code for groups of cases, by the name of the group."""
+        """Results of a module's code for groups of cases, by name of the group."""
         keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
         found = dict(self._stored(keys))
         new: dict[str, bytes] = {}
@@ -53,7 +53,7 @@ class Parts:
         return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
 
     def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:
-        """The key of a part; "" if it cannot be stored."""
+        """Key of a part; "" if the part cannot be stored."""
         if self._folder is None or any(case not in self.keys for case in cases):
             return ""
         made_of = [FORMAT, name, digest_of(module), group, *(self.keys[case] for case in cases)]

@@ -1,4 +1,4 @@
-"""Provenance of the numbers: versions, commit, lock, times."""
+"""Provenance of the numbers of a report: versions, commit, lock file, times."""
 
 import hashlib
 import platform
@@ -18,7 +18,7 @@ PACKAGES = (
 
 
 def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dict[str, Any]:
-    """A record for the report; an unknown commit or lock reads "unknown"."""
+    """Record of the provenance for the report; an unknown commit or lock is "unknown"."""
     return {
         "made": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
         **conditions(root),
@@ -31,7 +31,7 @@ def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dic
 
 
 def conditions(root: Path) -> dict[str, Any]:
-    """Commit, lock, Python, machine and versions: the environment of a run."""
+    """Environment of a run: commit, lock file, Python, machine, and versions of packages."""
     lock = root / "requirements.txt"
     return {
         "commit": _commit(root),
@@ -43,7 +43,7 @@ def conditions(root: Path) -> dict[str, Any]:
 
 
 def processor(path: Path = Path("/proc/cpuinfo")) -> str:
-    """Model of the first processor as Linux names it; "unknown" on other systems."""
+    """Name of the first processor on Linux; "unknown" on other systems."""
     try:
         text = path.read_text("utf-8")
     except OSError:
@@ -53,7 +53,7 @@ def processor(path: Path = Path("/proc/cpuinfo")) -> str:
 
 
 def _blas() -> str:
-    """Kernels and threads of each BLAS library in effect."""
+    """Text with kernels and number of threads of each loaded BLAS library."""
     from verify.audit.portable.effective import effective  # loads scipy
 
     found = effective()
@@ -64,7 +64,7 @@ def _blas() -> str:
 
 
 def version_of(name: str) -> str:
-    """The version of an installed package; "not installed" if there is none."""
+    """Version of an installed package; "not installed" if it is missing."""
     try:
         return version(name)
     except PackageNotFoundError:

@@ -1,4 +1,4 @@
-"""Make a release: raise the version, store the rows of a full run, commit and tag."""
+"""Making of a release: raise the version, store the rows of a full run, commit and tag."""
 
 import subprocess
 import time
@@ -19,21 +19,23 @@ from verify.jobs.session import solve
 
 
 def release(root: Path, name: str, *, jobs: int = 0) -> Path:
-    """Release the committed code as version `name`; the file with its rows.
+    """Release the committed code as version `name`; returns the file with its rows.
 
-    InputError if `name` is no later version, a file is not committed, a row failed, or git
-    fails; every file is then as it was.
+    Raises InputError if `name` is not a later version, if a file is not committed, if a row failed,
+    or if git fails. All files are then restored.
     """
     old = version(root)
     if not is_later(name, old):
-        raise InputError(f"the version must be later than {old}, as 1.0.2 than 1.0.1, got {name!r}")
+        raise InputError(
+            f"the version must be later than {old} (1.0.2 is later than 1.0.1), got {name!r}"
+        )
     path = path_of(name, root / FOLDER.relative_to(ROOT))
     head = _refuse_unready(root, path, name)
     texts = raised(root, old, name, time.strftime("%Y-%m-%d", time.gmtime()))
     report = solved(jobs)
     refuse_red(report)
     if _refuse_unready(root, path, name) != head:  # the run takes minutes
-        raise InputError("a release needs the code that was run, and another one is checked out")
+        raise InputError("the commit was changed during the run: repeat the release")
     with _whole(root, path, texts, head):
         store(report.rows, name, report.provenance["commit"], path.parent)
         for file, text in texts.items():
@@ -45,34 +47,41 @@ def release(root: Path, name: str, *, jobs: int = 0) -> Path:
 
 
 def solved(jobs: int) -> Report:
-    """All cases, judged."""
+    """Report of all cases, judged."""
     start = time.perf_counter()
     results = solve([Job(case, case.inputs(), drawn=False) for case in CASES], Where(jobs), True)
     return make_report(results, CASES, time.perf_counter() - start)
 
 
 def refuse_red(report: Report) -> None:
-    """InputError if a row failed or was not run, or a requirement was loosened without a reason."""
+    """Raise InputError if the report prevents a release.
+
+    This is so if a row failed or was not run, or if a requirement was loosened without a reason.
+    """
     for row in report.rows:
         if row.status in (Status.FAIL, Status.SKIP):
-            raise InputError(f"a release needs every row: {row.id}: {row.status}: {row.reason}")
+            raise InputError(
+                f"a release requires that no row fails: {row.id}: {row.status}: {row.reason}"
+            )
     if report.drift and report.drift.unexplained:
         raise InputError(f"{WITHOUT}: {report.drift.unexplained[0].row}")
 
 
 def _refuse_unready(root: Path, path: Path, name: str) -> str:
-    """The commit that is checked out; InputError where it cannot become this release."""
+    """Commit that is checked out. Raises InputError if it cannot become this release."""
     if changed := _git(root, "status", "--porcelain"):
-        raise InputError(f"a release needs all changes committed: {changed.splitlines()[0]}")
+        raise InputError(f"commit all changes before a release: {changed.splitlines()[0]}")
     if path.exists() or _git(root, "tag", "--list", f"v{name}"):
-        raise InputError(f"version {name} exists already: its rows are stored, or it has a tag")
+        raise InputError(
+            f"version {name} exists already, because its rows are stored or it has a tag"
+        )
     _git(root, "var", "GIT_COMMITTER_IDENT")
     return _git(root, "rev-parse", "HEAD")
 
 
 @contextmanager
 def _whole(root: Path, path: Path, texts: Mapping[Path, str], head: str) -> Iterator[None]:
-    """Whatever stops the body: the commit, the files and the index are as they were before."""
+    """Context that restores commit, files and index if its body raises any exception."""
     before = {file: file.read_bytes() for file in texts}
     try:
         yield
@@ -86,13 +95,13 @@ def _whole(root: Path, path: Path, texts: Mapping[Path, str], head: str) -> Iter
 
 
 def _git(root: Path, *words: str) -> str:
-    """Output of git in a folder; InputError with its first line if it fails."""
+    """Output of git in a folder. Raises InputError with the first line of its error."""
     run = ["git", "-C", str(root), *words]
     try:
         done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=False)  # noqa: S603
     except (OSError, subprocess.SubprocessError) as error:
-        raise InputError(f"a release needs git: {error}") from error
+        raise InputError(f"a release requires git: {error}") from error
     if done.returncode:
         said = (done.stderr.strip() or done.stdout.strip() or "it failed").splitlines()[0]
-        raise InputError(f"a release needs git: git {words[0]}: {said}")
+        raise InputError(f"git {words[0]} failed: {said}")
     return done.stdout.strip()

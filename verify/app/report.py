@@ -1,4 +1,4 @@
-"""The report of a run: judged cases with ledgers, records of studies, verdicts and provenance."""
+"""The report of a run: judged cases, ledgers, records of studies, verdicts and provenance."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -31,7 +31,7 @@ def make_report(
     results: Sequence[CaseResult], cases: Sequence[Case], seconds: float, name: str = "",
     parts: Parts = NOTHING,
 ) -> Report:  # fmt: skip
-    """A run with the ledgers and its provenance; `name` is the name of a user's parameter file.
+    """Report of a run with ledgers and provenance; `name` is that of a user's parameter file.
 
     Pages stored in `parts` are not made again; only cases with new pages are imported.
     """
@@ -61,7 +61,7 @@ def make_report(
 
 
 def _claims(cases: Sequence[Case], parts: Parts) -> Mapping[str, Sequence[str]]:
-    """Inputs of the cases that repeat a printed number, by "paper:id"."""
+    """Inputs of the cases that are equal to a printed number, by "paper:id"."""
     from verify.papers.paper_tables import claiming_inputs
 
     def of_case(name: str) -> Mapping[str, Sequence[str]]:
@@ -90,7 +90,7 @@ def _crosschecks(results: Sequence[CaseResult], parts: Parts) -> tuple[Crosschec
 def _validity(
     results: Sequence[CaseResult], cases: Sequence[Case], parts: Parts
 ) -> tuple[Validity, ...]:
-    """The cards, which hold for the inputs of the papers."""
+    """Ranges of validity of the formulas, which are valid for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> Validity | None:
@@ -109,7 +109,7 @@ def _validity(
 
 
 def _studies(results: Sequence[CaseResult], parts: Parts) -> tuple[StoredStudy, ...]:
-    """The stored points of the cases, which pages of several cases show at a user's inputs."""
+    """Stored studies of the cases, from which pages interpolate the error at a user's inputs."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> tuple[StoredStudy, ...]:
@@ -122,7 +122,7 @@ def _studies(results: Sequence[CaseResult], parts: Parts) -> tuple[StoredStudy, 
 
 
 def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, ...]:
-    """The error budgets, which hold for the inputs of the papers."""
+    """Error budgets, which are valid for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> CaseBudget | None:
@@ -135,7 +135,7 @@ def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, .
 
 
 def _drift(results: Sequence[CaseResult]) -> Drift | None:
-    """Changes since the last release."""
+    """Changes since the last release; None if no release is stored."""
     from verify.audit.releases.changes import since
 
     return since(results)
@@ -149,14 +149,14 @@ def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
 
 
 def _caught() -> Caught:
-    """The stored results of inserted faults."""
+    """Stored results of inserted faults."""
     from verify.audit.mutation.score import latest  # judges again, which `check` does not need
 
     return latest()
 
 
 def _verdicts(results: Sequence[CaseResult], parts: Parts) -> tuple[FormulaVerdict, ...]:
-    """The verdicts of the papers' formulas, each paper's by the cases that they rest on."""
+    """Verdicts of the papers' formulas; those of a paper depend on the cases of its evidence."""
     rows = [row for result in results for row in result.rows]
 
     def of_paper(key: str) -> tuple[FormulaVerdict, ...]:

@@ -1,4 +1,4 @@
-"""The command `store`: stored results, their sizes and ages, and their removal."""
+"""The command `store`: lists stored results with sizes and ages, and removes them."""
 
 import json
 import sys
@@ -17,7 +17,10 @@ DAY = 86400.0  # s
 
 
 def run_store(*, as_json: bool, clear: str | None) -> int:
-    """List the store, or remove a kind or KIND:SUBJECT first; InputError for an unknown kind."""
+    """List the store; with `clear`, first remove a kind or KIND:SUBJECT.
+
+    Raises InputError for an unknown kind. Returns the exit status.
+    """
     folder = default_folder()
     store = Store(folder)
     try:
@@ -37,7 +40,7 @@ def run_store(*, as_json: bool, clear: str | None) -> int:
 
 
 def _adopt(folder: Path) -> None:
-    """Move results of an earlier version; a read-only store can still be listed."""
+    """Move results of an earlier version into the store; errors are only reported."""
     try:
         if moved := adopt(folder):
             _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
@@ -52,13 +55,15 @@ def _say(message: str) -> None:
 def run_origin(case: str, code: str, *, other: bool) -> int:
     """List the stored results of a case, or the cases whose code includes a module.
 
-    InputError for options that apply to the whole list (`other`).
+    Raises InputError if an option of the whole list is given (`other`).
     """
     from verify.app.origin import of_case, of_module
 
     if other:
         named = case or f"--code {code}"
-        raise InputError(f"store {named}: --json and --clear go without a case and without --code")
+        raise InputError(
+            f"store {named}: --json and --clear cannot be combined with a case or with --code"
+        )
     if case and code:
         raise InputError(f"store {case} --code {code}: give either a case or a module")
     print_wrapped(*(of_case(case) if case else of_module(code)))
@@ -68,20 +73,24 @@ def run_origin(case: str, code: str, *, other: bool) -> int:
 def _clear(store: Store, which: str) -> None:
     kind, colon, subject = which.partition(":")
     if not kind:
-        raise InputError("--clear needs a kind of results, or KIND:SUBJECT, such as fem:ring-lame")
+        raise InputError(
+            "--clear requires a kind of results, or KIND:SUBJECT, such as fem:ring-lame"
+        )
     if colon and not subject:
-        raise InputError(f"--clear {which}: no subject after the colon, such as {kind}:ring-lame")
+        raise InputError(
+            f"--clear {which}: a subject is missing after the colon; an example is {kind}:ring-lame"
+        )
     groups = store.groups()
     gone = [g for g in groups if g.kind == kind and subject in ("", g.subject)]
     if not gone:
         known = ", ".join(sorted({g.kind for g in groups})) or "none"
-        raise InputError(f"--clear {which}: nothing of this kind is stored; kinds: {known}")
+        raise InputError(f"--clear {which}: no such results are stored; stored kinds: {known}")
     store.clear(kind, subject)
     _say(f"removed: {sum(g.entries for g in gone):,} results, {size(gone)}")
 
 
 def size(groups: list[Group]) -> str:
-    """Their bytes in MB."""
+    """Text of the size of the groups in MB."""
     return f"{sum(g.size for g in groups) / 1e6:.1f} MB"
 
 

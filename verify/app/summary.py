@@ -1,4 +1,4 @@
-"""A summary of a run as Markdown, for the page of a CI job: counts, failing rows, versions."""
+"""Summary of a run in Markdown, for the page of a CI job: counts, failing rows, versions."""
 
 import sys
 from collections.abc import Sequence
@@ -15,7 +15,10 @@ PROJECT = "freewheel-verification"
 
 
 def summary(report: Report, *, status: int, changes: Sequence[str] = ()) -> str:
-    """The run in Markdown; `changes` are lines on differences from the release or the record."""
+    """Summary of the run in Markdown.
+
+    `changes` are lines about differences from the last release or from stored verdicts.
+    """
     head = "passed" if status == 0 else "failed"
     rows, cases = len(report.rows), len(report.cases)
     parts = [
@@ -35,7 +38,7 @@ def summary(report: Report, *, status: int, changes: Sequence[str] = ()) -> str:
 
 
 def write(text: str, target: Path) -> None:
-    """Append the text to a file, which /dev/stdout may be; InputError."""
+    """Append the text to a file, which may be /dev/stdout. Raises InputError if that fails."""
     sys.stdout.flush()
     try:
         with target.open("a", encoding="utf-8") as file:
@@ -45,14 +48,14 @@ def write(text: str, target: Path) -> None:
 
 
 def _counts(report: Report) -> str:
-    """Rows by status; the number of each."""
+    """Table with the number of rows of each status."""
     names = " | ".join(status.value for status in Status)
     numbers = " | ".join(str(report.count(status)) for status in Status)
     return f"| {names} |\n|{'---|' * len(Status)}\n| {numbers} |"
 
 
 def _failing(report: Report) -> str:
-    """The rows that failed or were not run, with their reasons; empty without such rows."""
+    """Table of the rows that failed or were not run, with reasons; empty without such rows."""
     failed = [row for row in report.rows if row.status in FAILED]
     if not failed:
         return ""
@@ -65,7 +68,7 @@ def _failing(report: Report) -> str:
 
 
 def _versions(report: Report) -> str:
-    """Version and commit of the suite, Python, machine, date, and seconds of the run."""
+    """Line with version and commit of the suite, Python, machine, date and duration of the run."""
     made = report.provenance
     return (
         f"freewheel {version_of(PROJECT)}, commit {made['commit']}, Python {made['python']}, "
@@ -74,5 +77,5 @@ def _versions(report: Report) -> str:
 
 
 def _cell(text: str) -> str:
-    """Text in one line of a table, with bars escaped."""
+    """Text as one line of a table cell, with bars escaped."""
     return raised(" ".join(text.split())).replace("|", r"\|")

@@ -1,4 +1,4 @@
-"""Results as tables: rows of plain values by name, for any table library, and as a DataFrame."""
+"""Results as tables of plain values by name, for any table library, and as a DataFrame."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -21,9 +21,10 @@ COLUMNS = (  # of a row: formula and reference `fem` in `unit`, `detects` relati
 
 
 def of_rows(rows: Sequence[Row]) -> Table:
-    """COLUMNS of judged rows, and the relative `difference` with its uncertainty `U`.
+    """Judged rows as dictionaries with COLUMNS, the relative `difference` and its uncertainty `U`.
 
-    The difference is positive if the formula is larger. None if a row has no such value.
+    The difference is positive if the formula is larger. A value is None if the row does not have
+    it.
     """
     return [_of_row(row) for row in rows]
 
@@ -36,7 +37,7 @@ def _of_row(row: Row) -> dict[str, Any]:
 
 
 def of_criteria(criteria: Sequence[Criterion]) -> Table:
-    """Value and limit [SI, of the kind of `unit`] of each criterion, margin [1] and source."""
+    """Criteria as dictionaries: value and limit [SI], margin [1] and source."""
     return [
         {
             "key": c.key, "criterion": c.what, "value": float(c.value), "limit": float(c.limit),
@@ -48,16 +49,16 @@ def of_criteria(criteria: Sequence[Criterion]) -> Table:
 
 
 def dataframe(table: Table) -> "DataFrame":
-    """A table as a DataFrame; ImportError without pandas, which is no dependency."""
+    """DataFrame of a table. Raises ImportError if pandas, an optional package, is not installed."""
     try:
         from pandas import DataFrame
     except ImportError as error:
-        raise ImportError("to_dataframe needs pandas: install it, or use .table") from error
+        raise ImportError("to_dataframe requires pandas: install pandas, or use .table") from error
     return DataFrame(table)
 
 
 def _plain(value: Any) -> Any:
-    """A status or kind as text, a number of numpy as one of Python."""
+    """A status or kind as text; a number of numpy as a Python number."""
     if isinstance(value, Enum):
         return str(value.value)
     return value.item() if isinstance(value, np.generic) else value

@@ -1,4 +1,4 @@
-"""Whether a report is still up to date, so that the run need not be repeated."""
+"""Check whether a report is still up to date, so that the run need not be repeated."""
 
 import hashlib
 import json
@@ -19,7 +19,7 @@ STAMP = ".up-to-date.json"
 
 @dataclass(frozen=True)
 class Reported:
-    """Output of a run, with its exit status, the date of its report and its summary."""
+    """Output of a run, with its exit status, the date of its report, and its summary."""
 
     lines: tuple[str, ...]
     status: int
@@ -30,8 +30,8 @@ class Reported:
 def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
     """Digest of all data on which a report of the suite's cases depends, except stored results.
 
-    These are the files of the project, the libraries, the machine, the named cases and the `form`
-    of the report.
+    These data are the files of the project, the libraries, the machine, the named cases and the
+    `form` of the report.
     """
     parts: dict[str, Any] = {
         "files": digest(), "conditions": conditions(root), "cases": list(names), "form": form,
@@ -40,9 +40,9 @@ def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
 
 
 def found(out: Path, key: str) -> Reported | None:
-    """Printed output of the report in a folder; None if something has changed since.
+    """Output of the run whose report is in a folder; None if something has changed since then.
 
-    Stored results that were removed, and files of the report that were changed, count.
+    Removed stored results and changed files of the report also count as changes.
     """
     try:
         stamp = json.loads((out / STAMP).read_text("utf-8"))
@@ -59,7 +59,7 @@ def found(out: Path, key: str) -> Reported | None:
 
 
 def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None:
-    """Note the key and the stored results of the report in a folder."""
+    """Store the key of the report in its folder, with the keys of the stored results it uses."""
     stamp = {
         "key": key, "made": reported.made, "status": reported.status, "lines": reported.lines,
         "summary": reported.summary, "levels": list(levels), "files": _files(out),

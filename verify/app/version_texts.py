@@ -1,4 +1,4 @@
-"""The files of the project that state its version, and the heading of what has changed."""
+"""Files of the project that state its version, and the heading of the change log."""
 
 import re
 from collections.abc import Mapping
@@ -17,9 +17,9 @@ HEADING = "\n## Unreleased\n"
 
 
 def raised(root: Path, old: str, new: str, day: str) -> Mapping[Path, str]:
-    """The texts of the next version by file, its changes under a heading with the day.
+    """Texts of the files for the next version; the changes get a heading with the day.
 
-    InputError where a file does not state the old version, or where nothing has changed.
+    Raises InputError if a file does not state the old version, or if no change is listed.
     """
     return {root / name: _raised(root / name, text, old, new) for name, text in STATED.items()} | {
         root / CHANGES: _headed(root / CHANGES, f"\n## {new} ({day})\n")

@@ -1,1 +1,1 @@
-"""Command crosscheck."""
+"""The command `crosscheck`."""

@@ -12,25 +12,25 @@ def crosscheck(
     keep: bool = True,
     out: Path | None = None,
 ) -> int:
-    """Solve meshes and loads of the project with second solvers: calculix, tamaas, ROSS.
+    """Solve problems of the project with second solvers: calculix, tamaas, ROSS.
 
-    The report compares their results with those of the project. Results that are stored for this
-    code are listed with their date and not solved again. Solvers that are not installed are
-    skipped. Exit status 1: a difference exceeds its limit; 2: no problem of the named cases was
-    compared.
+    The second solvers use the meshes and loads of the project; the report compares the results.
+    Results that are stored for this code are listed with their date and not solved again. Solvers
+    that are not installed are skipped. Exit status 1: a difference exceeds its limit; 2: no problem
+    of the named cases was compared.
 
     Parameters
     ----------
     cases
-        Cases to compare; by default all cases with a problem for a second solver.
+        Cases to compare; the default is all cases with a problem for a second solver.
     list
         List the comparisons and the installed solvers.
     again
-        Solve problems with stored results again; this also writes their decks.
+        Solve problems with stored results again; this also writes their input files.
     keep
         Store the results for the report, in verify/measured.
     out
-        Folder for decks and answers, by default reports/out/crosscheck of this checkout.
+        Folder for input and output files; the default is reports/out/crosscheck of this checkout.
     """
     from verify.app.crosscheck.command import run_crosscheck, run_list
 

@@ -1,4 +1,4 @@
-"""The command `crosscheck`: second solvers on the meshes and loads of the project."""
+"""The command `crosscheck`: second solvers solve meshes and loads of the project."""
 
 import sys
 from collections import deque
@@ -26,7 +26,7 @@ HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed",
 
 
 def run_list(names: Sequence[str]) -> int:
-    """List the comparisons with their problem and solver, and the installed solvers."""
+    """Print the comparisons with their problem and solver, and the installed solvers."""
     for cross in chosen(names):
         print_wrapped(raised(f"{cross.id:38}  {cross.solver:8}  {cross.what}"))
     for one in solvers().values():
@@ -35,10 +35,10 @@ def run_list(names: Sequence[str]) -> int:
 
 
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
-    """Solve the problems not stored for this code; 1 if a difference exceeds the allowed one.
+    """Solve the problems without stored results; returns 1 if a difference exceeds its limit.
 
-    Decks and results remain in `out`. A missing solver is no error, but InputError is raised if
-    cases are named and none of their problems is stored or could be solved.
+    Input and output files of the solvers remain in `out`. A missing solver is not an error. Raises
+    InputError if cases are named and none of their problems is stored or could be solved.
     """
     crosses = chosen(names)
     folder = out or ROOT / "reports" / "out" / "crosscheck"
@@ -47,7 +47,9 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
     standing, todo, left = _sorted(crosses, there, again=again)
     if names and not standing and not todo:
         why = dict.fromkeys(f"{one.solver}: {there[one.solver].missing}" for one in left)
-        raise InputError(f"{', '.join(dict.fromkeys(names))}: nothing compared, {'; '.join(why)}")
+        raise InputError(
+            f"{', '.join(dict.fromkeys(names))}: no problem was compared: {'; '.join(why)}"
+        )
     lines = [line for cross, found in standing for line in judged(cross, found)]
     compared, broken = _compared(todo, len(standing), there, folder, keep=keep)
     lines += compared
@@ -64,7 +66,7 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
 def _compared(
     todo: Sequence[Cross], known: int, there: Mapping[str, Solver], folder: Path, *, keep: bool
 ) -> tuple[list[Crosscheck], list[str]]:
-    """Lines of the problems solved by both sides, and reasons why others were not solved."""
+    """Comparisons of the solved problems, and reasons why other problems were not solved."""
     lines: list[Crosscheck] = []
     broken: list[str] = []
 
@@ -94,9 +96,9 @@ def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Fo
 
 
 def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
-    """One problem solved by both solvers, with its deck and results in a separate folder.
+    """Results of one problem from both solvers; its files are in a separate folder.
 
-    RuntimeError if the other solver fails, LookupError if its answer lacks something.
+    Raises RuntimeError if the second solver fails, LookupError if its output is incomplete.
     """
     own = folder / cross.file
     own.mkdir(parents=True, exist_ok=True)
@@ -126,7 +128,7 @@ def _sorted(
 
 
 def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
-    """Command that solves each existing deck again, one line each."""
+    """Write commands that solve each existing input file again, one per line."""
     decks = [
         (cross, folder / cross.file / f"deck.{'inp' if cross.solver == CALCULIX else 'json'}")
         for cross in crosses
@@ -137,7 +139,7 @@ def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
 
 
 def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:
-    """One line for each problem, marked if its result is from an earlier run (`standing`)."""
+    """Print one line for each problem; results of an earlier run (`standing`) are marked."""
     table: list[tuple[str, ...]] = [HEAD]
     table += [
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",
@@ -162,14 +164,14 @@ def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Seque
 def _counts(
     lines: Sequence[Crosscheck], standing: Sequence[store.Found], left: Sequence[Cross]
 ) -> Iterator[str]:
-    """Number of comparisons, and of those not solved in this run."""
+    """Lines with the number of comparisons, and of problems not solved in this run."""
     problems = len({line.problem for line in lines})
     yield f"{len(lines)} comparisons of {problems} problems"
     if standing:
         dates = sorted({found.date for found in standing})
         span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
         known = f"{len(standing)} of {problems} problems are stored results of {span}"
-        yield f"{known} (--again repeats them)"
+        yield f"{known} (--again solves them again)"
     if left:
         absent = dict.fromkeys(cross.solver for cross in left)
-        yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"
+        yield f"{len(left)} problems were not solved, for lack of {' and '.join(absent)}"

@@ -1,1 +1,1 @@
-"""Command design."""
+"""The command `design` for accordion springs."""

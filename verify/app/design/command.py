@@ -1,4 +1,4 @@
-"""The command `design`, without reading the command line."""
+"""The action of the command `design` for accordion springs."""
 
 import json
 import shlex
@@ -30,7 +30,10 @@ def run_design(
     path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None,
     units: System | None = None,
 ) -> int:  # fmt: skip
-    """Springs for the task in a file; 0: found and confirmed, 1: none found, 3: undecided."""
+    """Find springs for the task in a file, print the answer and return the exit status.
+
+    The status is 0 if a spring was found and confirmed, 1 if not, 3 if it is undecided.
+    """
     task = load(path)
     system = units or task.system
     if out is not None:
@@ -64,7 +67,7 @@ def command(path: Path, choose: int | None, *, use_fem: bool) -> str:
 
 
 def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """Files of the folder by name."""
+    """Contents of the files of the output folder, by name."""
     from reports.design import page as page_html
     from verify.app.design.page import page
 
@@ -77,7 +80,7 @@ def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
 
 
 def _write(made: Mapping[str, bytes], out: Path) -> None:
-    """Write every file completely; the chosen spring of an earlier task is removed."""
+    """Write every file completely; remove the selected spring of an earlier task."""
     for name, content in made.items():
         try:
             write_whole(out / name, partial(_fill, content))

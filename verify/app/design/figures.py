@@ -1,4 +1,4 @@
-"""Figures of a design: reasons of rejection, feasible region, Pareto front, F(U)."""
+"""Figures of a spring design: causes of rejection, feasible region, Pareto front, F(U)."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -25,7 +25,7 @@ NAMES = {
 
 
 def figures(outcome: Outcome) -> list[Picture]:
-    """All possible figures; without a feasible spring, the front and its curve are omitted."""
+    """All figures that can be drawn; without a feasible spring, there is no front and no curve."""
     s = outcome.search
     if outcome.chosen is None:
         at = s.nearest[0].candidate if s.nearest else 0
@@ -37,18 +37,18 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def reasons(s: Search) -> Bars:
-    """Number of candidates that violate each limit."""
+    """Bars with the number of candidates that violate each limit."""
     counts = {key: count for key, count in violations(s).items() if count or key != "shape"}
     return Bars(
-        title="Why candidates fall out", names=tuple(NAMES[key] for key in counts),
+        title="Why candidates are rejected", names=tuple(NAMES[key] for key in counts),
         counts=tuple(counts.values()), total=len(s.springs),
-        note=f"How many of the {len(s.springs):,} candidates violate each limit; most violate "
-        "several.",
+        note=f"Number of the {len(s.springs):,} candidates that violate each limit; most violate "
+        "several limits.",
     )  # fmt: skip
 
 
 def region(s: Search, i: int, name: str) -> Region:
-    """Candidates that share n, b and alpha with candidate `i`, over L1 and r."""
+    """Map of the candidates with the n, b and alpha of candidate `i`, over L1 and r."""
     g = s.springs
     same = (g.n == g.n[i]) & (g.b == g.b[i]) & (g.alpha == g.alpha[i])
     r, L1 = _thinned(g.r, i, MOST_CELLS["r"]), _thinned(g.L1, i, MOST_CELLS["L1"])
@@ -63,12 +63,12 @@ def region(s: Search, i: int, name: str) -> Region:
         mark=(int(np.flatnonzero(r == g.r[i])[0]), int(np.flatnonzero(g.L1[i] == L1)[0])),
         mark_name=name,
         note=f"All candidates with n = {g.n[i]}, b = {g.b[i] * 1e3:.4g} mm and "
-        f"α = {g.alpha[i] / units.factor('deg'):.4g}°: how many limits each violates.",
+        f"α = {g.alpha[i] / units.factor('deg'):.4g}°: number of limits that each violates.",
     )  # fmt: skip
 
 
 def _thinned(parameter: Any, i: int, most: int) -> Any:
-    """At most `most` values of a parameter, evenly distributed, including that of candidate `i`."""
+    """At most `most` evenly distributed values of a parameter, including that of candidate `i`."""
     values, keep = np.unique(parameter), parameter[i]
     if len(values) <= most:
         return values
@@ -77,7 +77,7 @@ def _thinned(parameter: Any, i: int, most: int) -> Any:
 
 
 def scatter(outcome: Outcome) -> Curves:
-    """Stress over free length of all feasible springs and of the front."""
+    """Plot of the stress over the free length, for all feasible springs and for the front."""
     s = outcome.search
     feasible = np.flatnonzero(s.judged.feasible)
     if len(feasible) > MOST_DOTS:
@@ -94,13 +94,13 @@ def scatter(outcome: Outcome) -> Curves:
         curves=tuple(Curve(name=name, x=x[which], y=y[which], style="dots", colour=colour)
                      for name, which, colour in groups),
         y_bottom=float(low - 0.08 * ((high - low) or 0.1 * high)),
-        note="Members of the front inside it are better in their margin to point A or in their "
-        "stiffness.",
+        note="Members of the front that are not best in these two objectives are better in their "
+        "margin to point A or in their stiffness.",
     )  # fmt: skip
 
 
 def front(outcome: Outcome) -> Parallel:
-    """The members over all objectives."""
+    """Plot of the members of the Pareto front over all objectives."""
     s = outcome.search
     goals = s.objectives[s.members]
     shown = np.stack(
@@ -114,13 +114,13 @@ def front(outcome: Outcome) -> Parallel:
         ends=tuple((form.format(shown[b, j]), form.format(shown[w, j]))
                    for j, (form, b, w) in enumerate(zip(forms, best, worst, strict=True))),
         lines=scaled(goals), kept=tuple(kept), chosen=outcome.chosen or 0,
-        note="One line per spring; the best value of each axis is at the top. No line is above "
-        "another on all axes.",
+        note="One line per spring; the best value of each axis is at the top. No line is higher "
+        "than another on all axes.",
     )  # fmt: skip
 
 
 def curve(outcome: Outcome) -> Curves:
-    """F(U) of the chosen spring: closed form with the strip's tolerance, finite elements, task."""
+    """Plot of F(U) of the selected spring: closed form with tolerance, finite elements, task."""
     s, i = outcome.search, outcome.candidate
     q, f = s.task.demands, s.formulas
     U_A, F_A, k1, k2, U_w = (float(v[i]) for v in (f.U_A, f.F_A, f.k1, f.k2, f.U_w))
@@ -138,11 +138,11 @@ def curve(outcome: Outcome) -> Curves:
         if np.isfinite(large.touches):
             before = large.touches - U_w / PARTS
             touching = (
-                f" By finite elements they touch between {before * 1e3:.4g} and "
+                f" By finite elements, the leaves touch between {before * 1e3:.4g} and "
                 f"{large.touches * 1e3:.4g} mm."
             )
         if not large.whole:
-            touching += " Their curve ends where no equilibrium was found."
+            touching += " The curve of the finite elements ends where no equilibrium was found."
         name = "finite elements, large displacements"
         drawn.append(Curve(name=name, x=large.U * 1e3, y=large.F, style="dots", colour=1))
     drawn.append(
@@ -151,6 +151,7 @@ def curve(outcome: Outcome) -> Curves:
     return Curves(
         title="Force over displacement of the chosen spring", x_label="U [mm]", y_label="F [N]",
         curves=tuple(drawn),
-        note=f"Leaves touch at U_A = {U_A * 1e3:.4g} mm, F_A = {F_A:.4g} N by the closed form, "
-        f"k_1 = {k1 / 1e3:.4g} N/mm before and k_2 = {k2 / 1e3:.4g} N/mm after." + touching,
+        note=f"By the closed form, the leaves touch at U_A = {U_A * 1e3:.4g} mm, F_A = "
+             f"{F_A:.4g} N; the stiffness is "
+        f"k_1 = {k1 / 1e3:.4g} N/mm below U_A and k_2 = {k2 / 1e3:.4g} N/mm above." + touching,
     )  # fmt: skip

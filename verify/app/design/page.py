@@ -1,4 +1,4 @@
-"""The page of a design's outcome, in the words and units of the task."""
+"""The page of a spring design, in the units of the task."""
 
 import time
 from collections.abc import Sequence
@@ -26,30 +26,40 @@ from verify.studies.design.records import COLUMNS, columns
 from verify.studies.design.search import Search
 
 STEPS = (
-    "Every combination of n, b, α, r and L_1 is a candidate; the paper fixes b and n, walks over "
-    "L_1 and r and takes α from the wedge (Fig. 12). What no strip can be bent into, "
-    "b ≥ r or 2 r ≥ L_1, is set aside.",
-    "Its free length L_0 follows from the shape, U_w = L_0 − L_w from the task, Δ = F_w/k_1 from "
-    "the energy of the free stage (Eqs. 1-8, on the centre line and with the ends that the task "
-    "names).",
-    "It has to keep |U_w − Δ|/Δ (Eq. 11), both limits of U_w/L_0 (Eq. 12) and of L_0/b (Eq. 13), "
-    "and to fit into the wedge (Fig. 12).",
-    "Beyond the paper: leaves must not touch before U_w, nor the spring sway; the bending stress "
-    "inside the loops, the height across and the change of k_1 with the strip's tolerance stay "
-    "within limits.",
-    "The Pareto front holds the feasible candidates that no other one dominates in stress, L_0, "
-    "U_A/U_w and |k_1/k_w − 1|, k_w = F_w/U_w. A longer front is reduced to 20: the best in each "
-    "criterion, the one closest to the ideal point, then repeatedly the one with the largest "
-    "distance from those selected, every axis scaled to the front.",
-    "Finite elements judge each member: a curved frame its k_1, within a third of what Eq. 11 "
-    "allows; a geometrically exact beam whose leaves may touch Eq. 11 itself, with the "
-    "displacement that F_w really causes.",
-    "The selected member is, of those that finite elements accept, the closest to the ideal point.",
+    "Every combination of n, b, α, r and L_1 is a candidate. The paper fixes b and n, varies "
+    "L_1 and r, and derives α from the wedge (Fig. 12). Shapes into which no strip can be bent, "
+    "b ≥ r or 2 r ≥ L_1, are excluded.",
+    "The free length L_0 of a candidate follows from its shape, U_w = L_0 − L_w from the task, "
+    "and Δ = F_w/k_1 from "
+    "the energy of the free stage (Eqs. 1-8, on the centre line and with the end conditions of "
+    "the task"
+    ").",
+    "A candidate must meet the limits of |U_w − Δ|/Δ (Eq. 11), U_w/L_0 (Eq. 12) and L_0/b (Eq. "
+    "13), "
+    "and must fit into the wedge (Fig. 12).",
+    "In addition to the paper, the leaves must not touch before U_w, and the spring must not "
+    "buckle sideways. The bending stress "
+    "inside the loops, the height of the spring and the change of k_1 with the tolerance of the "
+    "strip must be "
+    "within their limits.",
+    "The Pareto front contains the feasible candidates that no other candidate dominates in "
+    "stress, L_0, "
+    "U_A/U_w and |k_1/k_w − 1|, with k_w = F_w/U_w. A longer front is reduced to 20 members: "
+    "the best in each "
+    "criterion, the member closest to the ideal point, then repeatedly the member with the largest "
+    "distance from the selected members. Every axis is scaled to the front.",
+    "Finite elements judge each member. A curved frame verifies k_1 within a third of the "
+    "deviation that Eq. 11 "
+    "allows. A geometrically exact beam with contact of the leaves verifies Eq. 11 itself, with "
+    "the "
+    "actual displacement under F_w.",
+    "The selected member is the one closest to the ideal point among the members that finite "
+    "elements accept.",
 )
 
 
 def page(outcome: Outcome, command: str) -> DesignPage:
-    """Everything on the page."""
+    """All content of the page."""
     s = outcome.search
     chosen = outcome.chosen is not None
     return DesignPage(
@@ -97,18 +107,19 @@ def _failure(outcome: Outcome) -> Sequence[str]:
     if not v.fits:
         return (f"Member {outcome.chosen + 1} by finite elements: {verdict(v)} (Eq. 11).",)
     off = [k + 1 for k, v in enumerate(outcome.verified) if not v.agrees]
-    return (f"The formula's stiffness disagrees with finite elements: members {off}.",)
+    return (f"The stiffness by the formula disagrees with finite elements for the members {off}.",)
 
 
 def _lead(outcome: Outcome) -> str:
     shape = geometry(outcome.search, outcome.candidate)
     member = f"Member {(outcome.chosen or 0) + 1} of the front: {shape}."
     if not outcome.verified:
-        return f"{member} Not judged by finite elements."
+        return f"{member} It was not judged by finite elements."
     v = outcome.verified[outcome.chosen or 0]
     return (
         f"{member} Finite elements: k_1 = {v.k1 / 1e3:.4g} N/mm, formula {v.deviation:+.2%}; "
-        f"F_w needs {v.delta * 1e3:.4g} mm, so that (U_w − Δ)/Δ = {v.e_r:+.2%}: {verdict(v)}."
+        f"F_w causes a displacement of {v.delta * 1e3:.4g} mm, so that (U_w − Δ)/Δ = "
+        f"{v.e_r:+.2%}: {verdict(v)}."
     )
 
 
@@ -128,9 +139,9 @@ WORDS = {
     "L0": ("L_0", "free length"), "U_w": ("U_w", "working displacement"),
     "Delta": ("Δ", "computed displacement, F_w/k_1"), "k1": ("k_1", "stiffness"),
     "f": ("f", "width factor"),
-    "k1_eqs_1_9": ("k_1", "stiffness by Eqs. 1-9 as the paper reads them"),
-    "U_A": ("U_A", "displacement at which leaves touch"), "F_A": ("F_A", "force there"),
-    "k2": ("k_2", "stiffness beyond"), "stress": ("σ", "bending stress at F_w"),
+    "k1_eqs_1_9": ("k_1", "stiffness by Eqs. 1-9 in the paper's interpretation"),
+    "U_A": ("U_A", "displacement at which leaves touch"), "F_A": ("F_A", "force at U_A"),
+    "k2": ("k_2", "stiffness beyond U_A"), "stress": ("σ", "bending stress at F_w"),
 }  # fmt: skip
 
 
@@ -150,7 +161,9 @@ def _limits(s: Search, i: int | None) -> Table:
         room = "" if i is None else spare(limit, i)
         rows.append((limit.symbol, value, bound, room, limit.source))
     return Table(
-        title="Its limits", header=("limit", "value", "", "to spare", "from"), rows=tuple(rows)
+        title="Limits of the spring",
+        header=("limit", "value", "", "reserve", "source"),
+        rows=tuple(rows),
     )
 
 
@@ -159,7 +172,7 @@ def _front(outcome: Outcome) -> Table:
     unit_of = dict(COLUMNS)
     heads = [symbol if unit_of[name] == "1" else f"{symbol} [{unit_of[name]}]"
              for name, symbol, _ in FRONT]  # fmt: skip
-    fem = ("k_1 FE [N/mm]", "formula less FE [%]", "Δ FE [mm]", "e_r FE [%]", "")
+    fem = ("k_1 FE [N/mm]", "formula minus FE [%]", "Δ FE [mm]", "e_r FE [%]", "")
     rows = []
     for rank, i in enumerate(s.members):
         cells = [
@@ -175,8 +188,10 @@ def _front(outcome: Outcome) -> Table:
     return Table(
         title="The front", header=("member", *heads, *(fem if outcome.verified else ())),
         rows=tuple(rows),
-        note="Pareto-optimal springs in stress, L_0, U_A/U_w and |k_1/k_w − 1|, the closest to the "
-        "ideal point first; --choose selects another. All candidates are in candidates.csv.",
+        note="Pareto-optimal springs in stress, L_0, U_A/U_w and |k_1/k_w − 1|; the spring "
+             "closest to the "
+        "ideal point is first. --choose selects another member. All candidates are in "
+        "candidates.csv.",
     )  # fmt: skip
 
 
@@ -187,8 +202,8 @@ def _relaxations(s: Search) -> Sequence[Table]:
     found = [
         Table(
             title="Limits violated by the closest candidate",
-            note=f"It is {nearest}, with the lowest maximum excess of all candidates.",
-            header=("limit", "value", "has to be", "beyond", "from"),
+            note=f"The candidate is {nearest}; its largest excess is the lowest of all candidates.",
+            header=("limit", "value", "required", "excess", "source"),
             rows=tuple((r.limit.symbol, in_unit(r.limit, r.needed), _bound(r),
                         f"{100 * r.excess:.3g} %", r.limit.source) for r in s.nearest),
         )
@@ -197,7 +212,7 @@ def _relaxations(s: Search) -> Sequence[Table]:
         found.append(
             Table(
                 title="Relaxing one of these limits makes a spring feasible",
-                header=("relax", "from", "to", "which admits"),
+                header=("limit to relax", "from", "to", "spring that becomes feasible"),
                 rows=tuple((f"{r.limit.key}, {r.limit.what}", in_unit(r.limit, r.given),
                             rounded(r), geometry(s, r.candidate)) for r in s.relaxations),
             )

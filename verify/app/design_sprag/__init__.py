@@ -1,1 +1,1 @@
-"""Command design_sprag."""
+"""The command `design` for the crown of a sprag."""

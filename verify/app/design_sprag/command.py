@@ -1,4 +1,4 @@
-"""The command `design` for a sprag's crown, without reading the command line."""
+"""The action of the command `design` for the crown of a sprag."""
 
 import json
 import shlex
@@ -37,11 +37,16 @@ def run_design(
     path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None,
     units: System | None = None,
 ) -> int:  # fmt: skip
-    """The optimal crown for a task; 0 confirmed and within limits, 1 not, 3 not decided."""
+    """Find the optimal crown for a task, print the answer and return the exit status.
+
+    The status is 0 if the crown is confirmed and within its limits, 1 if not, 3 if undecided.
+    """
     task = load(path)
     system = units or task.system
     if choose is not None:
-        raise InputError("--choose: a crown has one optimum and no Pareto front")
+        raise InputError(
+            "--choose is only for springs: a crown has one optimum and no Pareto front"
+        )
     if out is not None:
         writable(out)
     outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)
@@ -70,7 +75,7 @@ def run_design(
 
 
 def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
-    """Files of the folder by name."""
+    """Contents of the files of the output folder, by name."""
     from reports.design import page as page_html
     from verify.app.design_sprag.page import page
 

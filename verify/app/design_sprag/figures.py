@@ -1,4 +1,4 @@
-"""Pictures of a crown: its profile, its pressures, how flat the optimum is, how sure kriging."""
+"""Figures of a crown: its profile, pressures, the region around the optimum, kriging errors."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ UNITS = (1.0, 1.0, um)
 
 
 def figures(outcome: Outcome) -> list[Picture]:
-    """All possible figures; comparisons only with a half-space, or for several torques."""
+    """All figures that can be drawn; some require a half-space or several torques."""
     found: list[Picture] = [profiles(outcome)]
     if outcome.checks:
         found.append(pressures(outcome))
@@ -28,7 +28,7 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def profiles(outcome: Outcome) -> Curves:
-    """Drop along the sprag, of the present and the optimal crown, with its tolerance."""
+    """Plot of the drop along the sprag, for the present and the optimal crown with tolerance."""
     model, q = outcome.search.model, outcome.task.clutch
     y = np.linspace(-0.5, 0.5, POINTS) * q.l
     drops = model.drop(outcome.chosen.crowns, y) / um
@@ -40,13 +40,14 @@ def profiles(outcome: Outcome) -> Curves:
     curves.append(Curve(name="now" if q.z_m else "now, without a crown", x=y / mm, y=now, colour=0))
     return Curves(
         title="Profile of the sprag", x_label="y [mm]", y_label="z [µm]", curves=tuple(curves),
-        y_bottom=0.0, note=f"Its deviation from a straight line. {named(outcome.crown)}. "
-        "Its numbers are in profile.csv.",
+        y_bottom=0.0, note="Deviation of the profile from a straight line. "
+                           f"{named(outcome.crown)}. "
+        "The coordinates are in profile.csv.",
     )  # fmt: skip
 
 
 def pressures(outcome: Outcome) -> Curves:
-    """Pressure along the sprag under the largest torque's force: slices, strips, half-space."""
+    """Plot of the pressure along the sprag at the largest torque: slices, strips, half-space."""
     c = [check for check in outcome.checks if check.which == "nominal"][-1]
     l = outcome.task.clutch.l  # noqa: E741
     half = _thinned(c.half.y, DOTS)
@@ -62,7 +63,7 @@ def pressures(outcome: Outcome) -> Curves:
 
 
 def _told(c: Check) -> str:
-    ends = "Its ends carry nothing." if c.end == 0 else "Its ends carry."
+    ends = "The ends are unloaded." if c.end == 0 else "The ends are loaded."
     return f"{c.T:g} N m, N_max = {c.N:.5g} N at the inner race. {ends}"
 
 
@@ -76,7 +77,7 @@ def _thinned(values: Array, most: int) -> Array:
 
 
 def plane(outcome: Outcome, i: int, j: int) -> Density:
-    """Objective over two of the parameters; the third has its optimal value."""
+    """Plot of the objective over two parameters of the crown; the third has its optimal value."""
     search, task = outcome.search, outcome.task
     x, y = (np.linspace(task.low[k], task.high[k], CELLS) for k in (i, j))
     crowns = np.tile(outcome.crown, (CELLS * CELLS, 1))
@@ -96,9 +97,9 @@ def plane(outcome: Outcome, i: int, j: int) -> Density:
         y_label=NAMES[j], z_label=unit, x=x / UNITS[i], y=y / UNITS[j], z=z.reshape(CELLS, CELLS),
         range=span, point=(float(outcome.crown[i] / UNITS[i]),
                              float(outcome.crown[j] / UNITS[j]), "best"),
-        note=f"By kriging, {_bare(third)} as in the optimal crown"
-        + ("" if search.single else ", the worst within the tolerance")
-        + "; values beyond the colour scale have its last colour.",
+        note=f"Computed by kriging, with {_bare(third)} of the optimal crown"
+        + ("" if search.single else ", at the worst point within the tolerance")
+        + "; values above the colour scale have its last colour.",
     )  # fmt: skip
 
 
@@ -107,7 +108,10 @@ def _bare(k: int) -> str:
 
 
 def parity(outcome: Outcome) -> Curves:
-    """Kriging and true model for random crowns outside the sample, over the best pressure."""
+    """Plot of kriging over the true model for random crowns outside its sample.
+
+    Both are divided by the optimal pressure.
+    """
     search, ends = outcome.search, np.array([1.0, SEEN])
     curves = [Curve(name="equal", x=ends, y=ends, style="dashes", colour=4)]
     drawn = [(true / outcome.best, by / outcome.best) for true, by in search.parity]
@@ -120,14 +124,16 @@ def parity(outcome: Outcome) -> Curves:
     return Curves(
         title="Kriging against the true model", x_label="p/p_best, true",
         y_label="p/p_best, kriging", curves=tuple(curves), y_bottom=0.98,
-        note="Random crowns that are not in kriging's sample, under every torque, over the best "
-        "there. Where kriging was inaccurate they joined its sample and new ones were drawn. "
-        "Edge-loaded crowns lie far above, since the end pressure counts three times.",
+        note="Each point is a random crown that is not in the sample of kriging, at one torque; "
+             "pressures are relative to the optimal one at "
+        "this torque. Where kriging was inaccurate, the crowns were added to its sample, and "
+        "new crowns were drawn. "
+        "Edge-loaded crowns are far above, because the end pressure counts three times.",
     )  # fmt: skip
 
 
 def over_torques(outcome: Outcome) -> Curves:
-    """Largest pressures over the torque: now, chosen, and the optimal crown of each."""
+    """Plot of the largest pressures over the torque: present, selected and optimal crowns."""
     T = np.array(outcome.task.torques)
     now = outcome.largest(outcome.now)[0] / MPa
     limit = outcome.task.wishes.p_lim
@@ -139,9 +145,13 @@ def over_torques(outcome: Outcome) -> Curves:
     if limit is not None:
         curves.append(Curve(name="p_lim", x=T[[0, -1]], y=np.full(2, limit / MPa), style="dashes",
                             colour=4))  # fmt: skip
-    worst = "" if outcome.search.single else " Chosen and best are the worst within the tolerance."
+    worst = (
+        ""
+        if outcome.search.single
+        else (" For the selected and the optimal crowns: largest value within the tolerance.")
+    )
     return Curves(
         title="Largest pressure over the torque", x_label="T [N m]", y_label="p [MPa]",
         curves=tuple(curves), y_bottom=0.0,
-        note=f"As the clutch engages, by {outcome.task.wishes.contacts}.{worst}",
+        note=f"Pressures during engagement, computed by {outcome.task.wishes.contacts}.{worst}",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The page of a crown's outcome, in the words and units of the task."""
+"""The page of a crown design, in the units of the task."""
 
 import time
 from collections.abc import Sequence
@@ -27,33 +27,45 @@ from verify.studies.design_sprag.verified import Check
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 STEPS = (
-    "A full factorial of 5 × 5 × 5 crowns covers the ranges and their tolerances, K_1 and z_m in "
-    "equal ratios (the paper has equal steps, Eq. 19). For each crown and torque the equations of "
-    "motion are integrated in time; the largest normal force is used (Eqs. 11-17).",
-    "Under that force the inner contacts, whose pressure always exceeds that of the outer ones, "
-    "are solved by strips on a half-space, a third of the contact's half-width wide. A loaded end "
-    "has no finite pressure there, so that its strip counts three times. Slices (Eqs. 2-5) "
-    "hardly represent the end of a sprag: their optimal crown is edge-loaded.",
-    "Kriging with a quadratic trend (Eq. 20) is fitted to the square of the pressure, separately "
-    "for the end, the strips beside it and all others, because their maximum has kinks. New random "
-    "crowns check it; where it is inaccurate they join the sample and new ones are drawn.",
-    "A search on kriging finds the optimal crown of each torque, then the target crown; the model "
-    "is evaluated there and added to the sample until both agree within 0.5 % twice in a row. With "
-    "tolerances every crown is replaced by the worst of itself and its corners: the drop larger or "
-    "smaller over the whole length, the crown longer or shorter.",
-    "All printed values of a crown are those of the model. A half-space solved in cells judges it "
-    "under the same forces; the ends have to be unloaded there.",
+    "A full factorial design of 5 × 5 × 5 crowns covers the ranges and their tolerances, with "
+    "K_1 and z_m in "
+    "equal ratios (the paper uses equal steps, Eq. 19). For each crown and torque, the "
+    "equations of "
+    "motion are integrated in time, and the largest normal force is used (Eqs. 11-17).",
+    "The pressure is computed for the inner contacts, where it always exceeds the pressure of "
+    "the outer contacts. "
+    "The model consists of strips on a half-space, each a third of the contact's half-width "
+    "wide. At a loaded end, "
+    "the pressure is unbounded; therefore, the pressure of the end strip counts three times. "
+    "Slices (Eqs. 2-5) "
+    "represent the end of a sprag poorly: the optimal crown by slices is edge-loaded.",
+    "A kriging model with a quadratic trend (Eq. 20) is fitted to the square of the pressure, "
+    "separately "
+    "for the end strip, the strips next to it and all other strips, because the maximum over "
+    "all strips has kinks. New random "
+    "crowns test the model. Where it is inaccurate, they are added to its sample, and new "
+    "crowns are drawn.",
+    "A search on the kriging model finds the optimal crown of each torque, then the target "
+    "crown. The true model "
+    "is evaluated at these crowns, which are added to the sample, until both models agree "
+    "within 0.5 % twice in a row. With "
+    "tolerances, every crown is replaced by the worst of its nominal shape and its limit "
+    "shapes: drop larger or "
+    "smaller over the whole length, crown longer or shorter.",
+    "All printed values of a crown are those of the true model. A half-space model with "
+    "rectangular cells verifies the crown "
+    "under the same forces; in this model, the ends must be unloaded.",
 )  # fmt: skip
 
 
 def page(outcome: Outcome, command: str) -> DesignPage:
-    """Everything on the page."""
+    """All content of the page."""
     task = outcome.task
     return DesignPage(
         name=task.name,
         subject="crown",
         of="a sprag's crown",
-        front_name="Torque by torque",
+        front_name="Results by torque",
         meta=time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
         + " · after Huang, Zhao and Liu 2018, Eqs. 1-20",
         tiles=_tiles(outcome),
@@ -62,7 +74,7 @@ def page(outcome: Outcome, command: str) -> DesignPage:
         lead=_lead(outcome),
         sketch=sketch(task.clutch),
         chosen=_values(outcome),
-        limits=Table(title="Its numbers", header=("", *HEAD_CROWN),
+        limits=Table(title="Numbers of the crown", header=("", *HEAD_CROWN),
                      rows=tuple(crown_table(outcome))),
         front=_torques(outcome),
         relaxations=(),
@@ -85,13 +97,16 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     ends = f", edge-loaded: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
     found = [
         Tile(number=f"{worst / MPa:.0f} MPa", words=f"largest at {T}{drawn}"),
-        Tile(number=less, words=f"{shape}against the crown now{ends}"),
-        Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
+        Tile(number=less, words=f"{shape}compared with the present crown{ends}"),
+        Tile(
+            number=f"{len(outcome.search.model.known)}", words="crowns with a simulated engagement"
+        ),
     ]
     if outcome.checks:
         off = max(abs(c.off(c.judged)) for c in outcome.checks)
         ends = "; edge-loaded" if any(c.end > 0 for c in outcome.checks) else ""
-        found.append(Tile(number=f"{100 * off:.1f} %", words=f"off a half-space at most{ends}",
+        found.append(Tile(number=f"{100 * off:.1f} %", words="largest difference from a "
+                                                             f"half-space{ends}",
                           css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
     return found
 
@@ -106,14 +121,14 @@ def _failure(outcome: Outcome) -> Sequence[str]:
 
 def _lead(outcome: Outcome) -> str:
     aim = (
-        "the largest excess over the optimal crown of each torque is smallest"
+        "with the lowest maximum excess over the optimal crown of each torque"
         if outcome.relative
-        else "the largest pressure is smallest"
+        else "with the lowest maximum pressure"
     )
     within = "" if outcome.search.single else ", within its tolerance,"
     return (
-        f"{named(outcome.crown)} for Q = {outcome.search.model.Q:.5g} N: of all crowns in the "
-        f"ranges this is where {aim}{within} under {torques(outcome.task)}. "
+        f"{named(outcome.crown)} for Q = {outcome.search.model.Q:.5g} N. Of all crowns in the "
+        f"ranges, it is the one {aim}{within} under {torques(outcome.task)}. "
         f"{sentence(verdict(outcome))}."
     )
 
@@ -125,11 +140,11 @@ def _values(outcome: Outcome) -> Sequence[tuple[str, str, str]]:
         ("K_1", "depth of the crown", f"{K_1:.4g}"),
         ("K_2", "crowned share of the length", f"{K_2:.4g}"),
         ("z_m", "drop at the ends", f"{z_m / um:.4g} µm"),
-        ("Q", "load that K_1 counts", f"{outcome.search.model.Q:.5g} N"),
-        ("K_1 Q", "load that the crown suits", f"{K_1 * outcome.search.model.Q:.5g} N"),
+        ("Q", "reference load of K_1", f"{outcome.search.model.Q:.5g} N"),
+        ("K_1 Q", "load for which the crown is designed", f"{K_1 * outcome.search.model.Q:.5g} N"),
         ("N_max", "largest force of a sprag", f"{N.max():.5g} N"),
         ("l", "length of the sprag", f"{q.l / mm:.5g} mm"),
-        ("(1 − K_2) l", "of it straight", f"{(1 - K_2) * q.l / mm:.4g} mm"),
+        ("(1 − K_2) l", "straight length of the sprag", f"{(1 - K_2) * q.l / mm:.4g} mm"),
     ]
 
 
@@ -141,13 +156,13 @@ def _torques(outcome: Outcome) -> Table:
     )
     more_remarks = " ".join(f"{sentence(line)}." for line in remarks(outcome))
     return Table(
-        title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),
+        title="Results by torque", header=heads, rows=tuple(torque_table(outcome)),
         note=f"Largest pressures at the inner contacts during engagement, in MPa. {more_remarks}",
     )  # fmt: skip
 
 
 def sentence(line: str) -> str:
-    """A line with a capital letter."""
+    """The line with its first letter in upper case."""
     return f"{line[0].upper()}{line[1:]}"
 
 

@@ -1,1 +1,1 @@
-"""Command mutation."""
+"""The command `mutants`."""

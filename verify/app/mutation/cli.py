@@ -19,20 +19,21 @@ def mutants(
 ) -> int:
     """Insert faults into references, formulas, judging and finite elements; count detected faults.
 
-    Uses finite-element results of an earlier `verify`. Every outcome is stored at once: the same
-    command continues an interrupted run. The report contains the score of the sample with seed 0.
+    The command uses finite-element results of an earlier `verify`. Every result is stored
+    immediately; the same command continues an interrupted run. The report contains the share of
+    detected faults in the random sample with seed 0.
 
     Parameters
     ----------
     all
-        Test every mutant instead of a sample; this takes hours.
+        Test all faults instead of a random sample; this takes hours.
     seed
-        Seed of another sample, whose score is printed and not stored.
+        Seed of the random sample of faults. Results of a seed other than 0 are only printed.
     jobs
         Number of processes; 0 for one per core.
     only
-        Group of faults: references, formulas, judging or finite-elements; by default all. May be
-        repeated.
+        Group of faults: references, formulas, judging or finite-elements; the default is all
+        groups. The option may be repeated.
     """
     from verify.audit.mutation.command import run_mutants
 

@@ -1,1 +1,1 @@
-"""Command portable."""
+"""The command `portable`."""

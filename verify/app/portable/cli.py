@@ -25,9 +25,10 @@ def portable(
     Parameters
     ----------
     cases
-        Cases to run, all by default; see `freewheel list`.
+        Cases to run; the default is all cases. `freewheel list` lists them.
     only
-        Emulated machine to compare with this machine; by default all. May be repeated.
+        Emulated machine to compare with this machine; the default is all. The option may be
+        repeated.
     seeds
         Number of perturbed input sets.
     list
@@ -35,7 +36,7 @@ def portable(
     again
         Remove the results of earlier runs.
     jobs
-        Number of machines emulated in parallel; 0 for one per core.
+        Number of machines that are emulated in parallel; 0 for one per core.
     out
         Folder for the results, by default reports/out/portable of this checkout.
     """

@@ -1,1 +1,1 @@
-"""Command definitions."""
+"""The command `search`."""

@@ -17,14 +17,15 @@ def search(
 ) -> int:
     """Find the reading that reproduces a printed number: diameter or radius, half or whole, etc.
 
-    Tries all combinations of readings, and states how many of them would fit by chance. Exit
-    status 0: the formula or a reading reproduces the number; 1: no reading does.
+    A reading is an interpretation of an input or formula. The command tries all combinations of
+    readings, and states how many of them would fit by chance. Exit status 0: the formula or a
+    reading reproduces the number; 1: no reading does.
 
     Parameters
     ----------
     name
-        A published number or erratum with listed readings (wang2023:k1-theory), a row (CASE/row),
-        or a case with --key and --printed.
+        A published number or erratum with listed readings (such as wang2023:k1-theory), a row
+        (CASE/row), or a case with --key and --printed.
     key
         Key of a value of the formulas, see `freewheel check --keys`.
     printed

@@ -1,4 +1,4 @@
-"""The command `search`: the reading that reproduces a printed number."""
+"""The command `search`: finds the reading that reproduces a printed number."""
 
 import json
 import time
@@ -38,7 +38,7 @@ def run_search(
     rounded: bool,
     as_json: bool,
 ) -> int:
-    """Search and print the result: 0 if a reading gives the number, 1 if none does."""
+    """Search and print the result; returns 0 if a reading gives the number, otherwise 1."""
     if not 0 <= changes <= MOST:
         raise InputError(f"--changes must be 1 to {MOST}, got {changes}")
     known = {problem.reference: problem for problem in PROBLEMS}
@@ -74,20 +74,25 @@ def _generic(
     rounded: bool,
     show: Show,
 ) -> tuple[Outcome, dict[str, Any]]:
-    """A search on a formula value of a case, with the usual readings of its inputs."""
+    """Result of a search on a formula value of a case, with the usual readings of its inputs."""
     case, key, reference = _asked(name, key)
     inputs = case.inputs() if file is None else _of_file(file, case)
     values = case.analytic(inputs)
     if key not in values:
-        raise InputError(f"--key {key}: {case.id} has {_keys(key, values)}")
+        raise InputError(
+            f"--key {key}: case {case.id} has no such key; its keys are {_keys(key, values)}"
+        )
     if reference and not printed:
         printed, unit = published(reference).printed, unit or published(reference).unit
     if not is_number(printed):
-        raise InputError(f"--printed needs a number in its digits such as 12.30, got {printed!r}")
+        raise InputError(
+            "--printed must be a number with all its printed digits, such as "
+            f"12.30, got {printed!r}"
+        )
     natural = next((o.unit for o in case.outputs if o.key == key), unit or "1")
     unit = unit or natural
     if units.dimensions(unit) != units.dimensions(natural):
-        raise InputError(f"--unit {unit}: {key} is in {natural}")
+        raise InputError(f"--unit {unit}: the unit of {key} must have the dimension of {natural}")
     factor = units.factor(unit)
     try:
         outcome = search(
@@ -103,7 +108,7 @@ def _generic(
 
 
 def _progress(show: Show, name: str) -> Progress:
-    """Displays the progress of a search."""
+    """Function that displays the progress of a search."""
     start = time.monotonic()
 
     def show_state(done: int, total: int) -> None:
@@ -116,12 +121,12 @@ def _progress(show: Show, name: str) -> Progress:
 def _of_file(file: Path, case: Case) -> Inputs:
     _, other, inputs, _ = load(file)
     if other is not case:
-        raise InputError(f"{file}: belongs to {other.id}, expected {case.id}")
+        raise InputError(f"{file}: is a file for case {other.id}, but must be a file for {case.id}")
     return inputs
 
 
 def _asked(name: str, key: str) -> tuple[Case, str, str]:
-    """The case, its key and the printed number that `name` means: CASE, CASE/row or paper:id."""
+    """Case, key and printed number for `name`, which is CASE, CASE/row or paper:id."""
     if ":" in name.partition("/")[0]:
         return _claimed(name)
     case_id, _, row = name.partition("/")
@@ -134,7 +139,7 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
     if not row:
         if not key:
             keys = _keys("", case.analytic(case.inputs()))
-            raise InputError(f"{case.id} needs --key, one of {keys}")
+            raise InputError(f"case {case.id}: give --key, one of {keys}")
         return case, key, ""
     for check in case.checks:
         if getattr(check, "name", "") == row and (found := getattr(check, "analytic", "")):
@@ -145,7 +150,7 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
 
 
 def _keys(key: str, values: Iterable[str]) -> str:
-    """All keys of formula values of the case that can be searched, those similar to `key` first."""
+    """Text with all keys of formula values, beginning with those similar to `key`."""
     every = list(values)
     return nearest(key, every, most=len(every), between="; ")
 
@@ -155,7 +160,7 @@ def _references(name: str) -> str:
 
 
 def _claimed(name: str) -> tuple[Case, str, str]:
-    """The row that compares a formula with a printed number."""
+    """Case, key and name of the row that compares a formula with a printed number."""
     try:
         published(name)
     except KeyError as error:
@@ -168,7 +173,7 @@ def _claimed(name: str) -> tuple[Case, str, str]:
             if getattr(check, "reference", "") == name and (key := getattr(check, "analytic", "")):
                 return case, key, name
     why = WITHOUT_FORMULA.get(name, "no row compares a formula with it")
-    raise InputError(f"{name}: nothing to search: {why}")
+    raise InputError(f"{name}: no search is possible: {why}")
 
 
 def _record(outcome: Outcome, about: dict[str, Any]) -> dict[str, Any]:
@@ -182,7 +187,7 @@ def _record(outcome: Outcome, about: dict[str, Any]) -> dict[str, Any]:
 
 
 def _lines(outcome: Outcome, about: dict[str, Any]) -> list[str]:
-    """The number, the value of the formula as printed, the hits and their significance."""
+    """Lines with the number, the value of the formula, the hits and their significance."""
     unit = "" if about["unit"] == "1" else f" {about['unit']}"
     plain = outcome.as_it_stands
     gives = "has no value" if plain is None else f"gives {plain.value:.6g}{_off(plain.off)}{unit}"
@@ -211,9 +216,9 @@ def _off(off: float) -> str:
 
 
 def _weight(outcome: Outcome) -> str:
-    """The significance of a hit."""
+    """Text about the significance of a hit."""
     if outcome.best is None:
-        return "no other reading is needed" if outcome.met else "none reproduces the number"
+        return "no other reading is needed" if outcome.met else "no reading reproduces the number"
     chance = f"expected by chance: {outcome.accidental:.2g} hits with as few changes"
     if outcome.met:
         return f"{chance}; no other reading is needed"

@@ -1,1 +1,1 @@
-"""Command sweep."""
+"""The command `sweep`."""

@@ -23,10 +23,10 @@ def sweep(
 ) -> int:
     """Compute the errors of the formulas over ranges of the inputs, and their range of validity.
 
-    For each row, writes the difference between formula and finite elements with its error bar, and
-    the region in which it is within 2, 5 and 10 %; for a sample, the influence of the tolerances.
-    Solved points are stored: the same command continues an interrupted sweep, and a finer sweep
-    reuses the points.
+    For each row, the command writes the difference between formula and finite elements with its
+    error bar, and the regions in which it is within 2, 5 and 10 %. For a sample, it writes the
+    influence of the tolerances. Solved points are stored: the same command continues an interrupted
+    sweep, and a finer sweep reuses the points.
 
     Parameters
     ----------
@@ -36,23 +36,23 @@ def sweep(
         An input and its values: z=3:12:10, b=0.3mm:2mm:9, b=0.1mm:10mm:9:log, E=190GPa,210GPa or
         supports[2].k=...; several inputs give a grid.
     star
-        Vary one input at a time instead of a grid; the others are as in the file.
+        Vary one input at a time instead of a grid; the other inputs have the values of the file.
     sample
         sobol:N, a sample for sensitivity indices; N is a power of two. A sample with d tolerances
         has N (d + 2) points.
     tolerance
         An input of the sample and its tolerance, uniformly distributed: b=±0.05mm, E=±5%.
     only
-        Text in the names of the rows to compute; some cases then solve less.
+        Part of the names of the rows to compute; for some cases, this reduces the computation.
     jobs
         Number of processes; 0 for one per core.
     engine
-        Where to solve: in processes on this machine, or on a dask cluster.
+        Place of the computation: processes on this machine (local), or a dask cluster (dask).
     scheduler
         Address of the scheduler of the cluster, such as tcp://host:8786; without an address, dask
         starts a local cluster.
     out
-        Folder for the page and tables, by default reports/out/sweep-FILE of this checkout.
+        Folder for the page and tables; the default is reports/out/sweep-FILE of this checkout.
     json
         Print JSON instead of text.
     again

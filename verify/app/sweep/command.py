@@ -1,4 +1,4 @@
-"""The command `sweep`, without reading the command line."""
+"""The action of the command `sweep`."""
 
 import json
 import shlex
@@ -33,11 +33,11 @@ def run_sweep(
     path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str], where: Where, out: Path | None, as_json: bool, again: bool,
 ) -> int:  # fmt: skip
-    """Formulas and finite elements over a grid or a sample; returns 1 if a point failed, else 0.
+    """Compare formulas and finite elements over a grid or a sample; returns 1 if a point failed.
 
-    A point at which a row does not converge has failed, too. A point has not failed if the rules of
-    the inputs reject it or a formula has no value. All points are counted; the other results are
-    stored. InputError if all points are rejected.
+    A point also fails if a row does not converge. A point does not fail if the rules of the inputs
+    reject it, or if a formula has no value. All points are counted, and the other results are
+    stored. Returns 0 if no point failed. Raises InputError if all points are rejected.
     """
     plan = planned(path, vary=vary, star=star, sample=sample, tolerances=tolerances, only=only)
     _some_possible(plan)
@@ -60,12 +60,12 @@ def run_sweep(
 
 
 def _has_failed(problems: Sequence[str]) -> bool:
-    """Whether a problem is neither a refusal nor a state that the formula does not have."""
+    """Whether a point failed for a reason other than rejected inputs or a missing formula value."""
     return any(p and p != NO_FORMULA and not p.startswith(REFUSED) for p in problems)
 
 
 def _some_possible(plan: Plan) -> None:
-    """InputError if the inputs' rules refuse every point; most plans pass at the first."""
+    """Raise InputError if the rules of the inputs reject every point."""
     refused = []
     for row in plan.points:
         try:
@@ -78,7 +78,7 @@ def _some_possible(plan: Plan) -> None:
 
 
 def _some_accepted(problems: Sequence[str]) -> None:
-    """InputError if each is a refusal, which a solver may be the first to say."""
+    """Raise InputError if all `problems` are rejections; a solver may also reject a point."""
     if all(problem.startswith(f"{REFUSED}:") for problem in problems):
         raise InputError(f"every point is rejected, such as: {bare(problems[0])}")
 
@@ -87,11 +87,14 @@ def planned(
     path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str],
 ) -> Plan:  # fmt: skip
-    """The sweep that a parameter file and the options define; InputError."""
+    """Sweep that a parameter file and the options define.
+
+    Raises InputError if an option is wrong.
+    """
     if vary and sample:
-        raise InputError("--vary, which makes a grid, and --sample exclude each other")
+        raise InputError("--vary (a grid) and --sample cannot be combined")
     if not vary and not sample:
-        raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
+        raise InputError("give --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
     if star and not vary:
         raise InputError("--star requires --vary")
     if tolerances and not sample:
@@ -104,14 +107,16 @@ def planned(
 
 
 def announce(plan: Plan) -> None:
-    """Print the points to be solved, and how to reduce their number."""
+    """Print the number of points to be solved, and how to reduce it."""
     part = portion(plan.case, plan.chosen)
     rows = f"{len(plan.chosen)} row{'s' if len(plan.chosen) != 1 else ''}"
     print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)
     if not part.name and plan.case.portions:
         names = ", ".join(f"{p.name} ({_rows(plan, p.keys)})" for p in plan.case.portions)
         print(
-            f"parts that are solved much faster, with --only: {names}", file=sys.stderr, flush=True
+            f"these parts can be solved much faster with --only: {names}",
+            file=sys.stderr,
+            flush=True,
         )
 
 
@@ -133,7 +138,7 @@ def command(
 
 
 def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """Files of the folder by name."""
+    """Contents of the files of the output folder, by name."""
     from reports.sweep import page as page_html
     from verify.app.sweep.page import page
 

@@ -1,4 +1,4 @@
-"""Pictures of a sweep: the error over the varied inputs, with formula and finite elements."""
+"""Figures of a sweep: error over the varied inputs, values of formula and finite elements."""
 
 import math
 from collections.abc import Sequence
@@ -27,12 +27,12 @@ MIDDLE = LIMITS[1]  # whose region maps outline
 MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
 ERROR = "Formula minus finite elements, in %."
 MATTERS = 0.1  # share of the points whose bar reaches across a limit, from which on it is drawn
-LINES = " Lines: where the error passes a limit, straight between points."
+LINES = " Lines mark where the error crosses a limit, by linear interpolation between points."
 QUANTILES = ("2.5 %", "50 %", "97.5 %")
 
 
 def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[Picture]:
-    """A curve, or a map, of the error, and the values that are compared."""
+    """Figures of a grid: a curve or a map of the error, and the compared values."""
     if plan.star:
         return [_of_line(plan, course, k) for k in range(len(plan.axes))]
     if len(plan.axes) == 1:
@@ -63,7 +63,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
 
 
 def panels(plan: Plan, course: Course) -> Sequence[Panels]:
-    """Of more than two axes, cuts through the grid, and the worst over the axes not drawn."""
+    """Cuts through a grid with more than two axes, and the largest error over the other axes."""
     if plan.star or len(plan.axes) < 3:
         return ()
     shape = plan.shape
@@ -81,22 +81,24 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
         for k in some
     )  # fmt: skip
     left_out = "" if len(some) == len(places) else (
-        f" {len(some)} of {len(places)} cuts, evenly chosen; the rest is in points.csv."
+        f" {len(some)} of {len(places)} cuts are drawn; all points are in points.csv."
     )  # fmt: skip
     pairs = list(combinations(range(len(shape)), 2))[:MOST_PAIRS]
     worst = tuple(_worst(plan.axes, error, U, pair, unsafe) for pair in pairs)
     return (
         Panels(title="The largest error over all other axes", maps=worst,
-               note="Each cell stands for all points with these two values: where it is within a "
-               "limit, all of them that are solved are."),
+               note="Each cell represents all points with these two values: if the cell is "
+                    "within a "
+               "limit, all solved points of the cell are within it."),
         Panels(title=f"Cuts: error over {last[0].symbol} and {last[1].symbol}", maps=cuts,
-               note=f"Each at values of the other axes; a cell stands for the point in its middle."
+               note="Each cut is at fixed values of the other axes; a cell represents the "
+                    "point at its centre."
                f"{left_out}"),
     )  # fmt: skip
 
 
 def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
-    """Scatter of results and error, its causes, and the error over the most influential input."""
+    """Figures of a sample: scatter of results and error, causes, most influential input."""
     independent = np.arange(len(plan.points)) < 2 * plan.base
     factor = units.factor(course.pair.unit)
     label = with_unit(course.pair.symbol, course.pair.unit)
@@ -111,7 +113,7 @@ def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
         if scatter.indices:
             drawn.append(
                 Causes(
-                    title=f"What scatters the {'error' if what == 'error' else f'result: {what}'}",
+                    title=f"Causes of scatter: {'error' if what == 'error' else f'result: {what}'}",
                     items=tuple((i.tolerance.symbol, (i.first.value, i.first.low, i.first.high),
                                  (i.total.value, i.total.low, i.total.high))
                                 for i in scatter.ranked),
@@ -127,7 +129,7 @@ def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
     box: tuple[tuple[float, float], ...] = (), nominal: bool = False, unsafe: int | None = None,
 ) -> Measured:  # fmt: skip
-    """A map over two axes; `nominal` is true if all other inputs are as in the file."""
+    """Map of the error over two axes; `nominal` is True if all other inputs are as in the file."""
     x, y = axes
     return Measured(
         title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
@@ -145,9 +147,10 @@ def _of_line(plan: Plan, course: Course, k: int) -> Measured:
         title=f"Error over {a.symbol}", x=line.x / units.factor(a.unit), x_label=_label(a),
         error=course.error[line.points], U=course.U_error[line.points], nominal=_nominal([a]),
         log=(a.spacing == "log", False),
-        note=f"{ERROR} Shaded: the error bar. Below, where the whole bar is within a limit, to "
-        "halfway between points." + " All other inputs as in the file." * plan.star
-        + " Ring on the axis: value in the file." * _reached(a),
+        note=f"{ERROR} The error bar is shaded. The strips below mark where the whole error bar "
+             "is within a limit, up to "
+        "halfway between points." + " All other inputs have the values of the file." * plan.star
+        + " The ring on the axis marks the value in the file." * _reached(a),
     )  # fmt: skip
 
 
@@ -169,7 +172,7 @@ def _values_2d(plan: Plan, course: Course) -> Curves:
 def _curves(
     course: Course, a: Axis, rows: Sequence[tuple[slice | NDArray[np.int_], str]]
 ) -> Curves:
-    """Formula and finite elements over one axis, for each of some values of another."""
+    """Plot of formula and finite elements over one axis, for some values of another axis."""
     x = _shown(a)
     factor, by = units.factor(course.pair.unit), course.pair.by or "finite elements"
     drawn, bands = [], []
@@ -195,7 +198,7 @@ def _curves(
 def _worst(
     axes: Sequence[Axis], error: Array, U: Array, pair: tuple[int, int], unsafe: int
 ) -> Measured:
-    """The error that is largest in size, bar included, over all axes but two."""
+    """Map of the largest error, including its error bar, over all axes except two."""
     seen = [axes[k] for k in pair]
     rest = tuple(k for k in range(error.ndim) if k not in pair)
     flat = error.transpose(*pair, *rest).reshape(*(error.shape[k] for k in pair), -1)
@@ -228,10 +231,10 @@ def _dots(plan: Plan, course: Course, one: Tolerance, independent: NDArray[np.bo
     x = plan.points[some, k] / units.factor(one.unit)
     y = 100 * course.error[some]
     return Curves(
-        title=f"Error over {one.symbol}, which scatters it most", x_label=_label(one),
+        title=f"Error over {one.symbol}, the most influential input", x_label=_label(one),
         y_label="error [%]", curves=(Curve(name="", x=x, y=y, style="dots"),),
         y_bottom=float(y.min() - 0.05 * (np.ptp(y) or 1.0)),
-        note="All other inputs scatter too.",
+        note="All other inputs also vary within their tolerances.",
     )  # fmt: skip
 
 
@@ -246,7 +249,7 @@ def _at_nominal(a: Axis, value: float) -> bool:
 
 
 def _reached(a: Axis) -> bool:
-    """Whether the value of the file is between the ends of the axis."""
+    """Whether the value in the file is between the ends of the axis."""
     return a.nominal is not None and a.values[0] <= a.nominal <= a.values[-1]
 
 
@@ -263,5 +266,5 @@ def _valued(a: Axis, value: float) -> str:
 
 
 def _evenly(count: int, most: int) -> Sequence[int]:
-    """At most the given number of numbers below `count`, evenly, first and last among them."""
+    """At most `most` evenly distributed numbers below `count`, including the first and the last."""
     return sorted({round(v) for v in np.linspace(0, count - 1, min(count, most))})

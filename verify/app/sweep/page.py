@@ -1,4 +1,4 @@
-"""The page of a solved sweep, in words and numbers."""
+"""The page of a solved sweep."""
 
 import re
 import time
@@ -41,7 +41,7 @@ KINDS = {
 
 
 def page(found: Outcome, command: str) -> SweepPage:
-    """Everything on the page; `command` repeats the sweep."""
+    """All content of the page; `command` repeats the sweep."""
     plan = found.solved.plan
     order = worst(found)
     room = max(1, min(MOST_DRAWN, ROOM // max(len(plan.points), 1)))
@@ -68,7 +68,7 @@ def page(found: Outcome, command: str) -> SweepPage:
 
 
 def _result(plan: Plan, course: Course) -> tuple[About, str]:
-    """The regions or indices of a row, and their summary."""
+    """Regions or indices of a row, and their summary in words."""
     if plan.base:
         about = indices(plan, course)
         return about, sample_in_words(about)
@@ -83,7 +83,9 @@ def _tiles(found: Outcome) -> Sequence[Tile]:
     tiles = [Tile(number=f"{len(found.problems):,}", words="points"),
              Tile(number=f"{counts[SOLVED]:,}", words="solved")]  # fmt: skip
     if n := counts[REFUSED]:
-        tiles.append(Tile(number=f"{n:,}", words="rejected: inputs out of range", css="is-note"))
+        tiles.append(
+            Tile(number=f"{n:,}", words="rejected: inputs outside their range", css="is-note")
+        )
     if n := counts[FAILED]:
         tiles.append(Tile(number=f"{n:,}", words="failed", css="is-fail"))
     return [
@@ -96,7 +98,7 @@ def _tiles(found: Outcome) -> Sequence[Tile]:
 
 
 def _problems(found: Outcome) -> Iterator[str]:
-    """Reasons for points without an answer, the most frequent first."""
+    """Reasons for points without a result, the most frequent reason first."""
     groups: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):  # reasons that differ in numbers are one
         groups.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))
@@ -105,21 +107,22 @@ def _problems(found: Outcome) -> Iterator[str]:
         such = ", such as" * (len(set(some)) > 1)
         yield f"{len(some):,} point{'s' * (len(some) > 1)}{such}: {some[0]}"
     if more := every[MOST_REASONS:]:
-        yield f"{sum(map(len, more)):,} more for {len(more)} other reasons: points.csv"
+        yield f"{sum(map(len, more)):,} more points for {len(more)} other reasons, see points.csv"
 
 
 def _lead(plan: Plan) -> str:
     kind = (
         f"A Sobol sample of {plan.base:,} base points within the tolerances"
         if plan.base
-        else "One input at a time, the others as in the file"
+        else "One input at a time; the other inputs have the values of the file"
         if plan.star
         else "All combinations"
     )
     return (
-        f"{kind}. An error is formula minus finite elements, in per cent of the value by finite "
-        "elements or of the reference value stated below a formula. A point is within a limit "
-        "where its whole error bar is (95 %), undecided where the bar crosses the limit."
+        f"{kind}. An error is formula minus finite elements, in per cent of the finite-element "
+        "value or of the reference value stated below a formula. A point is within a limit "
+        "if its whole error bar (95 %) is within the limit, and undecided if the bar crosses "
+        "the limit."
     )
 
 

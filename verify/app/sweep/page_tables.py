@@ -1,4 +1,4 @@
-"""Tables of a sweep's page."""
+"""Tables of the page of a sweep."""
 
 from collections.abc import Iterator, Sequence
 
@@ -21,7 +21,7 @@ About = Sequence[Region] | Indices
 
 
 def overview(plan: Plan, results: Sequence[tuple[Course, About, str]], room: int) -> Table:
-    """One line per row, the largest error first."""
+    """Table with one line per row, the row with the largest error first."""
     rows = []
     for course, about, _ in results:
         n = largest(course)
@@ -31,21 +31,29 @@ def overview(plan: Plan, results: Sequence[tuple[Course, About, str]], room: int
             "" if n is None else place(plan, n),
             *(share(one.inside, one.inside + one.outside + one.undecided) for one in counts),
         ))  # fmt: skip
-    note = "The formula with the largest error first; shares are of the solved points."
+    note = "The formula with the largest error is first; shares are relative to the solved points."
     if len(results) > room:
         note += (
-            f" Pictures are drawn for the first {room} of {len(results)}; all numbers are in "
+            f" Figures are drawn for the first {room} of {len(results)} formulas; all numbers "
+            "are in "
             "points.csv."
         )
     heads = tuple(f"within {100 * limit:g} %" for limit in LIMITS)
     return Table(
         title="Formulas", header=("formula", "largest error", "at", *heads), rows=tuple(rows),
-        note=note if len(results) > 1 else "Shares are of the solved points.",
+        note=note if len(results) > 1 else "Shares are relative to the solved points.",
     )  # fmt: skip
 
 
 def regions_table(plan: Plan, found: Sequence[Region]) -> Table:
-    header = ("limit", "inside", "undecided", "outside", "no answer", "where all points are inside")
+    header = (
+        "limit",
+        "inside",
+        "undecided",
+        "outside",
+        "no result",
+        "range in which all points are inside",
+    )
     rows = [(limit_named(r), r.inside, r.undecided, r.outside, r.unsolved, box_in_words(plan, r))
             for r in found]  # fmt: skip
     ends = [break_in_words(plan, r) for r in found]
@@ -64,10 +72,11 @@ def moments(about: Indices) -> Table:
         cells = (f"{v / units.factor(unit):.5g}" if np.isfinite(v) else "–" for v in values)
         rows.append((with_unit(what, unit), *cells))
     some = any(one.unsolved for one in about.within)
-    lost = "Of the solved points." * some
+    lost = "Statistics of the solved points only." * some
     if about.dropped:
         lost += (f" {about.dropped} of {about.dropped + about.rows} base points, or points derived "
-                 "from them, have no answer; the indices are computed without these.")  # fmt: skip
+                 "from them, have no result; the indices are computed without these "
+                 "points.")  # fmt: skip
     return Table(
         title="Scatter", rows=tuple(rows), note=lost.strip(),
         header=("", "mean", "standard deviation", "2.5 %", "50 %", "97.5 %"),
@@ -86,8 +95,9 @@ def sensitivity(about: Indices) -> Iterator[Table]:
     yield Table(
         title="Sensitivity to the inputs", rows=tuple(rows),
         header=("", "input", "first order, with interval", "total, with interval"),
-        note="First order: the share of the variance that the input causes alone; total: with all "
-        "its interactions. Intervals are 95 %, by resampling.",
+        note="First order: share of the variance that the input causes alone. Total: share "
+             "including all "
+        "interactions with other inputs. Intervals have a probability of 95 % (by resampling).",
     )  # fmt: skip
 
 
@@ -96,7 +106,7 @@ def _estimate(one: Estimate) -> str:
 
 
 def points(found: Outcome, order: Sequence[Course]) -> Table:
-    """The first points: varied inputs, state, and the errors of the worst rows."""
+    """Table of the first points: varied inputs, state, and errors of the rows with large errors."""
     plan, listed = found.solved.plan, order[:MOST_COLUMNS]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
     single = listed[0] if len(found.courses) == 1 else None
@@ -116,10 +126,16 @@ def points(found: Outcome, order: Sequence[Course]) -> Table:
         cells += [error_with_bar(c, n) if np.isfinite(c.error[n]) else "–" for c in listed]
         rows.append((*cells, status + f": {why[n]}" * bool(why[n])))
     many = (
-        f"The first {len(rows)} of {len(plan.points):,}. " if len(plan.points) > len(rows) else ""
+        f"The first {len(rows)} of {len(plan.points):,} points are listed. "
+        if len(plan.points) > len(rows)
+        else ""
     )
     most = len(listed)
-    some = f"Errors of the {most} formulas with the largest errors. " if len(order) > most else ""
+    some = (
+        (f"Errors are listed for the {most} formulas with the largest errors. ")
+        if len(order) > most
+        else ""
+    )
     return Table(
         title="Points", header=(*heads, "state"), rows=tuple(rows),
         note=f"{many}{some}All points with all values are in points.csv.",

@@ -1,4 +1,4 @@
-"""The result of a sweep for one formula, in a sentence or two."""
+"""Result of a sweep for one formula, in one or two sentences."""
 
 import math
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from verify.studies.sweep.tables import largest
 
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
-    """Range in which the formula may be used, and its largest error, in words."""
+    """Sentences about the range in which the formula is accurate, and about its largest error."""
     if (n := largest(course)) is None:
         return "Nothing could be compared."
     sentences = []
@@ -25,7 +25,8 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
     if whole:
         solved = "that are solved " * bool(whole.unsolved)
         sentences.append(
-            f"Within {limit_named(whole)} at all {whole.inside:,} points {solved}".rstrip()
+            f"The error is within {limit_named(whole)} at all {whole.inside:,} points "
+            f"{solved}".rstrip()
         )
     part = next((r for r in reversed(tighter) if r.inside), None)
     if part and not whole:  # the middle limit is reported if it holds at any point
@@ -43,28 +44,28 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
 
 
 def _nowhere(r: Region) -> str:
-    """Statement that no point is inside: all are outside, or some are undecided."""
+    """Sentence that no point is certainly inside a limit."""
     solved = r.points - r.unsolved
     if r.outside < solved:
-        return f"Not known to be within {limit_named(r)} at any point"
+        return f"At no point is the error certainly within {limit_named(r)}"
     every = {1: "the only solved point", 2: "both solved points"}
     return f"Outside {limit_named(r)} at {every.get(solved, f'all {solved:,} solved points')}"
 
 
 def _side(course: Course) -> str:
-    """Whether the formula is always too large, or too small."""
+    """Part of a sentence if the formula is always too large, or always too small."""
     known = np.isfinite(course.error + course.U_error)
     error, U = course.error[known], course.U_error[known]
     what = course.pair.by or "finite elements"
     if (error > U).all():
-        return f"; the formula always gives more than {what}"
+        return f"; the value by the formula is always larger than by {what}"
     if (error < -U).all():
-        return f"; the formula always gives less than {what}"
+        return f"; the value by the formula is always smaller than by {what}"
     return ""
 
 
 def sample_in_words(about: Indices) -> str:
-    """The error of the formula over the tolerances, and the inputs that decide it."""
+    """Sentences about the error within the tolerances, and the inputs that affect it most."""
     error = about.error
     if not error.n:
         return "Nothing could be compared."
@@ -76,7 +77,7 @@ def sample_in_words(about: Indices) -> str:
     shares = [f"{share(one.inside, error.n)} within {100 * one.limit:g} %" for one in about.within]
     text += f"Of the {solved}points {', '.join(shares)}."
     if error.why:
-        text += f" No sensitivity indices of the error: {error.why}."
+        text += f" Sensitivity indices of the error are not available: {error.why}."
     else:
         first = error.ranked[0]
         text += (
@@ -87,7 +88,7 @@ def sample_in_words(about: Indices) -> str:
 
 
 def small_sample(about: Indices) -> str:
-    """Statement that the indices are too uncertain to rank inputs; "" if they are not."""
+    """Sentence if the indices are too uncertain to rank inputs; otherwise ""."""
     if not (widest := max(s.widest for s in (about.formula, about.fe, about.error))) > LOOSE:
         return ""
     rows = about.rows + about.dropped
@@ -98,7 +99,7 @@ def small_sample(about: Indices) -> str:
 
 
 def _moments_of(error: Scatter) -> str:
-    """Mean and standard deviation in per cent, to two digits of the latter."""
+    """Mean and standard deviation in per cent, with two digits of the standard deviation."""
     mean, sd = 100 * error.mean, 100 * error.sd
     digits = max(0, 1 - math.floor(math.log10(sd))) if sd > 0 else 3
     return f"{mean:+.{min(digits, 9)}f} ± {sd:.2g} %"
@@ -130,7 +131,7 @@ def limit_named(r: Region) -> str:
 
 
 def share(part: int, whole: int) -> str:
-    """Whole percent of the solved points, 100 only for all and 0 only for none."""
+    """Percentage of the solved points without decimals; 100 only for all, and 0 only for none."""
     if not whole:
         return "–"
     share = 100 * part / whole

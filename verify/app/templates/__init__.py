@@ -1,1 +1,1 @@
-"""Case files that `freewheel new-case` writes, one for each kind of problem of `fem`."""
+"""Case files that `freewheel new-case` writes, one for each kind of problem."""

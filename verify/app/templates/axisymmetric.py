@@ -14,7 +14,7 @@ SOURCE = (
 
 
 class Disc(vc.Case):
-    """The stress in the middle of a solid rotating disc, by the theory of thin discs."""
+    """Stress at the centre of a solid rotating disc, by the theory of thin discs."""
 
     title = "Stress of a rotating disc"
     source = "Timoshenko, Strength of Materials, part II"

@@ -10,7 +10,7 @@ SOURCE = "derived: constants of Hertz for ν = 0.3, of three digits; Hertz's the
 
 
 class Rollers(vc.Case):
-    """Peak pressure and width of contact of two parallel rollers of one material."""
+    """Peak pressure and contact width of two parallel rollers of the same material."""
 
     title = "Contact of two rollers"
     source = "Roark's Formulas for Stress and Strain"

@@ -9,7 +9,7 @@ SOURCE = "derived: Barlow's mean stress over Lamé's largest is (1 + r_i/r_o)²/
 
 
 class Pipe(vc.Case):
-    """The hoop stress of a pipe under inner pressure by Barlow's formula."""
+    """Hoop stress of a pipe under internal pressure by Barlow's formula."""
 
     title = "Hoop stress of a pipe"  # title of the page
     source = "Textbook on pressure vessels"  # citation of a book, a standard or a paper

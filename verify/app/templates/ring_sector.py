@@ -1,4 +1,4 @@
-"""A ring on rollers: formulas against a sector of it. Edit it, then: freewheel verify FILE."""
+"""A ring on rollers: formulas and a finite-element sector. Edit, then: freewheel verify FILE."""
 
 from collections.abc import Iterator
 from math import cos, pi, sin

@@ -13,7 +13,7 @@ SOURCE = (
 
 
 class Shaft(vc.Case):
-    """The first bending frequency of a short shaft on rigid bearings, by Euler and Bernoulli."""
+    """First bending frequency of a short shaft on rigid bearings, by Euler-Bernoulli theory."""
 
     title = "First bending frequency of a shaft"
     source = "Den Hartog, Mechanical Vibrations"
