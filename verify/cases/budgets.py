@@ -1,7 +1,7 @@
-"""Causes of the differences of each case, by its id.
+"""Causes of the difference between formula and reference, by id of the case.
 
-In modules separate from the cases: finite elements of other cases import many of those, and their
-stored results would become invalid with every text that is changed here.
+The causes are in separate modules: finite-element modules import many modules of cases, so that a
+changed text of a cause would invalidate their stored results.
 """
 
 from collections.abc import Mapping

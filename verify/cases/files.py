@@ -1,7 +1,7 @@
-"""Cases outside the suite: in a Python file, or of an installed package.
+"""Cases outside the suite: cases in a Python file or in an installed package.
 
-Files that were loaded are named in an environment variable, so that worker processes find them. A
-package names its classes as entry points of the group `freewheel.cases`.
+An environment variable lists the loaded files, so that worker processes find them. A package
+declares its classes as entry points of the group `freewheel.cases`.
 """
 
 import importlib
@@ -27,12 +27,12 @@ FILES = "FREEWHEEL_CASE_FILES"  # paths, separated like the entries of PATH
 
 
 def is_file_name(name: str) -> bool:
-    """Whether the name of a case is the name of a Python file."""
+    """Whether `name` of a case is the name of a Python file."""
     return name.endswith(".py")
 
 
 def load(name: str) -> Case:
-    """The case that a file declares last; InputError."""
+    """The last case declared in the file `name`; raises InputError if the file has none."""
     path = Path(name).expanduser().resolve()
     if not path.is_file():
         raise InputError(f"{name}: there is no such file")
@@ -44,19 +44,19 @@ def load(name: str) -> Case:
 
 
 def loaded() -> Iterator[Case]:
-    """The cases of files that this process or its parent process has loaded."""
+    """Cases of the files that this process or its parent process has loaded."""
     for path in filter(None, os.environ.get(FILES, "").split(os.pathsep)):
         yield _loaded(Path(path))
 
 
 def installed() -> tuple[str, ...]:
-    """Names of the cases that installed packages declare; nothing of theirs is imported."""
+    """Names of the cases that installed packages declare; no package is imported."""
     return tuple(sorted(point.name for point in entry_points(group=GROUP)))
 
 
 @cache
 def of_package(name: str) -> Case:
-    """The case that an installed package declares by this name; InputError."""
+    """The case `name` of an installed package; raises InputError if it cannot be loaded."""
     (point,) = entry_points(group=GROUP, name=name)
     try:
         form = _form(point)
@@ -68,7 +68,7 @@ def of_package(name: str) -> Case:
 
 
 def _stated(form: type[Form]) -> Case:
-    """The case of a class, whose broken rules are errors now."""
+    """The case of the class `form`; raises InputError if the class breaks a rule for cases."""
     case = adapted(form, time_limit=form.time_limit)
     len(case.checks)
     return case
@@ -77,9 +77,9 @@ def _stated(form: type[Form]) -> Case:
 def _form(point: EntryPoint) -> type[Form]:
     form = point.load()
     if not (isinstance(form, type) and issubclass(form, Form) and form.title):
-        raise InputError(f"{point.value}: is no subclass of Case with a title")
+        raise InputError(f"{point.value}: must be a subclass of Case with a title")
     if form.id != point.name:
-        raise InputError(f"{point.value}: its id {form.id} is not the name {point.name}")
+        raise InputError(f"{point.value}: its id {form.id} must equal the name {point.name}")
     package = importlib.import_module(form.__module__.partition(".")[0])
     source_code.include(Path(package.__file__ or "").parent)
     return form
@@ -89,7 +89,7 @@ def _form(point: EntryPoint) -> type[Form]:
 def _loaded(path: Path) -> Case:
     name = path.stem
     if not name.isidentifier():
-        raise InputError(f"{path}: rename the file: letters, digits and _, as a Python module")
+        raise InputError(f"{path}: rename the file: only letters, digits and _ are allowed")
     if str(path.parent) not in sys.path:
         sys.path.append(str(path.parent))  # for imports of files in its folder and for pickle
     source_code.include(path.parent)
@@ -111,7 +111,7 @@ def _loaded(path: Path) -> Case:
 
 
 def _told(error: BaseException, path: Path) -> str:
-    """One line: place and cause of the error in the user's file."""
+    """Message of one line: place and cause of the error in the user's file."""
     if isinstance(error, SyntaxError):
         return f"{path.name}:{error.lineno}: {error.msg}"
     text = " ".join(str(error).split())

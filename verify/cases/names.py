@@ -1,4 +1,4 @@
-"""Names of rows in earlier versions; `renamed.toml` holds the changed parts of names."""
+"""Names of rows in earlier versions; `renamed.toml` lists the changed parts of the names."""
 
 import tomllib
 from functools import cache
@@ -9,13 +9,13 @@ FILE = Path(__file__).with_name("renamed.toml")
 
 @cache
 def _parts() -> tuple[tuple[str, str], ...]:
-    """Earlier and present parts of names, in their order of application."""
+    """Earlier and present parts of names, as pairs in the order in which they are applied."""
     listed = tomllib.loads(FILE.read_text("utf-8"))["renamed"]
     return tuple((one["was"], one["now"]) for one in listed)
 
 
 def present_name(name: str) -> str:
-    """The present name of a row of an earlier version.
+    """Present name of the row that had the name `name` in an earlier version.
 
     >>> present_name("freewheel-torque/torsion, Eq. 7 as printed")
     'freewheel-torque/wind-up, Eq. 7 as printed'
@@ -26,7 +26,7 @@ def present_name(name: str) -> str:
 
 
 def former_name(name: str) -> str:
-    """An earlier name of a row, for searches by old words; one of several if it had several.
+    """An earlier name of the row `name`, for searches by old words; not necessarily the only one.
 
     >>> former_name("freewheel-torque/wind-up, Eq. 7 as printed")
     'freewheel-torque/torsion, Eq. 7 as printed'

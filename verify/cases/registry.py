@@ -1,4 +1,4 @@
-"""Every case by name, in the order of the report; its module is imported when it is read."""
+"""All cases by id, in the order of the report; the module of a case is imported at first use."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
@@ -11,28 +11,28 @@ from verify.core.suggestions import FEW, nearest
 
 
 class Listed(Sequence[Case]):
-    """Cases by id, each with the module below `verify.cases` and the name that it has there."""
+    """Cases by id, each with its place `module:variable` below `verify.cases`."""
 
     def __init__(self, places: Mapping[str, str]) -> None:
         self._places = places
 
     @property
     def ids(self) -> tuple[str, ...]:
-        """Their names, without an import."""
+        """Ids of the cases; no case is imported."""
         return tuple(self._places)
 
     def named(self, case_id: str) -> Case:
-        """The case of that name; KeyError."""
+        """The case with the id `case_id`; raises KeyError for an unknown id."""
         name = self._places[case_id].partition(":")[2]
         case: Case = getattr(import_module(self.module_of(case_id)), name)
         return case
 
     def only(self, names: Iterable[str]) -> "Listed":
-        """The cases of these names, each once; KeyError."""
+        """The cases with the ids `names`, each once; raises KeyError for an unknown id."""
         return Listed({name: self._places[name] for name in names})
 
     def module_of(self, case_id: str) -> str:
-        """The dotted name of the module that declares a case; KeyError."""
+        """Dotted name of the module that declares a case; raises KeyError for an unknown id."""
         return f"verify.cases.{self._places[case_id].partition(':')[0]}"
 
     @overload
@@ -117,12 +117,15 @@ DEEP = Listed(
 
 
 def find_any(case_id: str) -> Case:
-    """The case named `case_id`, including deep cases."""
+    """The case with the id `case_id`; deep cases are included."""
     return DEEP.named(case_id) if case_id in DEEP.ids else find(case_id)
 
 
 def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
-    """The case named `case_id`, of the suite, a file or a package; ValueError with like names."""
+    """The case `case_id` of the suite, a file or a package.
+
+    Raises ValueError, with similar names, if the case is unknown.
+    """
     cases = CASES if among is None else among
     if files.is_file_name(case_id):
         return _own(files.load(case_id), case_id)
@@ -141,7 +144,7 @@ def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
 
 
 def ids(cases: Iterable[Case]) -> tuple[str, ...]:
-    """The names of cases; the suite's cases are not imported."""
+    """Ids of `cases`; the cases of the suite are not imported."""
     return cases.ids if isinstance(cases, Listed) else tuple(case.id for case in cases)
 
 

@@ -46,10 +46,10 @@ LEFT = [
     ("spring-curve", {"head": "free"}, "head = free: the whole curve"),
     ("contact-ring", {"r_o": "20 mm"}, "a wall of 0.56 mm"),
     ("contact-press-fit", {"r_i": "25.8 mm", "r_f": "26 mm", "delta": "1 µm"}, "without --fem"),
-    ("contact-press-fit", NANOMETRE | {"delta": "0.001 nm"}, "rounded positions"),
-    ("contact-slip", {"share": 0.49}, "check it without --fem"),
+    ("contact-press-fit", NANOMETRE | {"delta": "0.001 nm"}, "round-off changes the pressure"),
+    ("contact-slip", {"share": 0.49}, "run `check` without --fem"),
     ("contact-sphere", {"P": "4e-8 N"}, "round-off"),
-    ("contact-roller", {"d": "0.1 mm"}, "d = 0.1 mm is shorter than 0.141 mm"),
+    ("contact-roller", {"d": "0.1 mm"}, "d = 0.1 mm is shorter than l/64 = 0.141 mm"),
     ("rotor-clutch", {"T": "600 N m"}, "too far for rolling"),
 ]
 

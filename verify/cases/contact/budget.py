@@ -1,4 +1,4 @@
-"""Error budgets of contacts: width against radius, walls, ends, and the plane assumption."""
+"""Causes of error in contact formulas: contact width, wall, ends, and plane assumption."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -13,22 +13,22 @@ NARROWER = 10
 
 
 def light(q: Any) -> Any:
-    """A line contact of a tenth of the width."""
+    """The inputs `q` with a hundredth of the load: a line contact with a tenth of the width."""
     return q.model_copy(update={"F": q.F / LIGHTER})
 
 
 def light_point(q: Any) -> Any:
-    """A point contact of a tenth of the contact radius."""
+    """The inputs `q` with a thousandth of the load: a point contact with a tenth of the radius."""
     return q.model_copy(update={"P": q.P / POINT})
 
 
 def thick(q: Any) -> Any:
-    """A race with a thicker wall."""
+    """The inputs `q` with a wall of the race four times as thick."""
     return q.model_copy(update={"r_o": q.r_i + THICKER * (q.r_o - q.r_i)})
 
 
 def long(q: Any) -> Any:
-    """A longer roller under the same load per length, its crown made for that."""
+    """The inputs `q` with four times the length, load and crown load: equal load per length."""
     more = {"F": LONGER * q.F, "L": LONGER * q.L}
     if getattr(q, "Q", None):
         more["Q"] = LONGER * q.Q
@@ -36,17 +36,17 @@ def long(q: Any) -> Any:
 
 
 def long_races(q: Any) -> Any:
-    """Races that extend further."""
+    """The inputs `q` with races that extend four times as far beyond the roller."""
     return q.model_copy(update={"overhang": THICKER * q.overhang})
 
 
 def straight(q: Any) -> Any:
-    """A tilt that lifts the ends of the longer roller by the same amount."""
+    """The inputs of `long` with a quarter of the tilt, so that the ends rise by the same amount."""
     return long(q).model_copy(update={"theta": q.theta / LONGER})
 
 
 def fem_narrow_disc(q: Any, level: int) -> FemResult:
-    """Values of the widest contact, scaled from a contact of a tenth of its width."""
+    """Values for the widest contact, scaled from a contact with a tenth of its width."""
     from verify.cases.contact.line.flat import WIDEST, key
     from verify.cases.contact.line.reference import disc_fem
 
@@ -60,7 +60,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
-    """Scaled values of a narrow contact for rollers of different materials."""
+    """Values for rollers of different materials, scaled from a contact of a tenth of the width."""
     from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()
@@ -74,30 +74,30 @@ def fem_narrow_unlike(q: Any, level: int) -> FemResult:
 AT_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
             "approach of the centres, Hertz", "approach of centre and rim",
             "largest shear stress, Hertz")  # fmt: skip
-NARROW = Rerun(cause=Cause.GEOMETRY, what="a hundredth of the load: a contact a tenth as wide",
+NARROW = Rerun(cause=Cause.GEOMETRY, what="load / 100: contact width / 10",
                rows=AT_LOAD, inputs=light)  # fmt: skip
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
-LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+LONG = Rerun(cause=Cause.GEOMETRY, what="length × 4, equal load per length",
              inputs=long)  # fmt: skip
 SLICED = (
-    Left(("*slices",), "slices deflect by Palmgren's law of a whole roller, which no rerun gives "
-         "to a half-space"),
+    Left(("*slices",), "slices follow Palmgren's law for a whole roller; a half-space cannot be "
+         "recomputed with this law"),
 )  # fmt: skip
 HALF_SPACE = (
-    Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
-    Without(Cause.PLANE, "half-space: three dimensions"),
+    Without(Cause.CONTACT, "none: the contact law is exact, pressures are not negative"),
+    Without(Cause.PLANE, "none: the half-space is a model in three dimensions"),
 )
 
 
 def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
-    """Cause that replaces wide contacts by scaled values of a narrow contact."""
-    return Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+    """Cause of error: contact width, by scaled values `fem` of a contact a tenth as wide."""
+    return Rerun(cause=Cause.GEOMETRY, what="contact width / 10, values scaled in proportion",
                  rows=(rows,), fem=fem)  # fmt: skip
 
 
 def line_contact(more: Rerun) -> Statement:
-    """The causes common to all line contacts, and an additional cause."""
+    """Causes common to all line contacts, and the additional cause `more`."""
     return Statement(reruns=(NARROW, PLANE, more), finer=8)
 
 
@@ -107,22 +107,22 @@ STATEMENTS: Mapping[str, Statement] = {
         in_proportion("*, different materials, a/R = 0.1, Hertz", fem_narrow_unlike)
     ),
     "contact-ring": line_contact(
-        Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick", rows=AT_LOAD, inputs=thick)
+        Rerun(cause=Cause.GEOMETRY, what="wall thickness × 4", rows=AT_LOAD, inputs=thick)
     ),
     "contact-slip": Statement(finer=72),
     "contact-sphere": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a thousandth of the load: a contact a tenth as wide",
+            Rerun(cause=Cause.GEOMETRY, what="load / 1000: contact width / 10",
                   inputs=light_point),
         ),
-        without=(Without(Cause.PLANE, "bodies of revolution"),),
+        without=(Without(Cause.PLANE, "none: the bodies are bodies of revolution"),),
         finer=12,
     ),
     "contact-press-fit": Statement(finer=6),
     "contact-roller": Statement(reruns=(LONG,), left=SLICED, without=HALF_SPACE, finer=40),
     "contact-roller-tilted": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+            Rerun(cause=Cause.GEOMETRY, what="length × 4, equal load per length",
                   inputs=straight),
         ),
         left=SLICED, without=HALF_SPACE, finer=40,
@@ -131,13 +131,13 @@ STATEMENTS: Mapping[str, Statement] = {
     "contact-roller-crowns": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
     "contact-roller-end": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="races that go on four times as far",
+            Rerun(cause=Cause.GEOMETRY, what="overhang of the races × 4",
                   rows=("*, end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
         ),
         left=(
-            Left(("*end face", "*beyond the ends"), "only the length of the races was rerun, not "
-                 "the free end, which a half-space lacks"),
+            Left(("*end face", "*beyond the ends"), "only the length of the races was varied; a "
+                 "half-space has no free end, whose effect therefore remains"),
         ),
-        without=(Without(Cause.PLANE, "bodies of revolution"),),
+        without=(Without(Cause.PLANE, "none: the bodies are bodies of revolution"),),
     ),
 }  # fmt: skip

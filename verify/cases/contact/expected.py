@@ -1,4 +1,4 @@
-"""Expected errors of contact formulas as intervals that rows are judged by."""
+"""Expected errors of contact formulas, as intervals with which rows are judged."""
 
 from analytic.bounds.contact.estimate import Estimate
 from verify.case import Expected
@@ -12,10 +12,10 @@ SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 def expected(
     known: Estimate, source: str, *, least: float = FLOOR, sharp: float = SHARP
 ) -> Expected:
-    """The interval of an estimate whose slack is `least` at least.
+    """Interval of the error estimate `known`; its half-width is at least `least`.
 
-    Not sharp where it is wider than the row requires: the bodies are then too small for an
-    estimate, and the formula's error is measured.
+    If the half-width exceeds `sharp`, the estimate is too wide for the required sensitivity (the
+    bodies are too small for it), and the error of the formula is measured without judgement.
     """
     slack = max(float(known.slack), least)
     return Expected(known.error - slack, known.error + slack, source, sharp=slack <= sharp)

@@ -1,4 +1,4 @@
-"""Numbers and fields of contacts in results, by their names."""
+"""Values and fields of contacts in results, by name."""
 
 from collections.abc import Mapping
 from typing import Any, TypeVar
@@ -12,12 +12,12 @@ Data = Mapping[str, tuple[Array, str]]  # values and their unit
 
 
 def named(found: Mapping[str, T], end: str) -> dict[str, T]:
-    """Numbers or arrays of a contact, with `end` appended to their names."""
+    """The mapping `found` of numbers or arrays, with `end` appended to each name."""
     return {f"{key}{end}": value for key, value in found.items()}
 
 
 def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None = None) -> Field:
-    """Cells of a solution with their displacements, `data` and values `at_nodes`."""
+    """Field of `cells` with displacements, values of cells `data` and nodal values `at_nodes`."""
     nodes = at_nodes or {}
     return Field(
         name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),
@@ -28,7 +28,7 @@ def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None
 
 
 def grid(name: str, x: Array, y: Array, pressure: Array) -> Field:
-    """Pressures [Pa] of the cells (n m,) between n + 1 places along x and m + 1 along y."""
+    """Field of `pressure` [Pa], shape (n m,), on cells between n + 1 values of x and m + 1 of y."""
     points = np.column_stack([a.ravel() for a in np.meshgrid(x, y, indexing="ij")])
     i = np.arange(len(x) - 1)[:, None] * len(y) + np.arange(len(y) - 1)
     cells = np.stack([i, i + 1, i + len(y) + 1, i + len(y)], axis=-1).reshape(-1, 4)

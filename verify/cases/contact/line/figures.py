@@ -1,4 +1,4 @@
-"""Figures of a line contact: profiles, errors of Hertz, convergence, pictures."""
+"""Figures of a line contact: pressure profiles, errors of Hertz's theory, convergence."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
@@ -16,7 +16,7 @@ SYMBOLS = {"p_0": "p_0", "a": "a", "approach": "δ"}
 
 
 def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: str) -> AlongLine:
-    """Pressure along the contact with `formula` as its line."""
+    """Figure of the pressure along the contact: `formula` as a line, finite elements as dots."""
     return AlongLine(
         title=f"Pressure in the contact and by {name}", x=("x", "µm"), y=("p", "MPa"),
         curve=formula, reference="profile", at=STATIONS * q.a,
@@ -26,12 +26,12 @@ def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: s
 
 
 def extrapolated(h: Sequence[float], v: Sequence[float]) -> float:
-    """Limit of values that converge with order 2, from the last two meshes."""
+    """Limit of the values `v` on meshes `h`, extrapolated with order 2 from the last two meshes."""
     return v[-1] + (v[-1] - v[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
 
 
 def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> Drawn:
-    """Convergence of p_0, a and the approach to their `limits`, each with a line of order 2."""
+    """Figure: convergence of p_0, a and δ to their `limits`, each with a line of order 2."""
 
     @converged
     def drawn(context: Context) -> Refinement:
@@ -44,7 +44,7 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
                 (SYMBOLS[key], np.abs(np.array(v) / to[key] - 1))
                 for key, (_, v) in levels.items()
             ),
-            order=2.0, note=f"Lines: order 2 through the finest mesh; {note}.",
+            order=2.0, note=f"Lines: order 2 through the value on the finest mesh; {note}.",
         )  # fmt: skip
 
     return drawn
@@ -53,26 +53,26 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
 def neglected(
     symbol: str, theory: float, words: str, deviations: Callable[[Sequence[Level]], Points]
 ) -> Drawn:
-    """Error of Hertz's theory over a/R, with the derived parabola."""
+    """Figure: error of Hertz's theory in `symbol` over a/R, with the derived parabola."""
 
     @converged
     def drawn(context: Context) -> Profile:
         eps, d, u = map(np.array, deviations(context.fem))
         x = np.linspace(0.0, eps[-1], 101)
         return Profile(
-            title=f"What Hertz neglects in {symbol}", x_label="a/R",
+            title=f"Error of Hertz's theory in {symbol}", x_label="a/R",
             y_label=f"{symbol}: Hertz/FE − 1", x=x, y=theory * x**2, x_fem=eps, y_fem=d,
             y_ref=theory * eps**2, u=u, scale=1.0,
-            note=f"Line: {words} (a/R)², derived; the difference below is of (a/R)⁴ and of the "
-            "meshes, whose band is drawn.",
+            note=f"Line: {words} (a/R)², derived. Lower diagram: difference of the dots to the "
+            "line, which consists of terms of (a/R)⁴ and of the mesh error (band).",
         )  # fmt: skip
 
     return drawn
 
 
 def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
-    """Figures: pressure with Hertz's pressure, the error of Hertz's theory, convergence."""
-    note = "Line: Hertz; dots: finest mesh, in the band of the whole profile, which ends at 0.85 a."
+    """Figures: pressure with Hertz's pressure, error of Hertz's theory, convergence."""
+    note = "Line: Hertz; dots: finest mesh, up to 0.85 a; band: uncertainty of the whole profile."
     yield pressure(q, q.pressure, "Hertz", note)
 
     def errors(context: Context) -> Dots:
@@ -80,24 +80,24 @@ def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
             (symbol, (getattr(q, key) / context.series(key)[1][-1] - 1) * 1e3, None, "formula")
             for key, symbol in SYMBOLS.items()
         )
-        return Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
+        return Dots(title="Error of Hertz's theory", label="Hertz/FE − 1 [1/1000]",
                     items=(*items, ("finite elements", 0.0, None, "fe")),
-                    note="The rows above judge these against what is derived.")  # fmt: skip
+                    note="The rows judge each error against its derived value.")  # fmt: skip
 
     yield converged(errors)
     yield refinement(
         lambda context: {key: extrapolated(*context.series(key)) for key in SYMBOLS},
-        "the limit extrapolates the last two meshes with it, so that the coarser ones are the test",
+        "the limit is extrapolated from the last two meshes; the coarser meshes test the order",
     )
 
 
 def pictures(a: float, below: float = 1.0) -> Iterator[Picture]:
-    """Stresses about a contact of about the half-width `a`, `below` it a part of what is above."""
+    """Pictures of stresses near a contact of half-width `a`; `below`: depth over height drawn."""
     reach = 0.75 * VIEW * a
     more: dict[str, Any] = {"field": "contact", "mirror": ("x",), "displacement": "",
                             "window": (-reach, -reach * below, reach, reach)}  # fmt: skip
     yield Picture(data="shear", symbol="τ/p_0", unit="1", factor=1.0,
-                  caption="Largest shear stress in the plane over p_0, cell means: 0.30 at 0.79 a "
-                  "below the surface", **more)  # fmt: skip
+                  caption="Maximum in-plane shear stress over p_0 (means of cells): 0.30 at a "
+                  "depth of 0.79 a", **more)  # fmt: skip
     yield Picture(data="von_mises", symbol="σ_v", unit="MPa", factor=1e6,
-                  caption="Von Mises stress about the contact, cell means", **more)  # fmt: skip
+                  caption="Von Mises stress near the contact (means of cells)", **more)  # fmt: skip

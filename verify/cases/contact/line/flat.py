@@ -1,4 +1,4 @@
-"""A roller between rigid flats: Hertz's line contact, and the exact disc."""
+"""Case of a roller between rigid flats: Hertz's line contact and the exact solution of the disc."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar, Self
@@ -37,23 +37,24 @@ from verify.judging.profile_checks import Coefficient, Points, ProfileError
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
 WIDE = f"a/R = {WIDEST:g}"
-LIMITS = "acceptance figure of the contact models"
+LIMITS = "accepted error of the contact models"
 DEPTH = 5e-3  # relative to the depth of the largest shear stress
 DISC = "elastic disc between flats"
-SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
+SERIES = "derived series of the disc, ± an assumed next term of 1 × (a/R)⁴"
 SHEAR = (
-    "derived: −0.693 a/R from the opposite flat and the circle; the next term, taken as 1 × (a/R)²"
+    "derived: −0.693 a/R due to the opposite flat and the round surface, "
+    "± an assumed next term of 1 × (a/R)²"
 )
-DERIVED = 0.2, "separates the derived term from its parts, of a third and more"
+DERIVED = 0.2, "detects if a part of the derived coefficient, a third of it or more, is missing"
 
 
 def key(ratio: float) -> str:
-    """Suffix of the names of numbers at a ratio a/R: its thousandths."""
+    """Suffix of keys of results at a given ratio a/R, in thousandths: "r150" for 0.15."""
     return f"r{round(1000 * ratio)}"
 
 
 def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
-    """Standard uncertainty of the finest value over itself; infinite if it does not converge."""
+    """Relative standard uncertainty on the finest mesh; infinite without convergence."""
     h, v = [r.h for r in levels], [r.values[key] for r in levels]
     u_it = max(r.u_it.get(key, 0.0) for r in levels)
     grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)
@@ -61,26 +62,27 @@ def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
 
 
 class RollerOnFlat(FlatInputs):
-    """Hertz replaces a roller by a half plane and its circle by a parabola.
+    """Hertz's theory replaces the roller by a half-plane and its circle by a parabola.
 
-    Finite elements must agree with the disc without these simplifications. A sweep over a/R
-    measures the error of Hertz's simplifications and confirms the derived 3/16 (a/R)² of p_0.
+    Finite elements must agree with the elastic disc, a solution without these simplifications. A
+    sweep over a/R measures the error of Hertz's simplifications. It confirms the derived error of
+    p_0, −3/16 (a/R)².
     """
 
     id = "contact-flat"
     title = "Roller between rigid flats"
     scans: ClassVar = (Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),)
     readings: ClassVar = (
-        "rollers are long: plane strain, E/(1 − ν²)",
-        "the load per length is F/L, and R a radius",
-        "the approach is that of one flat and the roller's centre; two flats approach by twice it",
+        "the roller is long: plane strain with the modulus E/(1 − ν²)",
+        "the load per length is F/L; R is the radius of the roller, not its diameter",
+        "δ is the approach of one flat and the centre of the roller; the two flats approach by 2 δ",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the roller not modelled",
-        "the other flat presses as much: a quarter whose cut through the centre moves as a line",
-        "half-width from the moments of the pressure, 2 √(∫p x²/∫p), which is Hertz's a for his "
-        "pressure",
-        "meshes have a vertex at the end of the contact of a coarse solution",
+        "both flats carry the load: a quarter is modelled, whose horizontal cut stays straight",
+        "half-width from moments of the pressure, 2 √(∫p x²/∫p): for Hertz's pressure, this is "
+        "Hertz's a",
+        "each mesh has a node at the edge of the contact, which a coarse solution locates",
     )
 
     @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, of the roller's "
@@ -112,7 +114,7 @@ class RollerOnFlat(FlatInputs):
 
     @shared
     def disc(self) -> PressedDisc:
-        """The disc under the load."""
+        """Exact solution of the elastic disc under the load."""
         return disc_under_load(P=self.P, R=self.R, E_plane=self.E_star)
 
     @shared
@@ -121,21 +123,21 @@ class RollerOnFlat(FlatInputs):
         return disc_stress.largest_shear_stress(disc=self.disc)
 
     def disc_pressure(self, x: Any) -> Array:
-        """The disc's pressure per length of its arc [Pa]."""
+        """Pressure [Pa] of the exact disc at x [m], per length of arc."""
         return np.asarray(self.disc.pressure(x) * np.sqrt(1 - (x / self.R) ** 2))
 
     def at_ratio(self, ratio: float) -> Self:
-        """The roller under the load for which a/R by Hertz is `ratio`."""
+        """The roller under the load for which Hertz's a/R equals `ratio`."""
         return self.under(float(np.pi / 4 * ratio**2 * self.R / self.softness))
 
     def reference(self, level: int) -> Level:
-        """The quarter under the load, and under the loads of the sweep."""
+        """Results of the quarter disc under the load and under the loads of the sweep."""
         swept = {f"_{key(e)}": disc_fem(self, self.at_ratio(e).P, e * self.R, level) for e in SWEEP}
         found = disc_fem(self, self.P, self.guess, level)
         return result(found, level, ("axis", "middle"), swept)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: the exact disc; Hertz within his expected error; the limit of narrow contacts."""
+        """Rows: exact disc; expected errors of Hertz's theory; limit of narrow contacts."""
         by = RollerOnFlat
         wide = State(self.at_ratio(WIDEST), key(WIDEST), WIDE, displayed=False)
         places = (("", None), (WIDE, wide))
@@ -159,23 +161,24 @@ class RollerOnFlat(FlatInputs):
         yield approximation(by.tau_max, order=2,
                             expected=expected(narrow.shear, SHEAR, least=BLUNT))  # fmt: skip
         for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
-            yield limit(q, f"{q.what} as a/R vanishes", "d_0", points=self.deviations(q),
+            yield limit(q, f"error as a/R vanishes: {q.what}", "d_0", points=self.deviations(q),
                         exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
         for q, theory in ((by.p_0, PRESSURE), (by.a, WIDTH)):
             yield self.coefficient(q, theory)
         yield from self.balances()
 
     def coefficient(self, q: Quantity, theory: float) -> Comparison:
-        """Hertz errs by `theory` times (a/R)^2 over the sweep."""
+        """Row: coefficient of (a/R)^2 in the error of Hertz's `q`, judged against `theory`."""
         points = self.deviations(q)
         check = Coefficient(
-            name=f"{q.what} over (a/R)²", symbol="c", unit="1", theory=theory,
+            name=f"coefficient of (a/R)² in the error: {q.what}", symbol="c", unit="1",
+            theory=theory,
             points=lambda context: points(context.fem), demand=DERIVED[0], demand_reason=DERIVED[1],
         )  # fmt: skip
         return Comparison(check=check, quantity=q)
 
     def profile(self) -> Comparison:
-        """The pressure along the contact is the disc's."""
+        """Row: difference of the pressure profile to the one of the exact disc, in L2."""
         check = ProfileError(
             name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
             analytic="zero", scale="one", formal=1, demand=PROFILE, demand_reason=LIMITS,
@@ -185,15 +188,16 @@ class RollerOnFlat(FlatInputs):
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
 
     def depth_margin(self, context: Context) -> tuple[float, float]:
-        """Depths of stresses that jump from cell to cell follow no order: their spread counts.
+        """Margin of the depth of the largest shear stress to its limit, and its uncertainty.
 
-        Three times the spread of the last three levels, as for any series without an order.
+        Stresses jump between cells, so that the depth converges without an order. The uncertainty
+        is therefore three times the spread of the last three levels.
         """
         depths = np.array(context.series("z")[1][-3:]) / self.z_disc
         return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
 
     def deviations(self, q: Quantity) -> Callable[[Sequence[Level]], Points]:
-        """Hertz/FE - 1 over a/R with the finest values and their uncertainty."""
+        """Function of the levels: a/R, Hertz/FE - 1 on the finest mesh, and its uncertainty."""
 
         def points(levels: Sequence[Level]) -> Points:
             d, u = [], []
@@ -206,12 +210,12 @@ class RollerOnFlat(FlatInputs):
         return points
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Profiles with the exact disc, the error of Hertz's theory over a/R, and convergence."""
+        """Figures: pressure with the exact disc, error of Hertz's theory over a/R, convergence."""
         note = (
-            "Line: the disc, along its arc; dots: finest mesh. Below, the difference in the band "
-            "of the whole profile, which ends at 0.85 a."
+            "Line: exact disc, along its arc; dots: finest mesh, up to 0.85 a. Lower diagram: "
+            "difference; band: uncertainty of the whole profile."
         )
-        yield figures.pressure(self, self.disc_pressure, "the disc", note)
+        yield figures.pressure(self, self.disc_pressure, "the exact disc", note)
         for q, theory, words in (
             (RollerOnFlat.p_0, PRESSURE, "−3/16"), (RollerOnFlat.a, WIDTH, "+1/4"),
         ):  # fmt: skip
@@ -220,7 +224,7 @@ class RollerOnFlat(FlatInputs):
         yield figures.refinement(lambda _: limits, "the limit is the exact disc")
 
     def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact in the roller only; the flat is rigid."""
+        """Pictures of stresses near the contact, in the roller only; the flat is rigid."""
         yield from figures.pictures(self.guess, below=0.05)
 
     sketch = sketches.flat

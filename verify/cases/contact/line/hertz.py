@@ -1,4 +1,4 @@
-"""Hertz's line contact: common part of a roller on a flat, on another roller and in a race."""
+"""Hertz's line contact: common part of the cases roller on flat, on roller and in a race."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -13,16 +13,16 @@ from verify.judging.profile_checks import Within, l2_error
 NARROWEST = 1e-4  # smallest a/R for which round-off is negligible
 WIDEST = 0.3  # largest a over the smallest radius for which finite elements are used
 STATIC_RATING = 4.0e9  # Pa, ISO 76: pressure of roller bearings at their static load rating
-HERTZ = "Hertz; behind Eqs. 2-5"
+HERTZ = "Hertz; basis of Eqs. 2-5"
 PROFILE = 0.03  # acceptance figure of q(x) in L2
-ROUND = "direct solve; the load is met within 1e-12 of itself"
+ROUND = "direct solution; the load is reached within 1e-12 of its value"
 
 
 class LineContact(Case):
-    """The load along a length; long bodies, so plane strain."""
+    """Line contact of long bodies in plane strain, with the load F on the length L."""
 
     source = "huang2018"
-    place = "Eqs. 2-5, the line contact behind them (Hertz)"
+    place = "Eqs. 2-5, based on Hertz's line contact"
     levels: ClassVar = (2, 3, 4, 6)
 
     F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
@@ -65,12 +65,12 @@ class LineContact(Case):
 
     @property
     def relative(self) -> float:
-        """Relative radius of the surfaces [m], as Hertz takes it."""
+        """Relative radius of the surfaces in Hertz's theory [m]."""
         raise NotImplementedError
 
     @property
     def radii(self) -> tuple[float, float]:
-        """Radii of the upper body and of its partner [m], negative of a bore."""
+        """Radii of the upper body and of the lower body [m], negative for a bore."""
         raise NotImplementedError
 
     @property
@@ -81,17 +81,17 @@ class LineContact(Case):
 
     @property
     def softness(self) -> float:
-        """Sum of (1 - nu^2)/E of the bodies [1/Pa]."""
+        """Sum of (1 - nu^2)/E of both bodies [1/Pa]."""
         raise NotImplementedError
 
     @property
     def smallest(self) -> float:
-        """The length [m] that must be large compared with a."""
+        """Smallest dimension of the bodies [m]; Hertz's theory requires that a is much smaller."""
         raise NotImplementedError
 
     @property
     def smallest_name(self) -> str:
-        """Name of the length that must be large compared with a."""
+        """Name of the smallest dimension of the bodies."""
         return "the roller's radius"
 
     @property
@@ -100,24 +100,24 @@ class LineContact(Case):
         return math.sqrt(4 * self.P * self.softness / (math.pi * self.curvature))
 
     def under(self, P: float) -> Self:
-        """These bodies under another load per length [N/m]."""
+        """The bodies under the load per length P [N/m]."""
         return self.variant(line_load=P)
 
     def check_load(self, sizes: str) -> None:
-        """ValueError if the contact would be as wide as the bodies."""
+        """Raise ValueError if the contact is too wide for the bodies; `sizes` describes them."""
         if self.guess > WIDEST * self.smallest:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
-                f"{self.guess * 1e3:.3g} mm, exceeds {WIDEST:g} of the smallest size of the bodies "
-                f"({sizes}): no line contact"
+                f"{self.guess * 1e3:.3g} mm, must not exceed {WIDEST:g} of the smallest dimension "
+                f"of the bodies ({sizes}): reduce F or increase L"
             )
 
     def pressure(self, x: Any) -> Array:
-        """Hertz's pressure at x [Pa]."""
+        """Hertz's pressure [Pa] at x [m]."""
         return hertz_line.pressure(x, a=self.a, p_0=self.p_0)
 
     def near_hertz(self, pressure: Callable[[Any], Array]) -> Comparison:
-        """The reference's pressure profile is `pressure` within the acceptance figure."""
+        """Row: the pressure profile of the reference agrees with `pressure` within `PROFILE`."""
 
         def margin(context: Context) -> tuple[float, float]:
             errors = l2_errors(pressure)(context)
@@ -128,7 +128,7 @@ class LineContact(Case):
         return Comparison(check=check, quantity=type(self).p_0)
 
     def balances(self) -> Iterator[Comparison]:
-        """Forces and moment on the upper roller."""
+        """Rows: balances of forces and moments on the upper roller."""
         force, moment = {"P": self.P}, {"P R": self.P * self.radii[0]}
         for name, key, symbol, unit, scale in (
             ("forces across", "balance_x", "ΣF_x", "N/mm", force),
@@ -139,49 +139,50 @@ class LineContact(Case):
                           because=ROUND)  # fmt: skip
 
     def refusal(self) -> str:
-        """Reason to refuse very narrow contacts: round-off of the bodies' displacements."""
+        """Reason for not solving very narrow contacts: round-off of displacements; "" if none."""
         ratio = self.guess / self.smallest
         if ratio >= NARROWEST:
             return ""
         return (
-            f"a = {self.guess * 1e3:.3g} mm is {ratio:.1g} of the bodies, less than "
-            f"{NARROWEST:g}: finite elements lose too many digits there, check it without --fem"
+            f"half-width a = {self.guess * 1e3:.3g} mm is {ratio:.1g} of the smallest dimension of "
+            f"the bodies; finite elements require at least {NARROWEST:g} because of round-off: run "
+            "`check` without --fem"
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings on the validity of Hertz's formulas for these inputs."""
+        """Warnings if Hertz's formulas are not valid for these inputs."""
         ratio = self.a / self.smallest
         if ratio > 0.05:
             yield (
-                f"a = {self.a * 1e3:.4g} mm is {ratio:.1%} of the smallest body, "
-                f"{self.smallest_name} of {self.smallest * 1e3:.4g} mm: it is hardly the half "
-                "plane of Hertz's theory"
+                f"half-width a = {self.a * 1e3:.4g} mm is {ratio:.1%} of {self.smallest_name} "
+                f"({self.smallest * 1e3:.4g} mm), more than 5 %: Hertz's theory, which replaces "
+                "the body by a half-plane, becomes inaccurate"
             )
         if self.R_p is not None and 2 * self.tau_max > self.R_p:
             yield (
                 f"Tresca stress 2 τ_max = {2 * self.tau_max / 1e6:.4g} MPa below the surface "
-                f"exceeds R_p = {self.shown('R_p')}: the roller yields and Hertz no longer holds"
+                f"exceeds R_p = {self.shown('R_p')}: the roller yields, Hertz's theory is invalid"
             )
         if self.R_p is None and self.p_0 > STATIC_RATING:
             yield (
-                f"p_0 = {self.shown('p_0')} is beyond 4000 MPa, the static rating of hardened "
-                "rollers (ISO 76): expect permanent indentations; give R_p"
+                f"p_0 = {self.shown('p_0')} exceeds 4000 MPa, the static load rating of hardened "
+                "rollers (ISO 76): permanent indentations are expected; enter R_p"
             )
         if self.a > self.L / 10:
             yield (
-                f"L = {self.shown('L')} is only {self.L / self.a:.3g} times a: no line contact, "
-                "the ends change the pressure"
+                f"L = {self.shown('L')} is only {self.L / self.a:.3g} times a (at least 10 "
+                "required): the ends change the pressure, so that this is no line contact"
             )
 
 
 def at(q: Quantity, where: str) -> str:
-    """The name of a row in another state, such as "half-width, a/R = 0.15, Hertz"."""
+    """Name of the row of `q` in the state `where`: "half-width, a/R = 0.15, Hertz"."""
     name, theory = q.what.rsplit(", ", 1)
     return f"{name}, {where}, {theory}" if where else q.what
 
 
 def l2_errors(pressure: Callable[[Array], Array]) -> Callable[[Context], list[float]]:
-    """Relative L2 errors of the finite-element pressure, per level, at its integration points."""
+    """Function that returns the relative L2 error of the FE pressure on each level."""
 
     def errors(context: Context) -> list[float]:
         found = []

@@ -10,19 +10,19 @@ from verify.cases.contact.line.hertz import LineContact
 
 
 def softness(E: float, nu: float) -> float:
-    """(1 - nu^2)/E [1/Pa], infinite E allowed."""
+    """Plane-strain compliance (1 - nu^2)/E [1/Pa]; E may be infinite."""
     return (1 - nu**2) / E
 
 
 class FlatInputs(LineContact):
-    """A roller between two rigid flats."""
+    """Inputs of a roller between two rigid flats."""
 
     R: float = given(
         "4.02 mm", "mm", "R", "radius of the roller", gt=0, le=1e5, claims="huang2018:table1-r-i1"
     )
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    F: float = given("643 N", "N", "F", "normal load, for a/R = 0.01", gt=0, le=1e9)
+    F: float = given("643 N", "N", "F", "normal load; 643 N gives a/R = 0.01", gt=0, le=1e9)
 
     @model_validator(mode="after")
     def _load(self) -> Self:

@@ -1,7 +1,7 @@
-"""Two rollers with parallel axes: Hertz's line contact between bodies of one size.
+"""Case of two rollers with parallel axes: Hertz's line contact of bodies of similar size.
 
-The pair is also solved with different materials under a high load: at the paper's load and with
-equal materials the terms of `pair_series` are smaller than the error of the meshes.
+The pair is also solved with different materials under a high load. With equal materials at the load
+of the paper, the terms of `pair_series` are smaller than the mesh error.
 """
 
 import math
@@ -23,21 +23,21 @@ from verify.form.adapter import adapted
 RATIO = 0.1  # of rollers of different materials: Hertz's a over the smaller radius
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
 WHERE = f"different materials, a/R = {RATIO:g}"
-SECOND = 1e-3, "well below the second order, 2.6e-3, which must show"
-SERIES = "derived series of two discs; its next terms count once, 3e-4 at least"
-BOUNDED = "derived series of two discs; its next terms are bounded, 3e-4 at least"
-COUPLING = "argued: (a/R)²/2 and the coupling of different materials, 3e-4 at least"
+SECOND = 1e-3, "well below the second-order term, 2.6e-3, which the row must detect"
+SERIES = "derived series of two discs, ± its estimated next terms, at least 3e-4"
+BOUNDED = "derived series of two discs, ± a bound of its next terms, at least 3e-4"
+COUPLING = "estimated: ± ((a/R)²/2 + coupling of different materials), at least 3e-4"
 SHEAR = (
-    "derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² and the "
-    "coupling of different materials count once, 1e-3 at least"
+    "derived: −0.693 a/R_1 as on a flat, −0.093 κa due to the inclined pressure; ± ((a/R)² + "
+    "coupling of different materials), at least 1e-3"
 )
 
 
 class TwoRollers(TwoBodies):
-    """A sprag's nose on the inner race, as two elastic rollers of different size.
+    """Two elastic rollers of different radii represent a sprag on the inner race.
 
-    What Hertz neglects here is derived to the second order in a/R, with the inclination of the
-    surface on which the bodies meet; finite elements must agree with it.
+    The error of Hertz's theory is derived to the second order in a/R. The derivation includes the
+    inclination of the common contact surface. Finite elements must agree with this error.
     """
 
     id = "contact-pair"
@@ -46,15 +46,16 @@ class TwoRollers(TwoBodies):
         Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),
     )
     readings: ClassVar = (
-        "rollers are long: plane strain, E/(1 − ν²) of each",
-        "R_1 and R_2 are radii, and their curvatures add up",
-        "the approach is that of the centres; each roller is also pressed from its far side",
+        "the rollers are long: plane strain, with the modulus E/(1 − ν²) of each roller",
+        "R_1 and R_2 are radii, not diameters; the curvatures 1/R_1 and 1/R_2 are added",
+        "δ is the approach of the centres; the load also acts on the opposite side of each roller",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the rollers not modelled",
-        "each roller pressed from both sides: quarters whose cuts move as lines",
-        "contact acts along the normal of the surface on which the deformed bodies meet",
-        "meshes have a vertex at the end of the contact of a coarse solution",
+        "each roller is pressed from both sides: quarters are modelled, whose horizontal cuts stay "
+        "straight",
+        "the contact pressure acts along the normal of the common, deformed contact surface",
+        "each mesh has a node at the edge of the contact, which a coarse solution locates",
     )
 
     R_1: float = given(
@@ -70,8 +71,8 @@ class TwoRollers(TwoBodies):
     def _load(self) -> Self:
         if not 1e-3 <= self.R_1 / self.R_2 <= 1e3:
             raise ValueError(
-                f"radii may differ by a factor of 1000, got R_1 = {self.R_1 * 1e3:g} mm, "
-                f"R_2 = {self.R_2 * 1e3:g} mm: take contact-flat"
+                f"R_1 and R_2 must not differ by more than a factor of 1000, got R_1 = "
+                f"{self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm: use the case contact-flat"
             )
         self.check_load(f"R_1 = {self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm")
         return self
@@ -106,7 +107,7 @@ class TwoRollers(TwoBodies):
 
     @shared
     def known(self) -> OfDiscs:
-        """Error of Hertz's theory for two discs, from `pair_series`."""
+        """Derived errors of Hertz's theory for two discs, from `pair_series`."""
         return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property
@@ -126,18 +127,18 @@ class TwoRollers(TwoBodies):
         return "the upper roller's radius" if self.R_1 <= self.R_2 else "the lower roller's radius"
 
     def unlike(self) -> Self:
-        """These rollers, the lower one softer, under the load that makes a/R `RATIO`."""
+        """The rollers with a softer lower roller, under the load for which a/R equals `RATIO`."""
         soft = self.model_copy(update={"E_2": SOFT * self.E_1, "nu_2": NU})
         P = math.pi / 4 * (RATIO * self.smallest) ** 2 * self.curvature / soft.softness
         return soft.model_copy(update={"F": P * self.L})
 
     def reference(self, level: int) -> Level:
-        """Quarters of both rollers, and of rollers of different materials."""
+        """Results of quarters of both rollers, and of rollers of different materials."""
         soft = {"_unlike": pair_fem(self.unlike(), level)}
         return result(pair_fem(self, level), level, ("upper.axis", "upper.middle"), soft)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: Hertz within the error of the series of two discs, also for different materials."""
+        """Rows: errors of Hertz's theory by the series of two discs; also different materials."""
         by = TwoRollers
         yield from self.against(self.known, by.approach, (SERIES, COUPLING, SHEAR))
         soft = self.unlike()

@@ -1,4 +1,4 @@
-"""Finite elements of the three line contacts: meshes, materials, supports, results."""
+"""Finite-element models of the three line contacts: meshes, materials, supports, results."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ STATIONS = np.linspace(0.0, 0.85, 18)
 
 
 def disc_fem(q: Any, P: float, guess: float, level: int) -> "PressedLine":
-    """The quarter of the disc on the flat y = 0 under the load P [N/m]."""
+    """Solution of a quarter of the disc on the flat y = 0 under the load P [N/m]."""
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.pressed_line import PressedLine
     from fem.contact.problem import ContactProblem
@@ -40,7 +40,7 @@ def disc_fem(q: Any, P: float, guess: float, level: int) -> "PressedLine":
 
 
 def pair_fem(q: Any, level: int) -> "PressedLine":
-    """Quarters of both rollers under the load."""
+    """Solution of quarters of both rollers under the load."""
     from fem.contact.shapes import Circle
     from meshes.contact.disc import quarter_disc
 
@@ -52,7 +52,7 @@ def pair_fem(q: Any, level: int) -> "PressedLine":
 
 
 def race_fem(q: Any, level: int) -> "PressedLine":
-    """A quarter of the roller in half a race with a fixed rim, under the load."""
+    """Solution of a quarter of the roller in half of a race with a fixed rim, under the load."""
     from fem.contact.shapes import Circle
     from meshes.contact.race import half_race
 
@@ -67,7 +67,7 @@ def _two_bodies(
     q: Any, level: int, names: tuple[str, str], R: float, held: dict[str, str], master: str,
     shape: Any, mesh: Any,
 ) -> "PressedLine":  # fmt: skip
-    """A quarter disc of the radius R pressed on a second body with the mesh `mesh(fine)`."""
+    """Solution of a quarter disc of radius R, pressed on a body with the mesh `mesh(fine)`."""
     from fem.contact.pairs import Pair
     from fem.contact.pressed_line import PressedLine
     from fem.contact.problem import ContactProblem
@@ -100,7 +100,7 @@ def result(
     found: "PressedLine", level: int, supports: tuple[str, ...],
     others: "Mapping[str, PressedLine] | None" = None,
 ) -> Level:  # fmt: skip
-    """Result of a level with its profiles; `others` are further solutions by their key suffix."""
+    """Values and profiles of `level`; `others`: further solutions by the suffix of their keys."""
     shear, depth = found.shear()
     values = found.values() | found.balance(supports) | {"tau_max": shear, "z": depth}
     u_it = {key: found.rounding(key, value) for key, value in values.items()}
@@ -117,7 +117,7 @@ def result(
 
 
 def near(found: "PressedLine") -> Field:
-    """Cells near the contact with their largest shear stress, divided by the peak pressure."""
+    """Field of the cells near the contact: largest shear stress over p_0, von Mises stress [Pa]."""
     from fem.plane.cell_fields import cut_out, largest_shear
 
     cells = cut_out(

@@ -1,4 +1,4 @@
-"""A roller in a concave race with a fixed rim: Hertz's line contact inside a ring."""
+"""Case of a roller in a race with a fixed rim: Hertz's line contact in a bore."""
 
 from collections.abc import Iterator
 from typing import ClassVar, Self
@@ -15,20 +15,20 @@ from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, which takes half a minute
-BOUND = "argued: (a/R)² of the curvature and (a/wall)² of the held rim, each once"
-APPROACH = "argued: half of (a/R)² + (a/wall)², and the coupling of different materials"
+BOUND = "estimated: ± ((a/R)² for the curvature + (a/wall)² for the fixed rim)"
+APPROACH = "estimated: ± (half of (a/R)² + (a/wall)², plus the coupling of different materials)"
 SHEAR = (
-    "derived: −0.693 a/R of a flat, −0.093 κa of inclined pressure; (a/R)², (a/wall)² and the "
-    "coupling of different materials count once, 1e-3 at least"
+    "derived: −0.693 a/R as on a flat, −0.093 κa due to the inclined pressure; ± ((a/R)² + "
+    "(a/wall)² + coupling of different materials), at least 1e-3"
 )
 
 
 class RollerInRace(TwoBodies):
-    """A roller of the sprag's radius in the outer race.
+    """A roller with the contact radius of the sprag in the outer race.
 
-    The bore is curved in the same direction as the roller, which widens the contact, and the wall
-    is about fifty half-widths thick. The approach of centre and fixed rim is derived from the
-    Fourier series of the ring.
+    The bore is curved in the same direction as the roller, which widens the contact. The wall is
+    about fifty half-widths thick. The approach of the centre of the roller and the fixed rim is
+    derived from the Fourier series of the ring.
     """
 
     id = "contact-ring"
@@ -40,16 +40,17 @@ class RollerInRace(TwoBodies):
         ),
     )
     readings: ClassVar = (
-        "rollers are long: plane strain, E/(1 − ν²) of each",
-        "the bore's curvature is subtracted from the roller's: 1/R − 1/r_i, of radii",
-        "the approach is that of the roller's centre and the race's rim, which is held all around",
+        "the bodies are long: plane strain, with the modulus E/(1 − ν²) of each body",
+        "relative curvature of the roller in the bore: 1/R − 1/r_i; R and r_i are radii",
+        "δ is the approach of the centre of the roller and the rim of the race; the rim is fixed",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the roller not modelled",
-        "the roller pressed from both sides: a quarter whose cut moves as a line",
-        "one roller, the rim held all around in both directions: half a race",
-        "contact acts along the normal of the surface on which the deformed bodies meet",
-        "meshes have a vertex at the end of the contact of a coarse solution",
+        "the roller is pressed from both sides: a quarter is modelled, whose horizontal cut stays "
+        "straight",
+        "the race contains one roller, and its whole rim is fixed: half of the race is modelled",
+        "the contact pressure acts along the normal of the common, deformed contact surface",
+        "each mesh has a node at the edge of the contact, which a coarse solution locates",
     )
 
     R: float = given(
@@ -68,15 +69,15 @@ class RollerInRace(TwoBodies):
     def _fits(self) -> Self:
         if self.R / self.r_i > 0.9:
             raise ValueError(
-                f"the roller must be smaller than 0.9 of the bore, got R = {self.R * 1e3:g} mm, "
-                f"r_i = {self.r_i * 1e3:g} mm: a closer fit is no line contact"
+                f"R must not exceed 0.9 r_i, got R = {self.R * 1e3:g} mm, "
+                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide"
             )
         if not self.r_i < self.r_o:
             raise ValueError(
-                f"a race needs r_i < r_o, got r_i = {self.r_i * 1e3:g} mm, "
+                f"the race requires r_i < r_o, got r_i = {self.r_i * 1e3:g} mm, "
                 f"r_o = {self.r_o * 1e3:g} mm"
             )
-        self.check_load(f"R = {self.R * 1e3:g} mm and a wall of {self.wall * 1e3:g} mm")
+        self.check_load(f"R = {self.R * 1e3:g} mm, wall {self.wall * 1e3:g} mm")
         return self
 
     @Quantity("R'", "mm", "relative radius", role="step", source="Hertz",
@@ -84,7 +85,7 @@ class RollerInRace(TwoBodies):
     def radius(self) -> float:
         return float(hertz_line.relative_radius(R_1=self.R, R_2=-self.r_i))
 
-    @Quantity("δ_1", "µm", "part of the approach, in the roller", role="step", source="Hertz",
+    @Quantity("δ_1", "µm", "approach, part in the roller", role="step", source="Hertz",
               tex=r"\frac{P (1 - \nu_1^2)}{\pi E_1} (2 \ln\left(\frac{4 R}{a}\right) - 1)",
               )  # fmt: skip
     def in_roller(self) -> float:
@@ -92,14 +93,14 @@ class RollerInRace(TwoBodies):
         sizes = {"P": self.P, "a": self.a, "R": self.R}
         return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=E_plane))
 
-    @Quantity("s", "1", "constant of the held rim", role="step",
-              source="a pressure cos nθ widens the bore by U_n cos nθ",
+    @Quantity("s", "1", "constant of the race with a fixed rim", role="step",
+              source="U_n cos nθ: radial displacement of the bore under a pressure cos nθ",
               tex=r"\frac{E_2' U_0}{4 r_i} + \sum_{n=1}^{\infty}"
               r"\left(\frac{E_2' U_n}{2 r_i} - \frac{1}{n}\right)")  # fmt: skip
     def s(self) -> float:
         return clamped_race.rim_constant(**self.race, assumption="plane strain")
 
-    @Quantity("δ_2", "µm", "part of the approach, in the race", role="step",
+    @Quantity("δ_2", "µm", "approach, part in the race", role="step",
               source="Fourier series of the race",
               tex=r"\frac{2 P (1 - \nu_2^2)}{\pi E_2}"
               r" (\ln\left(\frac{2 r_i}{a}\right) + \frac{1}{2} + s)")  # fmt: skip
@@ -109,13 +110,13 @@ class RollerInRace(TwoBodies):
         )
 
     @Quantity("δ", "µm", "approach of centre and rim",
-              source="centre of the roller to the held rim")  # fmt: skip
+              source="approach of the centre of the roller and the fixed rim")  # fmt: skip
     def approach(self) -> float:
         return self.in_roller + self.in_race
 
     @property
     def race(self) -> dict[str, float]:
-        """Radii and Poisson's ratio of the race."""
+        """Radii and Poisson's ratio of the race, as arguments of the formulas."""
         return {"r_i": self.r_i, "r_o": self.r_o, "nu": self.nu_2}
 
     @property
@@ -140,34 +141,34 @@ class RollerInRace(TwoBodies):
         return "the roller's radius" if self.smallest == self.R else "the race's wall"
 
     def reference(self, level: int) -> Level:
-        """A quarter of the roller in half the race."""
+        """Results of a quarter of the roller in half of the race."""
         return result(race_fem(self, level), level, ("roller.axis", "roller.middle"))
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: Hertz within the error due to curvature, fixed rim and materials."""
+        """Rows: errors of Hertz's theory due to curvature, fixed rim and materials."""
         known = InRace(a=self.a, R_1=self.R, R_2=-self.r_i, wall=self.wall, **self.materials)
         yield from self.against(known, RollerInRace.approach, (BOUND, APPROACH, SHEAR),
-                                shares="rim that is held all around")  # fmt: skip
+                                shares="fixed rim")  # fmt: skip
         yield self.near_hertz(self.pressure)
         yield from self.balances()
 
     sketch = sketches.ring
 
     def refusal(self) -> str:
-        """Cells about the contact are carried far into a thick wall, and are coarse there.
+        """Reason for not solving a very thin or a very thick wall; "" for other walls.
 
-        In a thin wall all cells around the bore are as short as the wall, as any part may touch:
-        the compliance of so many points takes minutes.
+        In a thick wall, cells far from the contact are too coarse. In a thin wall, the whole bore
+        may touch the roller and needs short cells: their compliance matrix takes minutes.
         """
         if self.wall < THINNEST * self.r_i:
             return (
-                f"a wall of {self.wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_i: finite "
-                "elements as short as that all around the bore take minutes, check it without --fem"
+                f"a wall of {self.wall * 1e3:.4g} mm is thinner than {THINNEST:.0%} of r_i: finite "
+                "elements would take minutes; run `check` without --fem"
             )
         if self.r_o > THICKEST * self.r_i:
             return (
-                f"r_o = {self.r_o / self.r_i:.3g} r_i is more than {THICKEST:g} r_i: finite "
-                "elements are not sharp in a block so large, check it without --fem"
+                f"r_o = {self.r_o / self.r_i:.3g} r_i exceeds {THICKEST:g} r_i: the mesh is too "
+                "coarse in a wall that thick; run `check` without --fem"
             )
         return super().refusal()
 

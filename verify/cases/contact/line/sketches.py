@@ -1,4 +1,4 @@
-"""Sketches of the line contacts."""
+"""Sketches of the cases of line contact."""
 
 from typing import TYPE_CHECKING
 
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
 
 
 def arc(y: float, r: float, start: float, turn: float) -> Array:
-    """Points (m, 2) of an arc about (0, y); angles in degrees from the x axis."""
+    """Points of an arc about (0, y), shape (m, 2); angles in degrees from the x axis."""
     t = np.radians(np.linspace(start, start + turn, 73))
     return np.column_stack([r * np.cos(t), y + r * np.sin(t)])
 
 
 def sector(y: float, r: float, *, below: bool = False) -> Shape:
-    """The quarter x >= 0 of a disc about (0, y) next to the origin, closed."""
+    """Closed outline of the quarter x >= 0, next to the origin, of a disc about (0, y)."""
     edge = arc(y, r, 0.0, 90.0) if below else arc(y, r, -90.0, 90.0)
     return shape("modelled", np.vstack([edge, [[0.0, y]]]))
 
 
 def flat(q: "FlatInputs") -> Sketch:
-    """A roller between rigid flats."""
+    """Sketch of a roller between rigid flats."""
     return sketch(
         f"roller between rigid flats, {q.shown('L')} long", room(2.4, 2.6),
         circle(1.0, "body", (0.0, 1.0)), sector(1.0, 1.0),
@@ -41,7 +41,7 @@ def flat(q: "FlatInputs") -> Sketch:
 
 
 def pair(q: "TwoRollers") -> Sketch:
-    """Two rollers; a much smaller roller is drawn larger."""
+    """Sketch of two rollers; a roller below 1/20 of the radius of the second is drawn larger."""
     size = max(q.R_1, q.R_2)
     top, low = max(q.R_1 / size, 0.05), max(q.R_2 / size, 0.05)
     load = 2 * top + 0.1
@@ -59,7 +59,7 @@ def pair(q: "TwoRollers") -> Sketch:
 
 
 def ring(q: "RollerInRace") -> Sketch:
-    """A roller in the bore of a race."""
+    """Sketch of a roller in the bore of a race."""
     r_i, R = q.r_i / q.r_o, q.R / q.r_o
     force = 2 * R + 0.38  # the upper end of its arrow, with its label above
     half = np.vstack([arc(r_i, 1.0, -90, 180), arc(r_i, r_i, 90, -180)])
@@ -72,6 +72,6 @@ def ring(q: "RollerInRace") -> Sketch:
         arrow((0.0, force), (0.0, 2 * R + 0.03), f"F = {q.shown('F')}"),
         leader((-1.35, R), (-R, R), f"R = {q.shown('R')}"),
         leader((-1.3, 1.6 * r_i), (-0.78 * r_i, 1.63 * r_i), f"r_i = {q.shown('r_i')}"),
-        leader((1.25, -0.1), (0.72, r_i - 0.7), f"r_o = {q.shown('r_o')}, held"),
-        leader((1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5), "FE: half, quarter"),
+        leader((1.25, -0.1), (0.72, r_i - 0.7), f"r_o = {q.shown('r_o')}, fixed"),
+        leader((1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5), "FE: half and quarter"),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Line contacts of two bodies, each of one material, and the error of Hertz's theory."""
+"""Common part of the line contacts of two elastic bodies, and the error of Hertz's theory."""
 
 from collections.abc import Iterator
 
@@ -13,12 +13,12 @@ from verify.core.figures import Picture
 
 
 class TwoBodies(LineContact):
-    """Line contact of two elastic bodies with separate materials."""
+    """Line contact of two elastic bodies, which may have different materials."""
 
     E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, roller", gt=0, le=1e5)
     nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, roller", ge=0, le=0.45)
-    E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, partner", gt=0, le=1e5)
-    nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, partner", ge=0, le=0.45)
+    E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, second body", gt=0, le=1e5)
+    nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, second body", ge=0, le=0.45)
 
     @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
               tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}")  # fmt: skip
@@ -36,16 +36,17 @@ class TwoBodies(LineContact):
 
     @property
     def materials(self) -> dict[str, float]:
-        """Moduli and Poisson's ratios as the formulas name them."""
+        """Young's moduli [Pa] and Poisson's ratios, as arguments of the formulas."""
         return {"E_1": self.E_1, "nu_1": self.nu_1, "E_2": self.E_2, "nu_2": self.nu_2}
 
     def against(
         self, known: OfDiscs | InRace, approach: Quantity, sources: tuple[str, str, str],
         shares: str = "",
     ) -> Iterator[Comparison]:  # fmt: skip
-        """Rows: Hertz within the known error of his theory.
+        """Rows: errors of Hertz's theory judged against the derived errors `known`.
 
-        `sources`: for pressure and half-width, for the approach, for the shear stress.
+        `sources` states the derivation for pressure and half-width, for the approach, and for the
+        shear stress.
         """
         by, (contact, between, below) = type(self), sources
         yield approximation(by.p_0, order=2, expected=expected(known.pressure, contact))
@@ -58,5 +59,5 @@ class TwoBodies(LineContact):
     figures = figures.two_bodies
 
     def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact."""
+        """Pictures of stresses near the contact."""
         yield from figures.pictures(self.guess)

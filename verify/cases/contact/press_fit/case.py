@@ -1,4 +1,4 @@
-"""Press fit: a race in its housing, two walls joined by contact only (Lamé twice)."""
+"""Case of a press fit: a race in its housing, two walls joined by contact only (Lamé)."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -22,8 +22,8 @@ from verify.cases.contact.press_fit.reference import jitter, solve
 from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
-FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
-DIRECT = "direct solve: machine epsilon times the condition of K"
+FAST = 1e-3, "smooth fields on curved quadratic cells: errors far below 1 % without extra cost"
+DIRECT = "direct solution: machine epsilon times the condition number of the stiffness matrix"
 MOST_CELLS = 400_000
 SCATTERED = 1e-3  # limit for the scatter of the pressure due to rounded positions, relative to it
 AROUND = 150  # about the number of nodes on a quarter of the finest mesh
@@ -31,37 +31,37 @@ THINNEST = 0.04  # wall over r_f: cells along the circumference must be shorter
 
 
 class PressFit(FitFormulas):
-    """Two walls touch along a whole circle; their meshes do not match there.
+    """Two walls touch along a whole circle, where their meshes do not match.
 
-    Contact must transmit a uniform pressure. The interference is given once as a number and once
-    by meshes that overlap; in a third fit a solid shaft replaces the race.
+    The contact must transmit a uniform pressure. The interference is given as a number and, in
+    another fit, by overlapping meshes. In a further fit, a solid shaft replaces the race.
     """
 
     id = "contact-press-fit"
     title = "Race pressed into its housing"
     source = "huang2018"
-    place = "Eq. 6, the formula behind it; Table 1, the outer race's radii"
+    place = "Eq. 6, based on Lamé's formulas; Table 1, radii of the outer race"
     levels: ClassVar = (1, 2, 4)
     scans: ClassVar = (
         Scan(vary=("r_i=5mm,12mm,19.44mm", "E_o=70GPa,206GPa", "nu_i=0.2,0.3"), star=True),
     )
     readings: ClassVar = (
-        "δ is the interference of the radii, half that of the diameters",
-        "the walls are taken once as short (plane stress) and once as long (plane strain)",
+        "δ is the interference of the radii, half of the interference of the diameters",
+        "the walls are computed both as short (plane stress) and as long (plane strain)",
     )
     assumptions: ClassVar = (
-        "the paper gives no fit: housing (aluminium, 40 mm), δ and p_o are assumed; p_i is its 12 "
-        "sprags of 3.4 kN on 9 mm, uniform over the bore",
+        "the paper gives no fit: housing (aluminium, 40 mm), δ and p_o are assumed; p_i is the "
+        "force of its 12 sprags (3.4 kN on 9 mm each), uniform over the bore",
         "linear elasticity, small strain, no friction on the fit",
-        "quarters with symmetry on both cuts",
+        "a quarter of each wall is modelled, with symmetry on both cuts",
     )
 
     def reference(self, level: int) -> Level:
-        """Quarters of both walls, of all fits."""
+        """Results of quarters of both walls, for all fits."""
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Pressure, displacements, stresses, energy and balances of all fits."""
+        """Rows: pressure, displacements, stresses, energy and balances of all fits."""
         fit = PressFit
         hoops = ((fit.hoop_inner_bore, "r_i"), (fit.hoop_inner_rim, "r_f"),
                  (fit.hoop_outer_bore, "r_f"), (fit.hoop_outer_rim, "r_o"))  # fmt: skip
@@ -75,12 +75,12 @@ class PressFit(FitFormulas):
             shared: dict[str, Any] = {
                 "state": replace(state, displayed=not one.key), "sensitivity": FAST,
             }  # fmt: skip
-            yield identity(fit.scatter, order=2, scale={f"{one.name}: p": of.p}, **shared)
+            yield identity(fit.scatter, order=2, scale={f"p, {one.name}": of.p}, **shared)
             for q, r in moved[one.walls == "shaft" :]:
-                yield identity(q, order=4, scale={f"{one.name}: u scale": of.moved},
+                yield identity(q, order=4, scale={f"largest u, {one.name}": of.moved},
                                symbol=f"u_r({r})", **shared)  # fmt: skip
             for q, r in hoops if one.walls == "rings" else ():
-                yield identity(q, order=2, scale={f"{one.name}: hoop scale": of.stress_scale},
+                yield identity(q, order=2, scale={f"largest stress, {one.name}": of.stress_scale},
                                symbol=f"σ_θ({r})", **shared)  # fmt: skip
             yield identity(fit.U, order=4, **shared)
             for wall in ("inner", "outer"):
@@ -91,28 +91,28 @@ class PressFit(FitFormulas):
     figures = drawn.profiles
 
     def pictures(self) -> Iterator[Picture]:
-        """Hoop stress of the rings, von Mises stress with a shaft."""
+        """Pictures: hoop stress of the rings, von Mises stress with a shaft."""
         for name, data, what in (
             ("rings", "hoop_stress", "Hoop stress of both rings"),
             ("shaft", "von_mises", "Von Mises stress with a solid shaft"),
         ):
-            yield picture(f"{name}, plane stress", data, f"{what}, plane stress, cell means",
+            yield picture(f"{name}, plane stress", data, f"{what}, plane stress, means of cells",
                           mirror="xy", displacement="")  # fmt: skip
 
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """Cells must be short against the thinnest wall for a uniform pressure."""
+        """Reason for not solving thin walls or small interferences; "" if there is none."""
         wall = self.thinnest
         if wall < THINNEST * self.r_f:
             return (
-                f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_f: these cells are "
-                "too long for a uniform pressure on it, check it without --fem"
+                f"a wall of {wall * 1e3:.4g} mm is thinner than {THINNEST:.0%} of r_f: the cells "
+                "are too long for a uniform pressure; run `check` without --fem"
             )
         if jitter(self, AROUND) > SCATTERED * min(self.of(fit).p for fit in FITS):
             return (
                 f"delta = {self.delta * 1e6:.3g} µm is so small against r_f = {self.r_f * 1e3:.4g} "
-                f"mm that rounded positions make more than {SCATTERED:g} of the pressure: check it "
+                f"mm that round-off changes the pressure by more than {SCATTERED:g}: run `check` "
                 "without --fem"
             )
         thin = np.log(min(2 * self.r_f / (self.r_f + self.r_i),
@@ -123,13 +123,13 @@ class PressFit(FitFormulas):
         if cells <= MOST_CELLS:
             return ""
         return (
-            f"walls this thin need {cells:,.0f} cells, more than {MOST_CELLS:,}: check without "
-            "--fem"
+            f"walls this thin need {cells:,.0f} cells, more than {MOST_CELLS:,}: run `check` "
+            "without --fem"
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a wall yields."""
-        for fit, words in ((FITS[0], "the rings"), (FITS[3], "the solid shaft's hub")):
+        """Warnings if a wall exceeds its yield strength, or probably does."""
+        for fit, words in ((FITS[0], "the rings"), (FITS[3], "the hub of the solid shaft")):
             of = self.of(fit)
             centre = of.p if fit.walls == "shaft" else self.p_i
             pressures = (centre, of.p, of.p, self.p_o)
@@ -137,11 +137,11 @@ class PressFit(FitFormulas):
             if self.R_p is not None and worst > self.R_p:
                 yield (
                     f"Tresca stress {worst / 1e6:.4g} MPa in {words} exceeds R_p = "
-                    f"{self.shown('R_p')}: the fit yields and loses pressure"
+                    f"{self.shown('R_p')}: the fit yields and its pressure decreases"
                 )
             strain = worst / min(self.E_i, self.E_o)
             if strain > 2e-3 and self.R_p is None:
-                yield f"strain reaches {strain:.2%} in {words}: most metals yield before; give R_p"
+                yield f"strain reaches {strain:.2%} in {words}, where most metals yield; enter R_p"
 
 
 PRESS_FIT = adapted(PressFit)

@@ -1,4 +1,4 @@
-"""Figures of a press fit: sketch, profiles through both walls and along the fit."""
+"""Figures of a press fit: sketch, stresses through both walls, pressure along the fit."""
 
 from collections.abc import Iterator
 
@@ -14,14 +14,14 @@ LOADED = np.arange(22.5, 360.0, 45.0)  # degrees: arrows of the pressures
 
 
 def sketch(q: FitFormulas) -> Sketch:
-    """Sketch: both rings, the quarter of the finite-element model, the pressures."""
+    """Sketch of both rings, the quarter of the finite-element model and the pressures."""
     inner, fit = q.r_i / q.r_o, q.r_f / q.r_o
     t = np.linspace(0, 90, 73)
     quarter = [polar(1.0, d) for d in t] + [polar(inner, d) for d in t[::-1]]
     sizes = (("r_o", 130, 1.0), ("r_f", 158, fit), ("r_i", 220, inner))
     return sketches.sketch(
-        f"inner ring (E = {q.shown('E_i')}) pressed into the outer one ({q.shown('E_o')}), "
-        f"{q.shown('p_i')} in the bore, {q.shown('p_o')} outside",
+        f"inner ring (E_i = {q.shown('E_i')}) pressed into the outer ring (E_o = "
+        f"{q.shown('E_o')}), {q.shown('p_i')} in the bore, {q.shown('p_o')} outside",
         sketches.ring(inner, 1.0), shape("modelled", np.array(quarter)),
         sketches.circle(fit, "line"),
         sketches.arrow((-1.12, 0.0), (1.12, 0.0), style="axis"),
@@ -44,7 +44,7 @@ def _pressures(q: FitFormulas, inner: float) -> Iterator[Shape]:
 
 
 def profiles(fit: FitFormulas) -> Iterator[AlongLine]:
-    """Stresses through both rings, and the contact pressure along the fit."""
+    """Figures: stresses through both rings, and the contact pressure along the fit."""
     fine = np.concatenate([np.linspace(fit.r_i, fit.r_f, 41), np.linspace(fit.r_f, fit.r_o, 41)])
     for name, symbol, curve in (
         ("radial", "σ_r", lambda r: fit.stresses(r)[0]),
@@ -54,12 +54,12 @@ def profiles(fit: FitFormulas) -> Iterator[AlongLine]:
             title=f"{name.capitalize()} stress through both rings, plane stress", x=("r", "mm"),
             y=(symbol, "MPa"), curve=curve, reference=f"profile {name}",
             at=stations(fit), points=fine, order=2.0, scale=fit.stress_scale,
-            note="Points on a radius at 30°; below, the difference from the formula in the band "
-            "of the profile's tolerance.",
+            note="Dots: finite elements on a radius at 30°. Lower diagram: difference to the "
+            "formula; band: tolerance of the profile.",
         )  # fmt: skip
     yield AlongLine(
         title="Contact pressure along the fit, rings, plane stress", x=("angle", "deg"),
         y=("p", "MPa"), curve=lambda turns: np.full(turns.size, fit.p), reference="p along",
         at=TURNS, points=TURNS, order=2.0, scale=fit.p, scale_name="p",
-        note="The meshes do not match: three cells on the inner ring lie on two of the outer one.",
+        note="The meshes do not match: three cells of the inner ring face two of the outer ring.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Formulas of a press fit: Lamé's two walls under the pressure that closes the interference."""
+"""Formulas of a press fit: two walls (Lamé) under the pressure that closes the interference."""
 
 from typing import Any
 
@@ -14,11 +14,11 @@ from analytic.contact.press_fit import (
 from verify.case import Quantity, shared
 from verify.cases.contact.press_fit.inputs import FITS, FitInputs
 
-LAME = "Lamé; behind Eq. 6"
+LAME = "Lamé; basis of Eq. 6"
 
 
 class FitFormulas(FitInputs):
-    """Stresses and displacements of both walls of a fit."""
+    """Pressure, stresses and displacements of a press fit of two walls."""
 
     @Quantity(
         "c_i", "µm/MPa", "compliance of the inner wall's rim, plane stress", role="step",
@@ -38,7 +38,7 @@ class FitFormulas(FitInputs):
         wall = self.pair[1]
         return float(wall.displacement(wall.r_i, p_i=1, p_o=0, assumption=self.ends))
 
-    @Quantity("δ_0", "µm", "what p_i and p_o add to δ", role="step", source=LAME,
+    @Quantity("δ_0", "µm", "increase of the interference by p_i and p_o", role="step", source=LAME,
               tex=r"\frac{2 p_i r_f r_i^2}{E_i (r_f^2 - r_i^2)}"
               r" + \frac{2 p_o r_f r_o^2}{E_o (r_o^2 - r_f^2)}")  # fmt: skip
     def delta_0(self) -> float:
@@ -50,7 +50,7 @@ class FitFormulas(FitInputs):
               tex=r"\frac{\delta + \delta_0}{c_i + c_o}")  # fmt: skip
     def p(self) -> float:
         loads: dict[str, Any] = {"p_i": self.p_bore, "p_o": self.p_o, "assumption": self.ends}
-        if self.walls == "drawn":
+        if self.walls == "overlapping rings":
             return pressure_of_overlap(*self.pair, **loads)
         return float(contact_pressures(self.pair, self.delta, **loads)[0])
 
@@ -99,7 +99,7 @@ class FitFormulas(FitInputs):
 
     @property
     def pair(self) -> tuple[Wall, Wall]:
-        """The inner wall or the shaft, and the outer wall."""
+        """The inner wall (or the shaft) and the outer wall."""
         rim, bore = self.surfaces
         return (
             Wall(r_i=self.bore, r_o=rim, E=self.E_i, nu=self.nu_i),
@@ -108,7 +108,7 @@ class FitFormulas(FitInputs):
 
     @shared
     def loaded(self) -> tuple[LoadedWall, LoadedWall]:
-        """Both walls under their pressures; action and reaction at the fit are equal."""
+        """Both walls under their pressures; the forces on both sides of the fit are equal."""
         inner, outer = self.pair
         p = self.p
         return (
@@ -119,22 +119,25 @@ class FitFormulas(FitInputs):
 
     @property
     def hoops(self) -> tuple[float, float, float, float]:
-        """Hoop stresses from the bore outward [Pa]."""
+        """Hoop stresses [Pa] of both walls at bore and rim, from the inner bore outwards."""
         inner, outer = self.loaded
         return inner.hoop_bore, inner.hoop_rim, outer.hoop_bore, outer.hoop_rim
 
     @property
     def stress_scale(self) -> float:
-        """The largest stress or pressure [Pa]."""
+        """Largest absolute hoop stress or pressure [Pa]."""
         return max(self.p, self.p_bore, self.p_o, *map(abs, self.hoops))
 
     @property
     def moved(self) -> float:
-        """The largest displacement [m] of both walls."""
+        """Largest radial displacement [m] of both walls."""
         return max(abs(u) for wall in self.loaded for u in (wall.u_bore, wall.u_rim))
 
     def stresses(self, r: Any) -> tuple[Any, Any]:
-        """Radial and hoop stress (m,) at radii, the first half of which lies in the inner wall."""
+        """Radial and hoop stresses [Pa], shape (m,), at radii `r` [m].
+
+        The first half of `r` lies in the inner wall, the second half in the outer wall.
+        """
         halves = zip(self.loaded, np.split(r, 2), strict=True)
         radial, hoop = zip(*(wall.stresses(x) for wall, x in halves), strict=True)
         return np.concatenate(radial), np.concatenate(hoop)

@@ -1,4 +1,4 @@
-"""Inputs of a press fit: two walls, their interference, pressures inside and outside."""
+"""Inputs of a press fit: two walls, interference, pressures in the bore and on the rim."""
 
 from typing import ClassVar, Literal, NamedTuple, Self
 
@@ -7,11 +7,11 @@ from pydantic import model_validator
 from analytic.contact.checks import Assumption
 from verify.case import Case, given
 
-Walls = Literal["rings", "drawn", "shaft"]
+Walls = Literal["rings", "overlapping rings", "shaft"]
 
 
 class Fit(NamedTuple):
-    """A computed fit: its walls, the condition of its ends, its key suffix and its name in text."""
+    """A computed fit: suffix of its keys, walls, plane assumption, and name in texts."""
 
     key: str
     walls: Walls
@@ -20,20 +20,22 @@ class Fit(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Prefix of the scales of its rows."""
+        """Name of the fit in the scales of its rows."""
         return f"{self.walls}, {self.ends}"
 
 
 FITS = (
     Fit("", "rings", "plane stress", "rings, plane stress"),
     Fit("strain", "rings", "plane strain", "rings, plane strain"),
-    Fit("drawn", "drawn", "plane strain", "rings drawn with overlap, plane strain"),
+    Fit(
+        "drawn", "overlapping rings", "plane strain", "rings with overlapping meshes, plane strain"
+    ),
     Fit("shaft", "shaft", "plane stress", "solid shaft, plane stress"),
 )
 
 
 class FitInputs(Case):
-    """A ring, or a solid shaft, pressed into an outer ring; pressures inside and outside."""
+    """A ring or a solid shaft in an outer ring, under pressures in the bore and on the rim."""
 
     walls: ClassVar[Walls] = "rings"  # of the quantities
     ends: ClassVar[Assumption] = "plane stress"
@@ -48,7 +50,7 @@ class FitInputs(Case):
     )  # fmt: skip
     r_o: float = given("40 mm", "mm", "r_o", "rim radius of the outer ring", gt=0, le=1e5)
     delta: float = given(
-        "15 µm", "µm", "δ", "interference, of the radii (half that of the diameters)", gt=0, le=1e6
+        "15 µm", "µm", "δ", "interference of the radii (half of the diametral value)", gt=0, le=1e6
     )
     p_i: float = given(
         "37 MPa", "MPa", "p_i", "pressure in the inner bore", omitted=0.0, ge=0, le=1e5
@@ -56,10 +58,10 @@ class FitInputs(Case):
     p_o: float = given(
         "5 MPa", "MPa", "p_o", "pressure on the outer rim", omitted=0.0, ge=0, le=1e5
     )
-    E_i: float = given("206 GPa", "GPa", "E_i", "Young's modulus inside", gt=0, le=1e5)
-    nu_i: float = given(0.3, "1", "ν_i", "Poisson's ratio inside", ge=0, le=0.45)
-    E_o: float = given("70 GPa", "GPa", "E_o", "Young's modulus outside", gt=0, le=1e5)
-    nu_o: float = given(0.33, "1", "ν_o", "Poisson's ratio outside", ge=0, le=0.45)
+    E_i: float = given("206 GPa", "GPa", "E_i", "Young's modulus, inner wall", gt=0, le=1e5)
+    nu_i: float = given(0.3, "1", "ν_i", "Poisson's ratio, inner wall", ge=0, le=0.45)
+    E_o: float = given("70 GPa", "GPa", "E_o", "Young's modulus, outer wall", gt=0, le=1e5)
+    nu_o: float = given(0.33, "1", "ν_o", "Poisson's ratio, outer wall", ge=0, le=0.45)
     R_p: float | None = given(
         None, "MPa", "R_p", "yield strength of the weaker wall, for the warning", omitted=None,
         gt=0, example="250 MPa",
@@ -69,16 +71,16 @@ class FitInputs(Case):
     def _walls(self) -> Self:
         radii = ", ".join(f"{n} = {getattr(self, n) * 1e3:g} mm" for n in ("r_i", "r_f", "r_o"))
         if not self.r_i < self.r_f < self.r_o:
-            raise ValueError(f"a fit needs r_i < r_f < r_o, got {radii}")
+            raise ValueError(f"a press fit requires r_i < r_f < r_o, got {radii}")
         wall = self.thinnest
         if wall < 1e-3 * self.r_f:
             raise ValueError(
-                f"a wall of {wall * 1e3:g} mm is below a thousandth of r_f: a shell, got {radii}"
+                f"a wall of {wall * 1e3:g} mm is thinner than r_f/1000, the limit: got {radii}"
             )
         if self.delta > 0.01 * self.r_f or self.delta > 0.1 * wall:
             raise ValueError(
-                f"delta = {self.delta * 1e6:g} µm exceeds a hundredth of r_f or a tenth of the "
-                f"thinner wall, {wall * 1e3:g} mm: strains are not small"
+                f"delta = {self.delta * 1e6:g} µm must not exceed r_f/100 or a tenth of the "
+                f"thinner wall, {wall * 1e3:g} mm: small strains are assumed"
             )
         return self
 
@@ -88,22 +90,25 @@ class FitInputs(Case):
         return min(self.r_f - self.r_i, self.r_o - self.r_f)
 
     def of(self, fit: Fit) -> Self:
-        """These inputs for other walls or ends."""
+        """The inputs with the walls and the plane assumption of `fit`."""
         return self.variant(walls=fit.walls, ends=fit.ends)
 
     @property
     def bore(self) -> float:
-        """Bore radius of the inner wall [m]."""
+        """Bore radius of the inner wall [m]; zero for a shaft."""
         return 0.0 if self.walls == "shaft" else self.r_i
 
     @property
     def p_bore(self) -> float:
-        """Pressure in the bore [Pa]."""
+        """Pressure in the bore of the inner wall [Pa]; zero for a shaft."""
         return 0.0 if self.walls == "shaft" else self.p_i
 
     @property
     def surfaces(self) -> tuple[float, float]:
-        """Radii of the inner wall's rim and the outer wall's bore [m]; "drawn" overlap by δ."""
-        if self.walls == "drawn":
+        """Radii of the rim of the inner wall and of the bore of the outer wall [m].
+
+        The radii of overlapping rings differ by δ.
+        """
+        if self.walls == "overlapping rings":
             return self.r_f + self.delta / 2, self.r_f - self.delta / 2
         return self.r_f, self.r_f

@@ -1,4 +1,4 @@
-"""Finite elements of a press fit: quarters of both walls, joined by contact only."""
+"""Finite-element model of a press fit: quarters of both walls, joined by contact only."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ ACROSS = 7  # stations in each wall
 
 
 def solve(q: FitInputs, level: int) -> Level:
-    """One level of all fits."""
+    """Results of all fits on the mesh of `level`."""
     values: dict[str, float] = {}
     u_it: dict[str, float] = {}
     arrays: dict[str, Any] = {}
@@ -34,7 +34,7 @@ def solve(q: FitInputs, level: int) -> Level:
         values |= named(found, end)
         u_it |= named({key: round_off * size[key] for key in found}, end)
         u_it[f"scatter{end}"] = jitter(q, fit.touches[0].x.shape[1])
-        if one.walls != "drawn":
+        if one.walls != "overlapping rings":
             cells = ("stress", "von_mises", "hoop_stress")
             fields.append(plane_field(fit.plane, *cells, name=one.name))
         if not one.key:
@@ -44,7 +44,7 @@ def solve(q: FitInputs, level: int) -> Level:
 
 
 def sizes(found: dict[str, float]) -> dict[str, float]:
-    """Reference values for the round-off of each value: the largest of its kind.
+    """Scales of the round-off of the values `found`: the largest value of the same kind.
 
     Positions are rounded to EPS r_f, and the interference is a difference of positions.
     """
@@ -56,15 +56,15 @@ def sizes(found: dict[str, float]) -> dict[str, float]:
 
 
 def jitter(q: FitInputs, around: int) -> float:
-    """Scatter [Pa] of the pressure from rounded positions of `around` nodes on a quarter.
+    """Scatter [Pa] of the pressure due to rounded positions of `around` nodes on a quarter.
 
-    The inner wall, whose cells are shorter, is pushed from cell to cell by EPS r_f.
+    Positions of neighbouring nodes of the inner wall, whose cells are shorter, differ by EPS r_f.
     """
     return EPS * q.E_i * around / (np.pi / 2)
 
 
 def solve_fit(q: FitInputs, level: int) -> "ContactSolution":
-    """Quarters of both walls, three cells around the inner one to two around the outer one."""
+    """Solution of quarters of both walls; three cells of the inner wall face two of the outer."""
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
@@ -84,7 +84,7 @@ def solve_fit(q: FitInputs, level: int) -> "ContactSolution":
         inner = quarter_ring(r_i=q.r_i, r_o=rim, refine=3 * level)
         supports |= {"inner.x=0": "x", "inner.y=0": "y"}
         pressures["inner.bore"] = q.p_i
-    drawn = q.walls == "drawn"
+    drawn = q.walls == "overlapping rings"
     fit = ContactProblem(
         join({"inner": inner, "outer": quarter_ring(r_i=bore, r_o=q.r_o, refine=2 * level)}),
         materials={"inner": Elastic(E=q.E_i, nu=q.nu_i), "outer": Elastic(E=q.E_o, nu=q.nu_o)},
@@ -101,7 +101,7 @@ def solve_fit(q: FitInputs, level: int) -> "ContactSolution":
 
 
 def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
-    """Numbers of one fit by the names of the quantities."""
+    """Values of the solution `fit`, by names of quantities."""
     from fem.contact.round_fit import mean_and_scatter, means_on
 
     touch, plane = fit.touches[0], fit.plane
@@ -125,7 +125,7 @@ def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
 
 
 def stations(q: FitInputs) -> Any:
-    """Radii (m,) [m] of the profile, equally many in both walls, excluding the fit."""
+    """Radii [m] of the profile, shape (m,): equal numbers in both walls, none on the fit."""
     off = 1e-3
     return np.concatenate([
         np.linspace(a + off * (b - a), b - off * (b - a), ACROSS)
@@ -134,7 +134,7 @@ def stations(q: FitInputs) -> Any:
 
 
 def profiles(q: FitInputs, fit: "ContactSolution") -> dict[str, Any]:
-    """Pressure along the fit, radial and hoop stress across both walls."""
+    """Pressure [Pa] along the fit, and radial and hoop stresses [Pa] across both walls."""
     from fem.contact.round_fit import pressure_at
 
     across = fit.plane.at(np.outer([np.cos(PROFILE_ANGLE), np.sin(PROFILE_ANGLE)], stations(q)))

@@ -1,4 +1,4 @@
-"""A crowned roller on its race: strips and slices beside the half-space."""
+"""Case of a crowned roller on its race: strips and slices against the half-space."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -19,16 +19,16 @@ from verify.form.adapter import adapted
 PLANE_NU = 0.3  # Poisson's ratio of the disc; only E/(1 − ν²) matters
 BEST_AT = np.geomspace(0.2, 2.5, 6)  # loads over F
 FINE_AT = np.geomspace(0.2, 2.5, 40)
-SERIES = "derived series of the disc; its next term counts once, 3e-4 at least"
-PLANE = "plane finite elements under the strips' load"
+SERIES = "derived series of the disc, ± an assumed next term, at least 3e-4"
+PLANE = "plane finite elements under the line load of strips"
 
 
 class RollerOnRace(CrownedRoller):
-    """The sprag's nose as a roller of finite length with the paper's crown for 25 N m.
+    """A roller of finite length represents the sprag; it has the crown of the paper for 25 N m.
 
-    Strips with Hertz's ellipse across and the slicing technique of the paper are compared with
-    boundary elements on a half-space, and their middle with plane finite elements. The error of
-    strips is derived, and the half-space must agree.
+    Two models are compared with boundary elements on a half-space: strips, each with Hertz's
+    elliptical pressure across, and the slicing technique of the paper. Plane finite elements verify
+    the middle of the roller. The error of strips is derived, and the half-space must agree with it.
     """
 
     id = "contact-roller"
@@ -41,18 +41,18 @@ class RollerOnRace(CrownedRoller):
     readings: ClassVar = READINGS
     assumptions: ClassVar = (
         *ASSUMPTIONS,
-        "plane finite elements: a disc of the relative radius on a rigid flat, with the line load "
-        "that strips have at mid-length",
+        "plane finite elements: a disc of the relative radius on a rigid flat, under the line load "
+        "of the strips at mid-length",
     )
 
     def reference(self, level: int) -> Level:
-        """The half-space under this crown and the optimal one; a disc under the strips' load."""
+        """Results of the half-space with both crowns, and of a disc under the load of strips."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
         more = self.plane_at_middle(level)
         return solve_crowns(self, level, self.best_design, more=more, arrays=best)
 
     def plane_at_middle(self, level: int) -> dict[str, float]:
-        """A disc of the relative radius on a rigid flat, plane strain, under the strips' load."""
+        """Values of a disc on a rigid flat in plane strain, under the mid-length load of strips."""
         from analytic.contact.strips import press_strips
         from verify.cases.contact.line.inputs import FlatInputs
         from verify.cases.contact.line.reference import disc_fem
@@ -66,11 +66,11 @@ class RollerOnRace(CrownedRoller):
         return {"p_plane": found.peak, "b_plane": found.half_width}
 
     def _best_over_load(self) -> Array:
-        """Peak of the optimal crown at each load, divided by Hertz's pressure at that load."""
+        """Peak pressure with the optimal crown for each load, over Hertz's pressure."""
         return np.array([self.best(k).peak / self.even_pressure(k) for k in BEST_AT])
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Strips and slices against the half-space, the middle against plane finite elements."""
+        """Rows: strips and slices against the half-space; the middle against plane elements."""
         q = RollerOnRace
         yield from comparisons.strips_rows(self, q.p_max, q.p_mid, q.delta)
         yield from comparisons.sliced_rows(
@@ -93,7 +93,7 @@ class RollerOnRace(CrownedRoller):
         yield comparisons.balanced(self)
 
     def figures(self) -> Iterator[Drawn]:
-        """Pressure along the roller, and its peak over the load."""
+        """Figures: pressure along the roller, and peak pressure over the load."""
         yield Drawn(self.along_crowned)
         yield Drawn(self._over_load)
 
@@ -101,8 +101,8 @@ class RollerOnRace(CrownedRoller):
         yield self.peaks_over(
             context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
             loads=FINE_AT, x=FINE_AT, best=("optimal crown for each load", BEST_AT), y_top=1.6,
-            note="The optimal crown of a load leaves the ends unloaded. Dots: this crown's ends "
-            "carry load, and the pressure there is unbounded.",
+            note="The optimal crown of a load leaves the ends unloaded. Dots: the ends of this "
+            "crown are loaded, and the pressure there is unbounded.",
         )  # fmt: skip
 
 

@@ -27,13 +27,13 @@ from verify.judging.profile_checks import Estimated
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded
 
 HALF_SPACE = "half-space"
-SHARED = "half-spaces of E*"
-ACCEPTED = "acceptance figure of the finite line contact"
+SHARED = "half-spaces with the modulus E*"
+ACCEPTED = "accepted error of the finite line contact"
 ESTIMATE = (
-    "derived: from half to twice of what strips neglect, and what is left of their number, of "
-    "first order, 1e-4 at least (user inputs: 1e-3)"
+    "derived: 0.5 to 2 times the effect that strips neglect, ± their discretisation error of first "
+    "order, at least 1e-4 (user inputs: 1e-3)"
 )
-PALMGREN = underived("Palmgren's fit is of measured approaches: no interval is known beforehand")
+PALMGREN = underived("Palmgren's law was fitted to measured approaches: no error can be derived")
 SHARPEST = 3e-3  # acceptance of the strips
 SHARE = 0.04  # acceptance of the load share that slices misplace
 ENDS = 0.06  # acceptance of loads near the ends
@@ -44,7 +44,7 @@ Interval = roller.Interval | None
 
 
 def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
-    """Interval of strips/half-space - 1 from the strips of `q` alone."""
+    """Interval of strips/half-space - 1, derived from the strips of `q` only."""
     return roller.of_strips(
         q.neglected[key], value=getattr(q.strips, key), twice=getattr(q.twice, key), b=q.b,
         length=q.L, loaded=q.loaded_ends > 0, user_inputs=own,
@@ -52,7 +52,7 @@ def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
 
 
 def of_disc(q: StripRoller, key: str) -> Interval:
-    """Error of Hertz's theory for a disc at mid-length, in "pressure" or "width"."""
+    """Interval of the error of Hertz's theory for a disc; `key` is "pressure" or "width"."""
     found = expected(getattr(OnFlat(q.b_mid / q.R), key), "")
     return (found.low, found.high) if found.sharp else None
 
@@ -61,14 +61,14 @@ def estimated(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """An approximation; for user inputs its reference may lack sufficient accuracy."""
+    """Row: an approximation; for user inputs, its reference may be too inaccurate to judge."""
     one = approximation(q, reference, expected=expected, **options)
     stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
     return replace(one, check=Estimated(**stated))
 
 
 def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
-    """Rows: strips against the half-space within the acceptance figures."""
+    """Rows: `judged` quantities of strips against the half-space."""
     for one in judged:
         interval = partial(of_strips, q, one.name, own=not q.is_default)
         yield estimated(one, expected=Computed(interval, ESTIMATE), order=1, by=HALF_SPACE,
@@ -78,17 +78,20 @@ def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
 def sliced_rows(
     q: SlicedRoller, sliced: Sequence[Quantity], independent: Sequence[Quantity]
 ) -> Iterator[Comparison]:
-    """Slices and independent slices against the half-space; their approach is not judged."""
+    """Rows: slices and independent slices against the half-space.
+
+    Only pressures of `sliced` are judged.
+    """
     accepted = Expected(-SLICED, SLICED, ACCEPTED, sharp=q.is_default)
     for one in (*sliced, *independent):
         judged = one in sliced and one is not SlicedRoller.delta_slices
         yield estimated(
             one, expected=accepted if judged else PALMGREN, order=1, by=HALF_SPACE, shares=SHARED,
-            sensitivity=(2 * SLICED, "twice the acceptance figure, for both signs"),
+            sensitivity=(2 * SLICED, "twice the accepted error, as the sign is free"),
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
-        Accepted(name=f"load that slices misplace against the half-space, below {SHARE:.0%}",
+        Accepted(name=f"misplaced load of slices relative to the half-space, below {SHARE:.0%}",
                  margin=misplaced, **load),
         Accepted(name="slices misplace less load than independent slices", margin=nearer,
                  **load),
@@ -99,20 +102,20 @@ def sliced_rows(
 def balanced(q: StripRoller) -> Comparison:
     """Row: the half-space carries the given load."""
     return balance("balance", "balance of forces, half-space", "ΣF", "N", of={"F": q.F},
-                   bound=1e-10, because="the load is held by every iteration")  # fmt: skip
+                   bound=1e-10, because="every iteration satisfies the load")  # fmt: skip
 
 
 def loaded_ends(q: StripRoller) -> Comparison:
-    """Load near both ends, within an acceptance figure."""
-    check = Accepted(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d",
-                     unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
+    """Row: load near both ends by strips, within the accepted error."""
+    check = Accepted(name=f"load within d of the ends: strips agree within {ENDS:.0%}",
+                     symbol="F_d", unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.F_d, shares=SHARED)
 
 
 def end_pressure(q: StripRoller) -> Comparison:
-    """Pressure of the mean load near the more loaded end, within an acceptance figure."""
-    check = Accepted(name=f"pressure of the mean load within d, strips within {ENDS / 2:.0%}",
-                     symbol="p_d", unit="1",
+    """Row: Hertz's pressure of the mean line load near the more loaded end, by strips."""
+    check = Accepted(name="Hertz's pressure of the mean line load in the more loaded end zone: "
+                     f"strips agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.p_d, shares=SHARED)
 
@@ -121,7 +124,7 @@ def agreeing(
     name: str, judged: Quantity, figure: float, scale: "Scale", source: str = SUBJECT, *,
     symbol: str = "", state: State | None = None,
 ) -> Comparison:  # fmt: skip
-    """Strips within `figure` of the half-space, as a comparison."""
+    """Row: the values of strips and half-space agree within `figure`."""
     pair = pair_of(key_of(judged, state), scale)
     check = Agreement(name=name, symbol=symbol or judged.symbol, unit=judged.unit,
                       pair=pair, accepted=figure, source=source, by=HALF_SPACE,
@@ -133,9 +136,10 @@ Scale = float | Callable[[], float]
 
 
 def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
-    """Function that returns the values of `key` by strips and by the half-space.
+    """Function that returns the values of `key` by strips and by the half-space, as a pair.
 
-    The stated error is relative to the half-space's value or, if this is zero, to `scale`.
+    The error in its text is relative to the value of the half-space, or to `scale` if this value
+    is nearly zero.
     """
 
     def pair(context: Context) -> Pair:
@@ -147,7 +151,10 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
 
 
 def within(key: str, bound: float, scale: Scale) -> Margin:
-    """Relative error of strips in `key`; relative to `scale` if the value is nearly zero."""
+    """Function that returns `bound` minus the relative error of strips in `key`.
+
+    The error is relative to `scale` if the value of the half-space is nearly zero.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         v, strips = context.series(key)[1], context.analytic[key]
@@ -159,25 +166,33 @@ def within(key: str, bound: float, scale: Scale) -> Margin:
 
 
 def size(value: float, scale: Scale) -> float:
-    """The reference value of relative errors."""
+    """Denominator of relative errors: `value`, at least LEAST times `scale`."""
     return max(abs(value), LEAST * (scale() if callable(scale) else scale))
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Accepted minus computed share of the load that slices misplace."""
+    """Accepted minus computed share of the load that slices misplace, U, and a text."""
     share, U, error = misplaced_load(context, "slices")
-    return SHARE - share, U, f"{share:.1%} misplaced; line load off by {error:.1%} in L2"
+    return (
+        SHARE - share,
+        U,
+        f"{share:.1%} of the load misplaced; L2 error of the line load {error:.1%}",
+    )
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """Load share misplaced by independent slices minus the load share misplaced by slices."""
+    """Load share misplaced by independent slices minus that of slices, U, and a text."""
     share, U, _ = misplaced_load(context, "slices")
     alone, U_alone, _ = misplaced_load(context, "independent")
-    return alone - share, U + U_alone, f"{share:.1%} against {alone:.1%} misplaced"
+    return (
+        alone - share,
+        U + U_alone,
+        f"{share:.1%} of the load misplaced, independent slices {alone:.1%}",
+    )
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Load share that a model misplaces, its U, and the L2 error of the line load."""
+    """Load share that a model misplaces, its uncertainty U, and L2 error of the line load."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

@@ -1,4 +1,4 @@
-"""Comparisons of crowns for a uniform pressure and of the paper's designs."""
+"""Comparisons of crowns for uniform pressure, and of the designs of the paper."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,7 +13,7 @@ from verify.judging.checks import Accepted, Fact, Margin
 from verify.judging.tolerance_checks import Deviation, suites
 
 FLAT = 0.01  # acceptance of a uniform pressure
-FITTED = "length and load are not printed but identified, and other loads have other winners"
+FITTED = "length and load are not printed but identified; at other loads, another design is best"
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # relative to the half-length: 9 µm of the paper's roller
 MID, AT_ENDS = 3e-3, 0.02  # acceptance of strips against the half-space
@@ -21,7 +21,7 @@ BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-b
 
 
 def uneven(key: str, crown: str, far: float) -> Accepted:
-    """The half-space's pressure is uniform up to `far` half-widths from the ends."""
+    """Row: the pressure on the half-space is uniform up to `far` half-widths from the ends."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(key)[1]
@@ -34,7 +34,7 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 
 
 def printed_designs() -> Iterator[Check]:
-    """The designs of Fig. 12 with the most and the least uniform pressure."""
+    """Rows: the designs of Fig. 12 with the most and the least uniform pressure."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
     yield Accepted(name="Fig. 12: (1, 0.7, 0.01) has the most uniform pressure "
                    "of the printed designs",
@@ -45,24 +45,28 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """Rows: deviations that depend on K_2 only, and the start of contact."""
+    """Rows: the straight middle depends on K_2 only; it alone is in contact under light load."""
     yield Deviation(
-        name="the straight middle follows K_2, not z_m", symbol="Δl_s/l", unit="1", size=straight,
-        accepted=RESOLVED, source=suites("9 µm of the paper's length, a cell of the half-space"),
+        name="the length of the straight middle depends on K_2, not on z_m", symbol="Δl_s/l",
+        unit="1", size=straight, accepted=RESOLVED,
+        source=suites("9 µm for the length of the paper, a cell of the half-space"),
         whole="l/2", by="crown", fem_needed=False, everywhere=True,
     )  # fmt: skip
-    yield Fact(name="at first only the straight middle is loaded", symbol="l_c/l", unit="1",
-               margin=first_contact, fem_needed=False)  # fmt: skip
+    yield Fact(name="under a light load, only the straight middle is loaded", symbol="l_c/l",
+               unit="1", margin=first_contact, fem_needed=False)  # fmt: skip
 
 
 def extreme(design: int, *, most: bool) -> Margin:
-    """Additional load share that the next design, or this design, would have to redistribute."""
+    """Function that returns how far `design` is more (or less) uniform than the next design.
+
+    Measure: load share that must be moved for a uniform line load; larger over smaller share - 1.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         found = _designs(context, "uneven")
         this, others = float(found[-1, design]), np.delete(found[-1], design)
         next_ = float(others.max() if most else others.min())
-        words = f"{this:.1%} of the load would have to move, next {next_:.1%}"
+        words = f"{this:.1%} of the load must be moved, next design {next_:.1%}"
         more = this / next_ if most else next_ / this
         return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"
 
@@ -70,12 +74,14 @@ def extreme(design: int, *, most: bool) -> Margin:
 
 
 def _peaks(context: Context, design: int) -> str:
-    """The design's largest pressures and its rank, which depends on the end zones left out."""
+    """Text: largest pressures of the design and its rank for two lengths of end zones."""
     peaks = []
-    for key, where in (("p_max", "beyond d"), ("near", "beyond 0.1 mm")):
+    for key, where in (("p_max", "beyond d from the ends"), ("near", "beyond 0.1 mm")):
         found = _designs(context, key)[-1]
         place = int(np.argsort(np.argsort(found))[design]) + 1
-        peaks.append(f"{found[design] / 1e6:.0f} MPa {where}, {place} of {len(found)} upwards")
+        peaks.append(
+            f"{found[design] / 1e6:.0f} MPa {where}, rank {place} of {len(found)} from below"
+        )
     return "; ".join(peaks)
 
 
@@ -89,7 +95,10 @@ def _spread(found: Array) -> float:
 
 
 def straight(context: Context) -> tuple[float, float, str]:
-    """Shift of the start of the drop due to z_m, and its deviation from (1 - K_2) l/2."""
+    """Sum of the shift of the start of the crown by z_m and its difference to (1 - K_2) l/2.
+
+    Relative to l/2, with its uncertainty and a text.
+    """
     q = context.inputs
     y = np.linspace(0, q.L / 2, 20001)
 
@@ -100,13 +109,14 @@ def straight(context: Context) -> tuple[float, float, str]:
     by_z = abs(start(0.7, 25e-6) - start(0.7, 5e-6))
     off = abs(start(0.4, 10e-6) - 0.6 * q.L / 2) + abs(start(0.7, 10e-6) - 0.3 * q.L / 2)
     moved = (by_z + off) / (q.L / 2)
-    return moved, 2 * float(y[1]) / (q.L / 2), f"moved and off by {moved:.1e} of l/2"
+    return moved, 2 * float(y[1]) / (q.L / 2), f"its start differs by {moved:.1e} of l/2"
 
 
 def first_contact(context: Context) -> tuple[float, float]:
-    """How far inside the straight middle and NEXT of the half-length beside it contact ends.
+    """Distance, over l/2, of the end of contact to its limit, and uncertainty.
 
-    The crown of Fig. 13a on strips, under FIRST of F.
+    The limit is the end of the straight middle plus NEXT l/2. Crown of Fig. 13a, strips, load
+    FIRST F.
     """
     q = context.inputs
     light = q.designed(Design(1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})

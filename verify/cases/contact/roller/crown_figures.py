@@ -1,4 +1,4 @@
-"""Figures of crowns compared: profiles, pressures of designs, uniform pressures."""
+"""Figures of the comparison of crowns: profiles, pressures of designs, uniform pressures."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -25,7 +25,7 @@ COMPARED = (0, 1, 6, 3)  # of the designs, in Fig. 12's plot
 
 
 def drawn(context: Context) -> Iterator[Figure]:
-    """Profiles of Fig. 11, pressures of Fig. 12, and uniform ones."""
+    """Figures: profiles of Fig. 11, pressures of Fig. 12, and uniform pressures."""
     yield from (grown(context.inputs, varied) for varied in PROFILES)
     if context.fem:
         yield designs(context)
@@ -35,21 +35,21 @@ def drawn(context: Context) -> Iterator[Figure]:
 
 
 def grown(q: "ComparedCrowns", varied: str) -> Figure:
-    """Fig. 11: the crown for growing values of a single parameter."""
+    """Figure like Fig. 11: crowns for increasing values of the parameter `varied`."""
     start = 0.85 if varied == "z_m" else 0.0  # if it is visible
     y = np.linspace(start, 1.0, 301) * q.L / 2
     return plot(
-        f"Profiles as {varied} grows (Fig. 11)", "y [mm]", "z [µm]",
+        f"Crowns for increasing {varied} (Fig. 11)", "y [mm]", "z [µm]",
         (
 line(f"{design}", y / mm, q.designed(design).gap(y) / um, i)
 for i, design in enumerate(PROFILES[varied])
 ),
-        note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not available.",
+        note="(K_1, K_2, z_m); half y > 0; Q = F. The figure of the paper was not available.",
     )  # fmt: skip
 
 
 def designs(context: Context) -> Figure:
-    """Fig. 12: pressures of several designs, strips and half-space."""
+    """Figure like Fig. 12: pressures of several designs by strips and half-space."""
     q = context.inputs
     curves = []
     for i, design in enumerate(DESIGNS[k] for k in COMPARED):
@@ -58,21 +58,22 @@ def designs(context: Context) -> Figure:
         curves.append(figures.half_space(context, "" if i else "half-space", end, i))
     p_0 = q.p_0 / MPa
     return plot(
-        "Pressure of the paper's designs (Fig. 12)", "y [mm]", "p [MPa]", curves,
+        "Pressure of the designs of the paper (Fig. 12)", "y [mm]", "p [MPa]", curves,
         y_top=1.25 * p_0, y_bottom=0.5 * p_0,
-        note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) has the most uniform pressure "
-        "except at its ends, which carry load: there the pressure of a half-space is unbounded.",
+        note="Lines: strips; dots: half-space. Design (1, 0.7, 10 µm) has the most uniform "
+        "pressure except at its ends. These are loaded, and the pressure of the half-space is "
+        "unbounded there.",
     )  # fmt: skip
 
 
 def by_all(context: Context, design: Design) -> Figure:
-    """p(y) of all methods for a single design."""
+    """Figure of p(y) by all models for one design."""
     roller = context.inputs.designed(design)
     return figures.pressures(context, roller, f"_of_{design!s}", f", {design}")
 
 
 def even(context: Context) -> Figure:
-    """Lundberg's and Johns and Gohar's pressure."""
+    """Figure of the pressures with the crowns of Lundberg and of Johns and Gohar."""
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):
         curve = figures.half_space(context, words, ending(name), 2 * i)
@@ -80,12 +81,12 @@ def even(context: Context) -> Figure:
     return plot(
         "Crowns for a uniform pressure", "y [mm]", "p/p_0", curves,
         y_bottom=0.9, y_top=1.1,
-        note="Half-space, over Hertz's pressure of the uniform line load.",
+        note="Pressure on the half-space over p_0, Hertz's pressure of the uniform line load.",
     )  # fmt: skip
 
 
 def ends(context: Context) -> Figure:
-    """Uniform pressures within some half-widths of the end."""
+    """Figure of the pressures with both crowns within ten half-widths of the end."""
     q, b = context.inputs, context.inputs.b
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):
@@ -95,6 +96,6 @@ def ends(context: Context) -> Figure:
     return plot(
         "Ends of the crowns for a uniform pressure", "distance from the end over b", "p/p_0",
         curves,
-        note="Half-space. Both rise before they fall: a uniform load needs a "
-        "little more crown there than either has; Lundberg's drop is unbounded at the very end.",
+        note="Half-space. Both pressures rise before they fall: for a uniform load, the crown "
+        "should be slightly deeper there. Lundberg's drop is unbounded at the end itself.",
     )  # fmt: skip

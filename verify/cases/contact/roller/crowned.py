@@ -1,4 +1,4 @@
-"""Crowned rollers: the crown of Eq. 1, and the optimal crown for the load."""
+"""Crowned rollers: crown of Eq. 1, and optimal crown for the load."""
 
 from collections.abc import Iterator
 from functools import lru_cache
@@ -24,21 +24,21 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """The optimal crown, cached: formulas and all levels use equal loads and tilts."""
+    """The optimal crown; cached, as formulas and all levels use equal loads and tilts."""
     from analytic.contact.best_crown import best_crown  # common to formulas and reference
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
 
 
 class CrownedRoller(Crown, Divided, OnHalfSpace):
-    """A crowned roller in strips and slices."""
+    """A crowned roller, modelled by strips and slices."""
 
     @Quantity("A", "µm", "scale of the crown", equation="1", role="step",
               tex=r"\frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E*}")  # fmt: skip
     def A(self) -> float:
         return float(self.K_1 * self.Q / (np.pi * self.L * self.E_star))
 
-    @Quantity("t", "1", "place in the crown at y = l/2 - d: 0 where it begins, 1 at the end",
+    @Quantity("t", "1", "coordinate t of the crown at y = l/2 - d: 0 at its start, 1 at the end",
               equation="1", form="corrected", role="step",
               tex=r"\max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right) "
               r"= 1 - \frac{2 d}{K_2 l}")  # fmt: skip
@@ -48,7 +48,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     @Quantity(
         "z",
         "µm",
-        "drop of the crown there",
+        "drop of the crown at y = l/2 - d",
         equation="1",
         form="corrected",
         role="step",
@@ -58,11 +58,11 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(Crown.gap(self, np.array(self.L / 2 - self.d)))
 
     best_K_1 = Quantity("K_1*", "1",
-                        "optimal crown for F with unloaded ends, Q = F; a flat optimum",
+                        "K_1 of the optimal crown: Q = F, unloaded ends; a flat optimum",
                         source="search", role="step").reads(lambda q: q._best.K_1)  # fmt: skip
-    best_K_2 = Quantity("K_2*", "1", "its crowned part", source="search",
+    best_K_2 = Quantity("K_2*", "1", "K_2 of the optimal crown", source="search",
                         role="step").reads(lambda q: q._best.K_2)  # fmt: skip
-    best_z_m = Quantity("z_m*", "mm", "its drop at the ends", source="search",
+    best_z_m = Quantity("z_m*", "mm", "z_m of the optimal crown", source="search",
                         role="step").reads(lambda q: q._best.z_m)  # fmt: skip
     p_best = Quantity("p_max*", "MPa", "largest pressure of the optimal crown, ends "
                       "included, strips",
@@ -75,33 +75,33 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
 
     @shared
     def with_best_crown(self) -> Self:
-        """The roller with the optimal crown, which is made for F."""
+        """The roller with the optimal crown for F."""
         best = self._best
         sizes = {"K_1": best.K_1, "K_2": best.K_2, "z_m": best.z_m}
         return self.model_copy(update=sizes | {"Q": self.F})
 
     def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
-        """The optimal crown for a load, as a multiple of F, and a tilt of either sign."""
+        """The optimal crown for `load` times F and the tilts 0 and ±`tilt` [rad]."""
         tilts = (0.0, self.lean if tilt is None else tilt)
         return _best_crown(load * self.F, self.L, self.R, self.E_star, tilts)
 
     @property
     def best_design(self) -> Design:
-        """The optimal crown as input of the reference."""
+        """Parameters of the optimal crown, as input of the reference."""
         best = self.best()
         return Design(best.K_1, best.K_2, best.z_m)
 
     @property
     def lean(self) -> float:
-        """The tilt [rad]."""
+        """Tilt of the axis [rad]."""
         return 0.0
 
     def even_pressure(self, share: float = 1.0) -> float:
-        """Hertz's pressure [Pa] of an evenly distributed share of F."""
+        """Hertz's pressure [Pa] of `share` times F, distributed uniformly."""
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
-        """The optimal crown's pressure by strips, against the half-space."""
+        """Row: largest pressure with the optimal crown, strips against the half-space."""
 
         def interval() -> tuple[float, float] | None:
             return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
@@ -109,18 +109,18 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return comparisons.estimated(
             CrownedRoller.p_best, expected=Computed(interval, comparisons.ESTIMATE),
             symbol="p_max", order=1, by=comparisons.HALF_SPACE, sensitivity=(1e-2, ""),
-            shares=f"{comparisons.SHARED}; the crown, found by strips",
+            shares=f"{comparisons.SHARED}; the optimal crown, found with strips",
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Warnings on the validity of these pressures."""
+        """Warnings if the pressures are not valid for these inputs."""
         yield from texts.of_contact(self)
         if not self._best.free:
-            yield "no crown leaves both ends unloaded: the one reported has the least loaded ends"
+            yield "no crown leaves both ends unloaded: the reported crown has the least loaded ends"
         yield from texts.of_materials(self)
 
     def along_crowned(self, context: Context) -> Iterator[Figure]:
-        """Gap, pressure and line load along the roller."""
+        """Figures: gap, pressure and line load along the roller."""
         yield figures.profile(self)
         yield from self.along_roller(context)
 
@@ -128,9 +128,9 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Peaks over Hertz's pressure at `x` for gaps and loads (over F), and of optimal crowns.
+        """Figure: peak pressures over Hertz's pressure, at `x` for `gaps` and `loads` (over F).
 
-        Peaks of optimal crowns are from the reference, at separate abscissae.
+        A dashed curve has the peaks of optimal crowns from the reference, at the abscissae best[1].
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)
@@ -140,13 +140,13 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         if least is not None:
             curves.append(dashes(best[0], best[1], least, 2))
         return plot(
-            f"Largest pressure over the {over}", x_label, "p_max/p_0", curves,
+            f"Largest pressure as a function of the {over}", x_label, "p_max/p_0", curves,
             y_top=y_top, y_bottom=0.95,
-            note=f"p_0: Hertz's pressure of the uniform line load; ends included, {self.n} "
+            note=f"p_0: Hertz's pressure of the uniform line load. The ends are included; {self.n} "
             f"strips. {note}",
         )  # fmt: skip
 
     @property
     def centres(self) -> Array:
-        """Middles of the strips (n,) [m]."""
+        """Coordinates y [m] of the middles of the strips, shape (n,)."""
         return slice_centres(length=self.L, slices=self.n)

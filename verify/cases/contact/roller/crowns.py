@@ -1,4 +1,4 @@
-"""Crowns compared: Lundberg's and Johns and Gohar's for uniform pressure, the paper's designs."""
+"""Case that compares crowns of Lundberg, of Johns and Gohar, and of the paper."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -32,18 +32,18 @@ from verify.judging.tolerance_checks import SUBJECT, suites
 
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 FAR = 5.0  # a uniform pressure is judged up to this distance from the ends, in half-widths
-BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
+BESIDE = "deviation from strips, the more accurate model, ± their accepted error of 0.3 %"
 
 
 class ComparedCrowns(Divided, StripRoller):
-    """The crowns of Lundberg and of Johns and Gohar make the pressure uniform except near the ends.
+    """Crowns of Lundberg, of Johns and Gohar, and of the paper are compared on a half-space.
 
-    The paper's law with three parameters has a straight middle. All are computed on a half-space
-    under the load for which they are designed.
+    The first two make the pressure uniform except near the ends. The crown of the paper has three
+    parameters and a straight middle. Each crown carries the load for which it is designed.
     """
 
     id = "contact-roller-crowns"
-    title = "Crowns of a roller compared"
+    title = "Comparison of crowns of a roller"
     source = "huang2018"
     place = "Eq. 1, Figs. 11 and 12"
     method = BY_HALF_SPACE
@@ -53,7 +53,7 @@ class ComparedCrowns(Divided, StripRoller):
     assumptions: ClassVar = texts.ASSUMPTIONS[:4]
     crown: ClassVar[str] = "Lundberg"  # of the quantities
 
-    @Quantity("A_1", "µm", "scale of both crowns", source="Lundberg", role="step",
+    @Quantity("A_1", "µm", "scale of crowns for uniform pressure", source="Lundberg", role="step",
               tex=r"\frac{F}{\pi l E*}")  # fmt: skip
     def A_1(self) -> float:
         return float(self.F / (np.pi * self.L * self.E_star))
@@ -72,13 +72,13 @@ class ComparedCrowns(Divided, StripRoller):
     def end_drop(self) -> float:
         return float(self._even("Johns")(np.array(self.L / 2)))
 
-    @Quantity("p_max{0}", "MPa", "beyond d of the ends, (K_1, K_2, z_m) = {0}, strips",
+    @Quantity("p_max{0}", "MPa", "largest pressure outside d, (K_1, K_2, z_m) = {0}, strips",
               equation="1", role="step").over(DESIGNS)  # fmt: skip
     def p_max_of(self, design: Design) -> float:
         return self.designed(design).p_max
 
     def gap(self, y: Array) -> Array:
-        """Height of the race's surface over a crown for a uniform pressure under F."""
+        """Gap [m] at y [m] between race and roller with a crown for uniform pressure under F."""
         return self._even(self.crown)(y)
 
     def _even(self, crown: str) -> Callable[[Array], Array]:
@@ -88,16 +88,16 @@ class ComparedCrowns(Divided, StripRoller):
         return lambda y: johns_gohar(y, half_width=self.b, **made)
 
     def with_crown(self, name: str) -> Self:
-        """The roller with a crown for uniform pressure."""
+        """The roller with the crown `name` for uniform pressure."""
         return self if name == self.crown else self.variant(crown=name)
 
     def designed(self, design: Design) -> CrownedRoller:
-        """The roller with a crown of the paper, designed for Q = F."""
+        """The roller with the crown `design` of the paper, for Q = F."""
         same = {name: getattr(self, name) for name in Divided.model_fields}
         return CrownedRoller(**same, **design._asdict(), Q=self.F)
 
     def reference(self, level: int) -> Level:
-        """All crowns on the half-space."""
+        """Results of all crowns on the half-space."""
         values: dict[str, float] = {}
         u_it: dict[str, float] = {}
         arrays: dict[str, Array] = {}
@@ -123,7 +123,7 @@ class ComparedCrowns(Divided, StripRoller):
         return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Uniform pressures, strips against the half-space, and the paper's designs."""
+        """Rows: uniform pressures, strips against the half-space, and designs of the paper."""
         q = ComparedCrowns
         for name, words in EVEN.items():
             interval = partial(self._near_strips, name)
@@ -132,24 +132,25 @@ class ComparedCrowns(Divided, StripRoller):
                 by=comparisons.HALF_SPACE, expected=Computed(interval, BESIDE),
                 sensitivity=(0.01, ""), shares=comparisons.SHARED,
             )  # fmt: skip
-        third = suites("a third of the 6 % that the subject accepts of a flat roller")
+        third = suites("a third of the accepted error of a roller without crown, 6 %")
         for name, words in EVEN.items():
             state = State(self.with_crown(name), ending(name)[1:], words)
             for one, what, bound, source in (
                 (q.p_mid, MIDDLE, MID, SUBJECT), (q.delta, "approach", MID, SUBJECT),
                 (q.F_d, "load within d of the ends", AT_ENDS, third),
             ):  # fmt: skip
-                yield comparisons.agreeing(f"{what} of {words}, strips within {bound:.1%}", one,
-                                           bound, 0.0, source, state=state)  # fmt: skip
+                yield comparisons.agreeing(f"{what} of {words}: strips agree within {bound:.1%}",
+                                           one, bound, 0.0, source, state=state)  # fmt: skip
         for name, words in EVEN.items():
             yield Comparison(check=uneven(f"uneven{ending(name)}", words, FAR), quantity=q.p_0)
         yield from printed_designs()
         yield from deviations()
 
     def _near_strips(self, name: str) -> tuple[float, float] | None:
-        """Interval of a uniform load's pressure: its deviation from strips, and their figure.
+        """Interval of the error of the uniform pressure: its deviation from strips ± MID.
 
-        The pressure is computed again here: an error in that of the row would widen its interval.
+        The pressure is computed again here: an error in the value of the row would otherwise also
+        shift the interval.
         """
         if not self.is_default:
             return None
@@ -160,17 +161,17 @@ class ComparedCrowns(Divided, StripRoller):
     refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the contact is wide compared with the roller."""
+        """Warning if the contact is wide compared with the roller."""
         yield from texts.of_width(self.b, self.R_1)
 
     figures = drawn_by(drawn)
 
     def sketch(self) -> Sketch:
-        """The roller with the first of the paper's crowns."""
+        """Sketch of the roller with the first crown of the paper."""
         return figures.sketch(self.designed(DESIGNS[0]))
 
     def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch under both crowns for a uniform pressure."""
+        """Pictures of the pressure on the contact patch with both crowns for uniform pressure."""
         picture = figures.patch()
         for name, words in EVEN.items():
             yield replace(picture, field=name, caption=f"{words}: {picture.caption}")

@@ -1,4 +1,4 @@
-"""A roller's end face: finite elements of both bodies, as a half-space has no end face."""
+"""Case of a roller's end face: finite elements of both bodies against the half-space."""
 
 import math
 from collections.abc import Iterator
@@ -39,32 +39,32 @@ HALF_SPACE = (64, 512)  # cells across and along
 FACE = 0.10  # of the load within d of the ends: least reduction by the face
 SIZE_SHARE = 1 / 3  # of the reduction by the face: limit for that by the bodies' size
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
-TERMS = "argued: terms of the order of the distance, 1 and 2 thousandths of the radius"
+TERMS = "estimated: terms of the order of the distances, 0.001 and 0.002 of the radius"
 
 
 class EndFace(Crown):
     """Slices, strips and boundary elements assume that the half-space continues beyond the end.
 
-    Finite elements of whole bodies, with Fourier series around the axes, determine the error of
-    this assumption at a free end face. A control in which both bodies continue beyond the ends
-    separates the effect of the face from that of the bodies' finite size.
+    Finite elements of whole bodies, with Fourier series around the axes, give the error of this
+    assumption at a free end face. In a control model, both bodies continue beyond the ends. The
+    control model separates the effect of the end face from the effect of the finite size.
     """
 
     id = "contact-roller-end"
     title = "End face of a roller"
     source = "huang2018"
-    place = "Eqs. 2-5, the half-space behind their weights"
+    place = "Eqs. 2-5, based on weights of a half-space"
     levels: ClassVar = (2, 3, 4)
     readings: ClassVar = (
         "the race continues beyond the roller, as in a clutch",
-        "the roller is pressed from two sides by equal races, and each race from two sides",
+        "two equal races press the roller from two sides; each race is also loaded from two sides",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction; solid cylinders with circular sections",
-        "pressure acts along the common normal and is uniform in each cell of the patch",
-        "harmonics around the axis are solved up to the width of a cell; those between are "
+        "the pressure acts along the common normal and is uniform in each cell of the contact",
+        "some harmonics around the axis are solved, up to the wavelength of a cell; the others are "
         "interpolated",
-        "the edge's sharpness is that of a ring shrunk on a longer shaft, axisymmetric",
+        "sharpness of the edge: axisymmetric model of a ring shrunk onto a longer shaft",
     )
     crown: ClassVar[str] = "crowned"  # of the quantities
 
@@ -76,27 +76,27 @@ class EndFace(Crown):
     def _race(self) -> Self:
         if self.R_2 <= 0:
             raise ValueError(
-                f"R_2 must be positive here, got R_2 = {self.R_2 / mm:g} mm: finite elements have "
-                "a race that is a shaft"
+                f"R_2 must be positive, got R_2 = {self.R_2 / mm:g} mm: in this case, the race is "
+                "a shaft"
             )
         if not 0.2 <= self.R_2 / self.R_1 <= 20:
             raise ValueError(
-                f"radii may differ by a factor of 5 to 20, got R_1 = {self.R_1 / mm:g} mm, "
+                f"R_2/R_1 must be 0.2 to 20, got R_1 = {self.R_1 / mm:g} mm, "
                 f"R_2 = {self.R_2 / mm:g} mm"
             )
         if not 0.05 * self.L <= self.overhang <= 3 * self.L:
             raise ValueError(
-                f"the overhang must be 0.05 to 3 lengths of the roller, got "
+                f"the overhang h must be 0.05 l to 3 l, got "
                 f"h = {self.overhang / mm:g} mm, l = {self.L / mm:g} mm"
             )
         if not 0.2 <= self.L / self.R_1 <= 20:
             raise ValueError(
-                f"the roller's length must be 0.2 to 20 radii, got l = {self.L / mm:g} mm, "
+                f"the length of the roller must be 0.2 R_1 to 20 R_1, got l = {self.L / mm:g} mm, "
                 f"R_1 = {self.R_1 / mm:g} mm"
             )
         return self
 
-    @Quantity("p_0", "MPa", "Hertz's pressure of an evenly distributed load", source="Hertz",
+    @Quantity("p_0", "MPa", "Hertz's pressure of the uniform line load", source="Hertz",
               tex=r"\sqrt{\frac{F E*}{\pi l R}}")  # fmt: skip
     def p_0(self) -> float:
         return math.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
@@ -117,8 +117,9 @@ class EndFace(Crown):
     def end_share(self) -> float:
         return self.F_d / self.F
 
-    @Quantity("λ", "1", "exponent of a right-angled edge", source="Williams; Dundurs and Lee",
-              role="step", tex=r"\lambda_{90},\quad p \propto r^{\lambda - 1}")  # fmt: skip
+    @Quantity("λ", "1", "exponent of the stress field at a right-angled edge",
+              source="Williams; Dundurs and Lee", role="step",
+              tex=r"\lambda_{90},\quad p \propto r^{\lambda - 1}")  # fmt: skip
     def exponent(self) -> float:
         return 1 + self.sharpness
 
@@ -127,14 +128,14 @@ class EndFace(Crown):
     def sharpness(self) -> float:
         return edge_exponent(np.pi / 2)
 
-    @Quantity("1−λ", "1", "exponent of the distance in the edge's pressure; 0.5 in a half-space",
+    @Quantity("1−λ", "1", "exponent of 1/r in the pressure at the edge; half-space: 0.5",
               source="Williams; Dundurs and Lee", role="step", tex=r"1 - \lambda")  # fmt: skip
     def less_sharp(self) -> float:
         return -self.sharpness
 
     @shared
     def contact(self) -> RollerContact:
-        """The roller on a half-space, which has no end face."""
+        """Solution of the roller on a half-space, which has no end face."""
         gap = self.gap if self.crown == "crowned" else np.zeros_like
         return press_roller(gap, R=self.R, length=self.L, E_star=self.E_star, load=self.F,
                             cells=HALF_SPACE)  # fmt: skip
@@ -146,26 +147,26 @@ class EndFace(Crown):
 
     @shared
     def states(self) -> tuple[State, State]:
-        """Without and with the crown."""
+        """States of the comparison: roller without and with the crown."""
         return State(self.flat, "flat", "flat"), State(self, "", "crowned")
 
     def reference(self, level: int) -> Level:
-        """Bodies of revolution, harmonic by harmonic."""
+        """Results of bodies of revolution, solved for each harmonic around the axis."""
         return solve_fem(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz at mid-length, the error of a half-space at the ends, the edge's sharpness."""
+        """Rows: Hertz at mid-length, error of a half-space at the ends, sharpness of the edge."""
         q = EndFace
         local = local_pressure(b=self.b, R=self.R_1, length=self.L)
         for crown in CROWNS:
             yield Comparison(quantity=q.p_0, numbers={"one": 1.0}, check=Approximation(
-                name=f"pressure at mid-length over Hertz's at the line load there, {crown}, "
-                f"{BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
+                name="pressure at mid-length over Hertz's pressure of the local line load, "
+                f"{crown}, {BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
                 analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
-                demand_reason="pressure is uniform in each cell across",
-                source="argued: (b/R_1)² + (2b/l)², and 1e-3 of the cells",
+                demand_reason="the pressure is uniform in each cell across the contact",
+                source="estimated: ± ((b/R_1)² + (2b/l)², plus 1e-3 for the cells)",
             ))  # fmt: skip
-        cost = underived("the error of a half-space is measured here")
+        cost = underived("this case measures the error of a half-space")
         for name, words in BODIES.items():
             for state in self.states:
                 yield estimated(
@@ -175,7 +176,7 @@ class EndFace(Crown):
                 )  # fmt: skip
         for what, margin in (
             (f"the end face reduces the load near it by {FACE:.0%} or more", face),
-            ("the face dominates: the bodies' size contributes less than a third", mostly),
+            ("the end face dominates: finite size contributes less than a third", mostly),
         ):  # fmt: skip
             for state in self.states:
                 check = Accepted(name=f"{what}, {state.words}", symbol="F_d", unit="1",
@@ -186,28 +187,28 @@ class EndFace(Crown):
     figures = drawn_by(end_figures.drawn)
 
     def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch."""
+        """Picture of the pressure on the contact patch."""
         yield end_figures.patch()
 
     sketch = end_figures.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Ends that a half-space loads more than an end face can carry."""
+        """Warning if the half-space loads the ends more than an end face can carry."""
         if max(self.end_share, self.flat.end_share) > 1.2 * 2 * self.d / self.L:
             yield (
-                "a half-space puts more load on the ends than a roller's end face can carry: "
-                "its pressures near a loaded end are too high"
+                "the half-space gives more load at the ends than a free end face can carry: its "
+                "pressures near a loaded end are too high"
             )
 
 
 def face(state: State) -> Margin:
-    """Reduction of the load near the end face, beyond FACE."""
+    """Function that returns the reduction of the load near the end face, minus FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)
         beyond, _, _ = end_loads(context, "control", state)
         words = (
-            f"{here / on - 1:+.1%} of the half-space's, {here / beyond - 1:+.1%} of the control's"
+            f"{here / on - 1:+.1%} from the half-space, {here / beyond - 1:+.1%} from the control"
         )
         return 1 - here / on - FACE, U, words
 
@@ -215,19 +216,23 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Difference of a share of the reduction by the end face and of that by the bodies' size."""
+    """Function that returns SIZE_SHARE of the effect of the end face, minus that of the size."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)
         size, _, U_size = end_loads(context, "control", state)
         left = SIZE_SHARE * (1 - face_ / on) - abs(1 - size / on)
-        return left, SIZE_SHARE * U + U_size, f"{size / on - 1:+.1%} against {face_ / on - 1:+.1%}"
+        return (
+            left,
+            SIZE_SHARE * U + U_size,
+            f"size {size / on - 1:+.1%}, face {face_ / on - 1:+.1%}",
+        )
 
     return margin
 
 
 def end_loads(context: Context, name: str, state: State) -> tuple[float, float, float]:
-    """Loads near the ends by finite elements and on a half-space, and U of their ratio."""
+    """Loads near the ends by finite elements and half-space, and uncertainty of their ratio."""
     v = context.series(f"F_d_{name}_{state.words}")[1]
     on = context.analytic[key_of(EndFace.F_d, state)]
     return v[-1], on, 3 * (max(v) - min(v)) / on

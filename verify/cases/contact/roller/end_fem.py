@@ -1,4 +1,4 @@
-"""Finite elements of a roller's end face: bodies of revolution, harmonic by harmonic."""
+"""Finite elements of a roller's end face: bodies of revolution, one solution per harmonic."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope 
 
 
 def solve_fem(q: "EndFace", level: int) -> Level:
-    """Roller with its end face and one that continues, without and with the crown; the edge."""
+    """Results of a roller with end face and of the control, with and without crown; edge."""
     from fem.fourier.shrunk import edge_slope
 
     values: dict[str, float] = {}
@@ -56,7 +56,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
 
 
 def stations_fem(q: "EndFace", level: int) -> Array:
-    """Stations along the contact from mid-length to its end, where they are finest; one at d."""
+    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one is at l/2 - d."""
     from meshes.revolution.section import stations
 
     found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
@@ -65,7 +65,7 @@ def stations_fem(q: "EndFace", level: int) -> Array:
 
 
 def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
-    """Compliance of the race, or of the roller; each pressed at opposite places."""
+    """Compliance of the race or of the roller, each loaded at opposite positions."""
     from fem.fourier.compliance import harmonics, surface_compliance
     from fem.fourier.solid import FourierSolid
     from fem.plane.material import Elastic
@@ -80,7 +80,7 @@ def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> 
 
 
 def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
-    """The half y >= 0 of the roller on the race, under half the load; `more` cells across."""
+    """Contact of the half y >= 0 of the roller on the race; `more`: additional cells across."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like
@@ -95,7 +95,7 @@ def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0
 
 
 def read(q: "EndFace", found: "PatchContact") -> dict[str, float]:
-    """Pressure and line load at mid-length, the first over Hertz's there, load at the ends."""
+    """Values of a contact: pressure and line load at mid-length, and load near both ends."""
     q_mid, p_mid = float(np.interp(0.0, found.z, found.line_load)), found.ridge_at(0.0)
     return {
         "p_mid": p_mid,
@@ -106,7 +106,7 @@ def read(q: "EndFace", found: "PatchContact") -> dict[str, float]:
 
 
 def edge_fem(level: int) -> tuple[Array, Array]:
-    """Pressure of a ring on a longer shaft of its material, near its edge, over the distance."""
+    """Distances from the edge and pressures of a ring on a longer shaft of equal material."""
     from skfem import MeshQuad1
 
     from fem.fourier.shrunk import shrink_pressure
@@ -129,7 +129,7 @@ def edge_fem(level: int) -> tuple[Array, Array]:
 
 
 def patch(found: "PatchContact") -> Field:
-    """The patch of both halves with its pressure, stretched across."""
+    """Field of the pressure on the contact patch of both halves, magnified across."""
     s = np.concatenate([-found.across[:0:-1], found.across])
     y = np.concatenate([-found.stations[:0:-1], found.stations])
     p = np.hstack([found.p[:, ::-1], found.p])

@@ -25,14 +25,14 @@ EDGE_DRAWN = 5e-3
 
 
 def drawn(context: Context) -> Iterator[Figure]:
-    """Line loads towards the end, and pressure at the edge."""
+    """Figures: line load towards the end, and pressure at the edge."""
     if context.fem:
         yield from (line_loads(context, state) for state in context.inputs.states)
         yield edge(context)
 
 
 def line_loads(context: Context, state: State) -> Figure:
-    """Line load along half the roller: with an end face, without, and on a half-space."""
+    """Figure: line load along half of the roller: end face, control, half-space."""
     q, arrays = context.inputs, context.fem[-1].arrays
     on: Any = getattr(state.case, "contact")  # noqa: B009
     half = on.y > 0
@@ -43,13 +43,13 @@ def line_loads(context: Context, state: State) -> Figure:
     return plot(
         f"Line load towards the end, {state.words}", "y [mm]", "q [N/mm]", curves,
         y_top=1.7 * q.F / q.L / 1e3,
-        note="Where both bodies continue beyond the ends, the half-space is nearly right; a free "
-        "end face deflects more, and the load shifts to the middle.",
+        note="If both bodies continue beyond the ends, the half-space is nearly exact. A free end "
+        "face deflects more, and load shifts to the middle.",
     )  # fmt: skip
 
 
 def edge(context: Context) -> Figure:
-    """Pressure of a ring near its edge on a longer shaft, with Williams' slope."""
+    """Figure: pressure of a ring on a longer shaft near its edge, with Williams' slope."""
     arrays = context.fem[-1].arrays
     d, p = arrays["edge_distance"], arrays["edge_pressure"]
     near = (d > EDGE / 20) & (d < 0.1)
@@ -61,13 +61,13 @@ def edge(context: Context) -> Figure:
         dots("FE, ring on a longer shaft", x, y),
         line(f"slope {k:.3f}", at, k * (at - middle), 2),
         dashes("slope −0.5, half-space", at, -0.5 * (at - middle), 4),
-        note="Axisymmetric: near its edge a ring is a right angle on a flat, as the section of a "
-        "roller along its axis is.",
+        note="Axisymmetric model: near its edge, a ring on a shaft is a right-angled corner on a "
+        "flat, like the longitudinal section of a roller.",
     )  # fmt: skip
 
 
 def sketch(q: "EndFace") -> Sketch:
-    """Section along the axes: the roller between two races."""
+    """Sketch of the section along the axes: the roller between two races."""
     end, h = 1.6, min(q.overhang / q.L * 3.2, 1.6)
     r, race = 0.55, 1.0
     wide = end + h
@@ -76,7 +76,7 @@ def sketch(q: "EndFace") -> Sketch:
         return Shape(style=style, points=np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
 
     return sketches.sketch(
-        f"roller, {q.shown('L')} long, between two equal races, halves",
+        f"roller, {q.shown('L')} long, between halves of two equal races",
         sketches.room(5.2, 5.2),
         box("body", -wide, -r - race, wide, -r), box("body", -wide, r, wide, r + race),
         box("body", -end, -r, end, r),
@@ -94,9 +94,9 @@ def sketch(q: "EndFace") -> Sketch:
 
 
 def patch() -> Picture:
-    """Pressure on the patch, stretched across."""
+    """Picture of the pressure on the contact patch, magnified across."""
     return replace(
         roller_figures.patch(),
-        caption="Pressure on the patch of the roller without crown, with its end faces; "
-        f"lengths across are drawn {STRETCH:.0f} times as long",
+        caption="Pressure on the contact patch of the roller with end faces, without crown; "
+        f"lengths across are magnified {STRETCH:.0f} times",
     )  # fmt: skip

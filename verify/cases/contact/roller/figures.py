@@ -23,7 +23,7 @@ OVER = 1.35  # upper end of the plot, relative to the largest strip pressure awa
 
 
 def sketch(q: Roller) -> Sketch:
-    """Side view: the race below, the roller with its crown and tilt exaggerated."""
+    """Sketch in side view: race and roller, with crown and tilt exaggerated."""
     end, h = 2.0, 1.4
     y = np.linspace(-end, end, 81)
     drop = q.gap(y * q.L / (2 * end))
@@ -52,7 +52,7 @@ def sketch(q: Roller) -> Sketch:
 
 
 def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]]]:
-    """All models: words, what they give along the roller, style of their curve."""
+    """Name, values along the roller and style of the curve of each model."""
     for name, words in NAMES.items():
         style, colour = STYLES[name]
         along = q.strips if name == "strips" else q.sliced(name)
@@ -60,7 +60,10 @@ def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]
 
 
 def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
-    """p(y) of all models and of the half-space, for roller `of`; its arrays end in `key`."""
+    """Figure of p(y) by all models and the half-space, for the roller `of`.
+
+    `key` is the suffix of the names of its arrays.
+    """
     q = of or context.inputs
     models = list(modelled(q))
     curves = [Curve(name=n, x=one.y / mm, y=one.p / MPa, **style) for n, one, style in models]
@@ -69,13 +72,13 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
     return plot(
         f"Pressure along the roller, at x = 0{crown}", "y [mm]", "p [MPa]", curves,
         y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
-        note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, the "
-        "finest grid. At a loaded end the pressure is unbounded, and its curve ends with the plot.",
+        note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, finest "
+        "grid. At a loaded end, the pressure is unbounded: its curve leaves the diagram.",
     )  # fmt: skip
 
 
 def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> Curve:
-    """Some of the half-space's pressures on the finest grid, of the solution `key`."""
+    """Curve of some pressures of the half-space on the finest grid, for the solution `key`."""
     arrays = context.fem[-1].arrays
     y, p = arrays[f"y{key}"], arrays[f"p{key}"]
     some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))
@@ -83,7 +86,7 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Peak over `even` pressure: a line if both ends are unloaded, dots if an end is loaded."""
+    """Curves of peak over `even` pressures: line if both ends are unloaded, otherwise dots."""
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
     parts = (("this crown, ends unloaded", ~loaded, "line"),
@@ -94,7 +97,7 @@ def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve
 
 
 def profile(q: Any) -> Figure:
-    """The gap along the roller before loading."""
+    """Figure of the gap along the roller before loading."""
     y = np.linspace(-q.L / 2, q.L / 2, 401)
     return plot(
         "Gap before loading, at x = 0", "y [mm]", "z [µm]",
@@ -104,7 +107,7 @@ def profile(q: Any) -> Figure:
 
 
 def loads(context: Context) -> Figure:
-    """Line load along the roller by all models."""
+    """Figure of the line load along the roller by all models."""
     q = context.inputs
     curves = [
         Curve(name=n, x=one.y / mm, y=one.line / 1e3, **style) for n, one, style in modelled(q)
@@ -112,14 +115,14 @@ def loads(context: Context) -> Figure:
     return plot(
         "Line load along the roller", "y [mm]", "q [N/mm]", curves,
         y_top=OVER * max(float(np.sort(c.y)[-5]) for c in curves),
-        note=f"Its mean is {q.F / q.L / 1e3:.4g} N/mm.",
+        note=f"The mean line load is {q.F / q.L / 1e3:.4g} N/mm.",
     )  # fmt: skip
 
 
 def patch() -> Picture:
-    """Pressure on the patch."""
+    """Picture of the pressure on the contact patch."""
     return Picture(
         field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
-        caption="Pressure on the patch, along the roller (sideways) and across it, where lengths "
-        f"are drawn {STRETCH:.0f} times as long", displacement="",
+        caption="Pressure on the contact patch. Horizontal: along the roller; vertical: across it, "
+        f"magnified {STRETCH:.0f} times", displacement="",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""A roller without crown: its converging results, and the singular peak at its ends."""
+"""Case of a roller without crown: converging results, and singular peak at the ends."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -21,15 +21,15 @@ SLOPE = 0.5  # order of 1/peak in the cell: pressure grows as 1/sqrt(distance) a
 ALONG = 128  # cells along the roller, a level: no more than b/12 long
 COUNTS = (41, 57, 81, 115, 161, 229, 321)
 FLAT = 5e-3  # acceptance of pressures and approach without a crown
-WITHIN = f"strips as wide as the contact within {FLAT:.1%}"
+WITHIN = f"strips as wide as the contact agree within {FLAT:.1%}"
 
 
 class FlatRoller(OnHalfSpace):
-    """A cylindrical roller, without a crown at its ends.
+    """A cylindrical roller without a crown.
 
-    On a half-space the pressure at its ends is infinite. The peak that a model prints for it
-    depends on the number of slices only and has no physical meaning. Values that converge are
-    judged, and the slope with which the peak grows.
+    On a half-space, the pressure at its ends is infinite. The peak that a model gives there depends
+    on the number of slices only and has no physical meaning. The rows judge values that converge,
+    and the slope with which the peak grows.
     """
 
     id = "contact-roller-flat"
@@ -46,14 +46,14 @@ class FlatRoller(OnHalfSpace):
 
     @property
     def n(self) -> int:
-        """Strips over the length, about as wide as the contact's half-width.
+        """Number of strips, which are about as wide as the half-width of the contact.
 
-        Narrower ones overestimate the load of loaded ends.
+        Narrower strips overestimate the load of loaded ends.
         """
         return min(max(round(self.L / self.b), FEWEST), MOST)
 
     def reference(self, level: int) -> Level:
-        """The half-space, with more cells along the roller."""
+        """Results of the half-space, with more cells along the roller."""
         found = half_space.pressed(self, level, along=ALONG * level)
         return half_space.result(found, level, {})
 
@@ -75,7 +75,7 @@ class FlatRoller(OnHalfSpace):
         return h, [self.p_0 / p for p in peaks]
 
     def figures(self) -> Iterator[Drawn]:
-        """Pressure along the roller, ends over the number of strips, the peak over the cell."""
+        """Figures: pressure along the roller, end load over number of strips, peak over cells."""
         yield Drawn(self._drawn)
 
     def _drawn(self, context: Context) -> Iterator[Figure]:
@@ -85,28 +85,28 @@ class FlatRoller(OnHalfSpace):
             yield self._peaks(context)
 
     def _peaks(self, context: Context) -> Figure:
-        """Largest pressure over the cell, log-log: a line without limit."""
+        """Figure of the largest pressure over the cell size, logarithmic: it has no limit."""
         cells = np.array([len(r.arrays["y"]) for r in context.fem]) * self.b / self.L
         peak, mid = (np.array(context.series(k)[1]) / self.p_0 for k in ("p_largest", "p_mid"))
         return Refinement(
-            title="The peak at the end grows without limit", x_label="cells on Hertz's half-width",
+            title="Unbounded growth of the peak at the end", x_label="cells on Hertz's half-width",
             y_label="p/p_0", cells=np.round(cells, 1), errors=(("peak", peak),), order=-0.5,
             note="Dots: largest pressure of a cell over Hertz's pressure of a uniform load; line: "
             f"slope 1/2. At mid-length p/p_0 stays at {mid[-1]:.4f}.",
         )  # fmt: skip
 
     def _over_strips(self, context: Context) -> Figure:
-        """Strips narrower than the contact overestimate the load of a loaded end."""
+        """Figure: end load over the number of strips; narrow strips overestimate it."""
         found = [sum(by_strips(self, n)[1].ends) / self.F for n in COUNTS]
         curves = [line("strips", np.array(COUNTS, float), np.array(found))]
         if context.fem:
             x, share = np.array([COUNTS[0], COUNTS[-1]], float), context.series("F_d")[1][-1]
             curves.append(dashes("half-space", x, share / self.F, 4))  # fmt: skip
         return plot(
-            "Share of the ends over the number of strips", "n", "F_d/F", curves,
+            "Load share of the ends over the number of strips", "n", "F_d/F", curves,
             y_bottom=0.9 * min(found),
-            note="Strips narrower than the contact do not converge where an end carries load: "
-            f"take about l/b = {self.L / self.b:.0f} of them.",
+            note="Strips narrower than the contact do not converge at a loaded end: use about "
+            f"l/b = {self.L / self.b:.0f} strips.",
         )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Formulas of a finite line contact: strips, the paper's slices, independent slices."""
+"""Formulas of a finite line contact: strips, slices of the paper, independent slices."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -27,33 +27,33 @@ LAMINA = r"z_j + \left(\frac{n_s \delta_P^{10/9}}{F} q_j\right)^{9/10}"
 
 
 def roller(q: Roller, n: int) -> dict[str, Any]:
-    """Arguments common to all models, for n parts."""
+    """Arguments common to all models with n strips or slices."""
     z = q.gap(slice_centres(length=q.L, slices=n))
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
 
 def parts(q: Roller, p: Array, line: Array, approach: Any) -> RollerParts:
-    """What a model gives of equal parts of the roller."""
+    """Pressures `p`, line loads `line` and approach of a model, as values along the roller."""
     y = slice_centres(length=q.L, slices=len(p))
     return RollerParts(y=y, p=p, line=line, delta=float(approach), length=q.L, d=q.d)
 
 
 def by_strips(q: Roller, n: int) -> tuple[Strips, RollerParts]:
-    """The strips' solution for n strips."""
+    """Solution of n strips, and its values along the roller."""
     found = press_strips(**roller(q, n))
     return found, parts(q, found.pressure, found.q, found.approach)
 
 
 class StripRoller(Roller):
-    """A roller in strips, each with Hertz's ellipse across."""
+    """A roller divided into strips, each with Hertz's elliptical pressure across."""
 
     if TYPE_CHECKING:
 
         @property
         def n(self) -> int:
-            """Strips over the length, an input or of other inputs."""
+            """Number of strips over the length: an input, or derived from inputs."""
 
-    @Quantity("p_0", "MPa", "Hertz's pressure of an evenly distributed load", source="Hertz",
+    @Quantity("p_0", "MPa", "Hertz's pressure of the uniform line load", source="Hertz",
               tex=r"\sqrt{\frac{F E*}{\pi l R}}")  # fmt: skip
     def p_0(self) -> float:
         return float(hertz_line.peak_pressure(P=self.F / self.L, R=self.R, E_star=self.E_star))
@@ -93,8 +93,8 @@ class StripRoller(Roller):
         return self.F_d / self.F
 
     p_largest = Quantity("p_n", "MPa",
-                         "largest pressure of n strips, ends included: it grows with n if they "
-                         "carry", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
+                         "largest pressure of n strips with ends; it grows with n if these are "
+                         "loaded", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
     delta = Quantity("δ", "µm", "approach, strips", source="strips").reads(lambda q: q.strips.delta)
 
     @Quantity("l_c", "mm", "length in contact, strips", role="step")
@@ -107,23 +107,23 @@ class StripRoller(Roller):
 
     @property
     def strips(self) -> RollerParts:
-        """Pressure along n strips."""
+        """Values along the roller by n strips."""
         return self._strips[1]
 
     @shared
     def twice(self) -> RollerParts:
-        """The same along twice as many strips."""
+        """Values along the roller by 2 n strips."""
         return by_strips(self, 2 * self.n)[1]
 
     @property
     def loaded_ends(self) -> int:
-        """Number of loaded ends."""
+        """Number of loaded ends: 0, 1 or 2."""
         carries = self._strips[0].carries
         return int(carries[0]) + int(carries[-1])
 
     @shared
     def neglected(self) -> Mapping[str, float]:
-        """Fractions by which a half-space's values are higher; NaN without an estimate."""
+        """Estimated relative excess of half-space over strips, by key; NaN without an estimate."""
         solved, along = self._strips
         missing = neglected(solved)
         return {
@@ -135,12 +135,12 @@ class StripRoller(Roller):
 
 
 class SlicedRoller(StripRoller):
-    """The roller by the paper's slices and by independent slices."""
+    """A roller divided into slices: coupled slices of the paper, and independent slices."""
 
-    slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
+    slices: int = count(50, "n_s", "number of slices of Eqs. 2-5, not printed", ge=10, le=401)
 
     @Quantity("δ_P", "µm", "approach by Palmgren's law for steel", role="step",
-              source="Palmgren; in N and m", fitted=True,
+              source="Palmgren; units N and m", fitted=True,
               tex=r"3.84 \cdot 10^{-10.4} \frac{F^{0.9}}{l^{0.8}}")  # fmt: skip
     def delta_P(self) -> float:
         return float(palmgren.approach(load=self.F, length=self.L))
@@ -169,5 +169,5 @@ class SlicedRoller(StripRoller):
         return found
 
     def sliced(self, model: str) -> RollerParts:
-        """Pressure along slices, by Palmgren's law for a whole roller of its length."""
+        """Values along the roller by `model`: "slices" or "independent" slices."""
         return self._sliced[model]

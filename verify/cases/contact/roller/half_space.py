@@ -1,4 +1,4 @@
-"""The reference of finite line contacts: boundary elements on a half-space, refined like a mesh."""
+"""Reference of finite line contacts: boundary elements on a half-space with refined grids."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -24,7 +24,7 @@ Crown = Callable[[Array], Array] | None
 
 
 def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "Ridge":
-    """The contact of `q` on the grid of a level; another `crown` or cells `along` the roller."""
+    """Contact of `q` on the grid of `level`, with its crown or `crown`; `along`: cells along it."""
     from analytic.contact.half_space_ridge import press_ridge
 
     return press_ridge(
@@ -34,19 +34,19 @@ def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "R
 
 
 def too_short(q: Roller) -> str:
-    """Reason if the grid is too coarse for an end zone of length d; empty otherwise."""
+    """Reason for not solving end zones d shorter than eight cells; "" for longer zones."""
     if q.d >= SHORTEST * q.L:
         return ""
     return (
-        f"the end d = {q.d * 1e3:g} mm is shorter than {SHORTEST * q.L * 1e3:.3g} mm, a 64th of l, "
-        "too few cells of the half-space: take a longer d, or check without --fem"
+        f"the end zone d = {q.d * 1e3:g} mm is shorter than l/64 = {SHORTEST * q.L * 1e3:.3g} mm, "
+        "too short for the cells of the half-space: increase d, or run `check` without --fem"
     )
 
 
 def grid_scatter(q: Roller, found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
-    """Largest change of each value of `found` on the two neighbouring grids.
+    """Largest change of each value of `found` on the next coarser and the next finer grid.
 
-    Each cell is wholly in or out of contact, so that the contact's edge follows the cells.
+    Each cell is completely in or out of contact, so that the edge of the contact follows the cells.
     """
     beside = [pressed(q, level + step, crown=crown).values for step in (-1, 1)]
     return {key: max(abs(v[key] - value) for v in beside) for key, value in found.values.items()}
@@ -56,7 +56,7 @@ def result(
     found: "Ridge", level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None,
     arrays: Mapping[str, Array] | None = None,
 ) -> FemResult:  # fmt: skip
-    """Result of a level with its uncertainty; `more` values and `arrays` are added."""
+    """Result of `level` with iteration errors; `more` values and `arrays` are added."""
     residual, values = found.contact.contact.residual, found.values
     least = {key: 10 * residual * abs(value) for key, value in values.items()}
     return FemResult(
@@ -69,7 +69,10 @@ def result(
 def solve_crowns(
     q: Roller, level: int, best: Design, *, more: Mapping[str, float], arrays: Mapping[str, Array]
 ) -> FemResult:  # fmt: skip
-    """One level, with `more` values and `arrays`; the optimal crown is made for F."""
+    """Result of `level` for the crown of `q` and the optimal crown `best` for F.
+
+    `more` values and `arrays` are added.
+    """
     found = pressed(q, level)
     crown = profiles.gap(q, best)
     other = pressed(q, level, crown=crown)
@@ -80,12 +83,12 @@ def solve_crowns(
 
 
 def along(found: "Ridge") -> dict[str, Array]:
-    """Pressure at x = 0 and line load along the roller."""
+    """Coordinates y [m], pressures at x = 0 [Pa] and line loads [N/m] along the roller."""
     return {"y": found.contact.y, "p": found.pressure, "q": found.contact.line_load}
 
 
 def patch(found: "Ridge", name: str = "patch") -> Field:
-    """Picture of the patch with its pressure, stretched across; cells along it are merged."""
+    """Field of the pressure on the contact patch, magnified across; cells along are merged."""
     loaded = found.contact.contact
     many = math.gcd(loaded.pressure.shape[1], loaded.pressure.shape[1] // SHOWN or 1)
     p = loaded.pressure.reshape(len(loaded.pressure), -1, many).mean(axis=2)

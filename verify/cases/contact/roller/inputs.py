@@ -1,4 +1,4 @@
-"""Inputs of the finite line contacts: a roller, crowned or not, straight or tilted, on a race."""
+"""Inputs of finite line contacts: a roller with or without crown or tilt, on a race."""
 
 from math import pi, sqrt
 from typing import NamedTuple
@@ -17,18 +17,18 @@ FLATTEST = 50  # largest relative radius over the length of the roller
 
 
 class Design(NamedTuple):
-    """A crown of Eq. 1 [SI]."""
+    """Parameters of a crown of Eq. 1; z_m [m]."""
 
     K_1: float
     K_2: float
     z_m: float
 
     def __format__(self, _: str) -> str:
-        """The name of the design, such as "(1, 0.7, 10 µm)"."""
+        """Name of the design in texts, such as "(1, 0.7, 10 µm)"."""
         return f"({self.K_1:g}, {self.K_2:g}, {self.z_m * 1e6:g} µm)"
 
     def __str__(self) -> str:
-        """A name for its numbers: "1_0d7_10"."""
+        """Name of the design in keys of results, such as "1_0d7_10"."""
         return f"{self.K_1:g}_{self.K_2:g}_{self.z_m * 1e6:g}".replace(".", "d")
 
 
@@ -42,12 +42,12 @@ EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}  # u
 
 
 def ending(name: str) -> str:
-    """Key suffix of a crown for uniform pressure; empty for Lundberg's crown."""
+    """Suffix of keys of a crown for uniform pressure; empty for Lundberg's crown."""
     return "" if name == "Lundberg" else f"_{name}"
 
 
 class Roller(Case):
-    """A roller without crown on a longer race."""
+    """Inputs of a roller without crown on a longer race."""
 
     F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
     L: float = given("9 mm", "mm", "l", "length of the roller", gt=0, le=1e4)
@@ -64,7 +64,7 @@ class Roller(Case):
     E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = given(
-        "0.5 mm", "mm", "d", "length at each end whose load is reported", omitted=0.5e-3,
+        "0.5 mm", "mm", "d", "length of the end zones whose load is reported", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
@@ -73,16 +73,16 @@ class Roller(Case):
         return 1 / (1 / self.R_1 + 1 / self.R_2)
 
     @Quantity("E*", "GPa", "contact modulus of half-spaces", role="geometry",
-              source="E' of Eq. 1 is 2 E*")  # fmt: skip
+              source="2 E* is E' of Eq. 1")  # fmt: skip
     def E_star(self) -> float:
         return 1 / ((1 - self.nu_1**2) / self.E_1 + (1 - self.nu_2**2) / self.E_2)
 
-    @Quantity("b", "mm", "Hertz's half-width of an evenly distributed load", role="geometry")
+    @Quantity("b", "mm", "Hertz's half-width of the uniform line load", role="geometry")
     def b(self) -> float:
         return sqrt(4 * self.F * self.R / (pi * self.E_star * self.L))
 
     def gap(self, y: Array) -> Array:
-        """Height z [m] of the race's surface over the roller's at y [m], unloaded."""
+        """Gap z [m] between race and roller at y [m], unloaded."""
         return np.zeros_like(y)
 
     @model_validator(mode="after")
@@ -90,50 +90,51 @@ class Roller(Case):
         sizes = f"R_1 = {self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm"
         if -1.02 * self.R_1 < self.R_2 <= 0:
             raise ValueError(
-                f"the roller does not fit the bore: R_2 must be positive (a shaft) or below "
+                f"the roller must fit into the bore: R_2 must be positive (a shaft) or below "
                 f"{-1.02e3 * self.R_1:g} mm, got {sizes}"
             )
         if self.R > FLATTEST * self.L:
             raise ValueError(
-                f"{sizes} differ so little that the roller touches as a plate, not along a line"
+                f"{sizes} differ too little for a line contact: the relative radius exceeds 50 l"
             )
         if self.b > WIDEST * self.L:
             raise ValueError(
-                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, exceeds "
-                f"{WIDEST:g} of the length l = {self.L * 1e3:g} mm: no line contact"
+                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, must not "
+                f"exceed {WIDEST:g} of the length l = {self.L * 1e3:g} mm: reduce F"
             )
         if self.b > 0.3 * self.R_1:
             raise ValueError(
-                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, exceeds "
-                f"0.3 of the roller's radius, {self.R_1 * 1e3:g} mm: no line contact"
+                f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, must not "
+                f"exceed 0.3 of the radius of the roller, {self.R_1 * 1e3:g} mm: reduce F"
             )
         if self.d > self.L / 4:
             raise ValueError(
-                f"the end d = {self.d * 1e3:g} mm must be at most a quarter of "
+                f"the end zone d = {self.d * 1e3:g} mm must not exceed a quarter of "
                 f"l = {self.L * 1e3:g} mm"
             )
         return self
 
 
 class Divided(Roller):
-    """Number of strips."""
+    """Inputs of a roller with the number of strips."""
 
-    n: int = count(161, "n", "strips over the length", ge=FEWEST, le=MOST)
+    n: int = count(161, "n", "number of strips over the length", ge=FEWEST, le=MOST)
 
 
 class Crown(Roller):
-    """A roller with the logarithmic crown of Eq. 1."""
+    """Inputs of a roller with the logarithmic crown of Eq. 1."""
 
     K_1: float = given(
-        2.1507, "1", "K_1", "crown's depth: its load of uniform pressure, over Q", gt=0, le=100,
+        2.1507, "1", "K_1", "depth factor of the crown: load for uniform pressure over Q", gt=0,
+        le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = given(
-        0.6763, "1", "K_2", "crowned part of the length", gt=0, le=1,
+        0.6763, "1", "K_2", "crowned fraction of the length", gt=0, le=1,
         claims="huang2018:optimum-25nm-k2",
     )  # fmt: skip
     z_m: float = given(
-        "0.0121 mm", "mm", "z_m", "crown's drop at the ends", gt=0, le=1,
+        "0.0121 mm", "mm", "z_m", "drop of the crown at the ends", gt=0, le=1,
         claims="huang2018:optimum-25nm-zm",
     )  # fmt: skip
     Q: float = given("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
@@ -146,9 +147,9 @@ class Crown(Roller):
 
 
 class Tilt(Crown):
-    """A crowned roller whose axis is not parallel to the race."""
+    """Inputs of a crowned roller whose axis is not parallel to the race."""
 
-    theta: float = given("0.03 deg", "deg", "θ", "tilt, which presses the end y = l/2", ge=0, le=1)
+    theta: float = given("0.03 deg", "deg", "θ", "tilt; loads the end y = l/2 more", ge=0, le=1)
 
     def gap(self, y: Array) -> Array:
         return super().gap(y) - self.theta * y

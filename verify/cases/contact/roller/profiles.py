@@ -1,4 +1,4 @@
-"""Gaps of rollers for the reference, from the second implementation of the crowns."""
+"""Gaps of rollers for the reference, from the second implementation of crowns."""
 
 from typing import TYPE_CHECKING
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 def gap(q: Roller, design: Design | None = None) -> "Gap":
-    """Gap to the race at y from tilt and, if present, crown.
+    """Function that returns the gap [m] to the race at y [m], due to tilt and crown.
 
-    A `design`, which is made for F, replaces the crown of the roller.
+    A crown `design` for the load F replaces the crown of the roller.
     """
     from analytic.contact import crown_again
 
@@ -28,7 +28,7 @@ def gap(q: Roller, design: Design | None = None) -> "Gap":
 
 
 def even_crowns(q: Roller) -> "dict[str, Gap]":
-    """The crowns for a uniform pressure under F, by their names in results."""
+    """Functions of the crowns for uniform pressure under F, by their names in results."""
     from analytic.contact import crown_again
 
     law = {"load": q.F, "length": q.L, "E_star": q.E_star}

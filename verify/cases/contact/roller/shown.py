@@ -1,4 +1,4 @@
-"""Figures of rollers in slices, with the half-space."""
+"""Warnings and figures of rollers in slices whose reference is a half-space."""
 
 from collections.abc import Iterator
 
@@ -9,22 +9,22 @@ from verify.core.figures import Figure, Picture
 
 
 class OnHalfSpace(SlicedRoller):
-    """A roller in strips and slices whose reference is a half-space."""
+    """A roller in strips and slices; its reference is a half-space."""
 
     refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
-        """Warnings on the validity of these pressures."""
+        """Warnings if the pressures are not valid for these inputs."""
         yield from texts.of_contact(self)
         yield from texts.of_materials(self)
 
     sketch = figures.sketch
 
     def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch."""
+        """Picture of the pressure on the contact patch."""
         yield figures.patch()
 
     def along_roller(self, context: Context) -> Iterator[Figure]:
-        """Pressure and line load along the roller."""
+        """Figures: pressure and line load along the roller."""
         yield figures.pressures(context)
         yield figures.loads(context)

@@ -1,4 +1,4 @@
-"""A crowned roller whose axis is tilted: the more loaded end."""
+"""Case of a crowned roller with a tilted axis: load of the more loaded end."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -24,26 +24,27 @@ MOMENT = 0.01  # relative to the tilting moment
 
 
 class TiltedRoller(Tilt, CrownedRoller):
-    """Races deflect and sprags tilt: the same roller with its axis not parallel to the race.
+    """Races deflect and sprags tilt: the axis of the crowned roller is not parallel to the race.
 
-    Strips and slices use the gap of the tilted roller and must predict the more loaded end.
+    Strips and slices use the gap of the tilted roller; they must predict the load of the more
+    loaded end.
     """
 
     id = "contact-roller-tilted"
     title = "Tilted crowned roller on a race"
     source = "huang2018"
-    place = "Eqs. 1-5, with the roller's axis tilted"
+    place = "Eqs. 1-5, with a tilted axis of the roller"
     method = BY_HALF_SPACE
     levels: ClassVar = LEVELS
     scans: ClassVar = (Scan(vary=("theta=0.01deg,0.03deg,0.06deg",), star=True),)
     readings: ClassVar = (
-        *READINGS, COUPLED, "θ turns the roller about mid-length and adds −θ y to the gap",
+        *READINGS, COUPLED, "θ rotates the roller about mid-length and adds −θ y to the gap",
     )  # fmt: skip
     assumptions: ClassVar = ASSUMPTIONS
 
     @property
     def lean(self) -> float:
-        """The tilt [rad]."""
+        """Tilt of the axis [rad]."""
         return self.theta
 
     @Quantity("M", "N m", "tilting moment about mid-length, strips", source="strips",
@@ -52,32 +53,33 @@ class TiltedRoller(Tilt, CrownedRoller):
         return float(self.strips.line @ self.strips.y * self.strips.width)
 
     F_high = Quantity(
-        "F_h", "N", "load within d of the pressed end, strips", source="strips", safe="too high",
+        "F_h", "N", "load within d of the more loaded end, strips", source="strips",
+        safe="too high",
         tex=r"\int_{l/2 - d}^{l/2} q\,dy",
     ).reads(lambda q: q.strips.ends[1])  # fmt: skip
 
     def reference(self, level: int) -> Level:
-        """The tilted roller on the half-space, with this crown and the optimal one."""
+        """Results of the tilted roller on the half-space, with its crown and the optimal crown."""
         best = {"best_over_tilt": self._best_over_tilt()} if level == LEVELS[-1] else {}
         return solve_crowns(self, level, self.best_design, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
-        """Peak of the optimal crown for each tilt over Hertz's pressure of a uniform load."""
+        """Peak pressure with the optimal crown for each tilt, over Hertz's pressure."""
         angles = BEST_TILTS * (self.theta or LEAN)
         return np.array([self.best(tilt=a).peak / self.even_pressure() for a in angles])
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Pressures, the tilting moment and the pressed end against the half-space."""
+        """Rows: pressures, tilting moment and load of the more loaded end against half-space."""
         q = TiltedRoller
         yield from comparisons.strips_rows(self, q.p_max, q.delta)
         yield from comparisons.sliced_rows(self, (q.p_max_slices,), (q.p_max_lamina,))
         yield comparisons.agreeing(
-            f"tilting moment, strips within {MOMENT:.0%}", q.M, MOMENT, self.F * self.L,
-            suites("as far off as rows may be"),
+            f"tilting moment: strips agree within {MOMENT:.0%}", q.M, MOMENT, self.F * self.L,
+            suites("the largest error that a row may have"),
         )  # fmt: skip
         yield comparisons.agreeing(
-            f"load within d of the pressed end, strips within {comparisons.ENDS:.0%}", q.F_high,
-            comparisons.ENDS, self.F, suites("as much as the subject accepts without a tilt"),
+            f"load within d of the more loaded end: strips agree within {comparisons.ENDS:.0%}",
+            q.F_high, comparisons.ENDS, self.F, suites("the accepted error without tilt"),
             symbol="F_d",
         )  # fmt: skip
         yield comparisons.end_pressure(self)
@@ -85,7 +87,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         yield comparisons.balanced(self)
 
     def figures(self) -> Iterator[Drawn]:
-        """Pressure along the roller, and its peak over the tilt."""
+        """Figures: pressure along the roller, and peak pressure over the tilt."""
         yield Drawn(self.along_crowned)
         yield Drawn(self._over_tilt)
 
@@ -95,7 +97,7 @@ class TiltedRoller(Tilt, CrownedRoller):
             context, "tilt", "θ [°]", gaps=Crown.gap(self, y) - (TILTS * unit)[:, None] * y,
             loads=np.ones(len(TILTS)), x=np.degrees(TILTS * unit),
             best=("optimal crown for ±θ", np.degrees(BEST_TILTS * unit)), y_top=2.2,
-            note="A crown for tilt is deeper than one for a straight roller.",
+            note="The optimal crown of a tilted roller is deeper than that of a straight roller.",
         )  # fmt: skip
 
 

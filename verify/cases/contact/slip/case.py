@@ -1,4 +1,4 @@
-"""Partial slip of two equal rollers (Cattaneo) and the cycle of an alternating force (Mindlin)."""
+"""Case of partial slip of two equal rollers (Cattaneo), and cycles of force (Mindlin)."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -34,49 +34,50 @@ from verify.judging.profile_checks import Within
 from verify.judging.tolerance_checks import Agreement, suites
 
 FE_SHARES = (0.5, 0.9)  # amplitudes whose slip strips the meshes resolve
-SECANT = "loads are met within 1e-12 of P, and states within 1e-11"
-SLIDING = "every node at its limit of friction, to round-off"
-STICK: dict[str, Any] = {"demand": 2e-3, "demand_reason": "the stick zone is known to 0.2 %"}
-SHARED = "friction law of Coulomb"
+SECANT = "loads are reached within 1e-12 of P; contact states within 1e-11"
+SLIDING = "all nodes reach the limit of friction, except for round-off"
+STICK: dict[str, Any] = {"demand": 2e-3, "demand_reason": "the stick zone is resolved to 0.2 %"}
+SHARED = "Coulomb's law of friction"
 
 
 class SlippingRollers(SlipFormulas):
     """Before a sprag slides, its contact slips at the edges and sticks in the middle.
 
-    Cattaneo and Mindlin give the slip zones, the displacement and the energy lost in a cycle.
-    Finite elements of two elastic rollers, pressed together and pushed sideways, verify them.
+    The formulas of Cattaneo and Mindlin give the slip zones, the displacement and the energy lost
+    in a cycle. The reference is a finite-element model of two elastic rollers under a normal force
+    and an alternating tangential force.
     """
 
     id = "contact-slip"
-    title = "Partial slip and the cycle of an alternating force"
+    title = "Partial slip under an alternating tangential force"
     source = "huang2018"
-    place = "Eqs. 11-14, what lies between stick and slip"
+    place = "Eqs. 11-14, partial slip between sticking and sliding"
     levels: ClassVar = (24, 40, 56)
     scans: ClassVar = (Scan(vary=("share=0.3,0.6,0.9", "mu=0.1,0.2"), star=True),)
     readings: ClassVar = (
-        "R is the rollers' radius, and both are elastic: relative radius R/2, 1/E* = 2 (1 − ν²)/E",
-        "long rollers: plane strain, and P, Q per unit length",
-        "one coefficient of friction, for sticking and for sliding",
-        "Q is the force that passes through the contact, not the sum on both rollers",
+        "R is the radius of each elastic roller: relative radius R/2, 1/E* = 2 (1 − ν²)/E",
+        "the rollers are long: plane strain; P and Q are forces per unit length",
+        "sticking and sliding have the same coefficient of friction",
+        "Q is the tangential force in the contact, not the sum of the forces on both rollers",
     )
     assumptions: ClassVar = (
         "equal materials: tangential forces do not change the pressure (Dundurs' β = 0)",
-        "small strain; P held while Q changes; no wear, no rate",
-        "two half discs, each held along its cut: half planes up to terms of (a/R)²",
-        "P and Q are met to 1e-12 by the cut's displacements (secant steps)",
-        "P, μ and ν are not the paper's: μ from a usual lubricated steel contact, P so that "
-        "a/R = 0.01",
-        "stick half-width: from the moments of q, (c/a)² = 4 M₂/(M₀ a²) − 1",
-        "displacements count beyond the chord from 0 to Q = 0.8 μP: the elastic part, linear in "
-        "Q, cancels without being known",
+        "small strain; P is constant while Q changes; no wear, no effect of speed",
+        "two half discs, each supported on its cut: they equal half-planes except for (a/R)²",
+        "secant steps adjust the displacements of a cut until P and Q are reached within 1e-12",
+        "P, μ and ν are assumed: μ of a usual lubricated steel contact, P for a/R = 0.01; the "
+        "paper does not give them",
+        "stick half-width from the moments M₀, M₂ of the traction q: (c/a)² = 4 M₂/(M₀ a²) − 1",
+        "displacements are measured from the chord between Q = 0 and Q = 0.8 μP, so that the "
+        "elastic part, linear in Q, cancels",
     )
 
     def reference(self, level: int) -> Level:
-        """Two half discs pressed together, pushed, and swung."""
+        """Results of two half discs under P, then under a first and an alternating Q."""
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Stick zone, tractions, displacements, energy; balances."""
+        """Rows: stick zone, tractions, displacements, energy, balances."""
         by = SlippingRollers
         at = {k: State(self.at_share(k), key(k), f"Q/(μP) = {k:g}", displayed=False)
               for k in SHARES}  # fmt: skip
@@ -96,15 +97,15 @@ class SlippingRollers(SlipFormulas):
                            symbol="∮Q dδ")  # fmt: skip
         energies = Agreement(
             name="cycle: both energies agree within 0.1 %", symbol="W", unit="J/m", pair=two_ways,
-            accepted=AGREE, source=suites("two sums over one solution"), by="friction's work",
+            accepted=AGREE, source=suites("two sums over the same solution"), by="work of friction",
             everywhere=True,
         )  # fmt: skip
         yield Comparison(check=energies)
-        yield fact("cycle: order of the loop's area in its steps above 1.8", "p", step_order_fem)
+        yield fact("cycle: the loop area converges with an order above 1.8", "p", step_order_fem)
         yield from self._balances()
 
     def _traction(self, q: Quantity, name: str, at: float) -> Comparison:
-        """The traction at `at`; its error is relative to its norm at this Q, or at Q_max."""
+        """Row: traction at `at`; the error is relative to the norm at this Q (cycle: at Q_max)."""
         first = q.name == "q_1"
         formula, scale = (self.first_traction, at) if first else (self.cycle_traction, 1.0)
         what = f"Q/(μP) = {at:g}" if first else name
@@ -128,51 +129,51 @@ class SlippingRollers(SlipFormulas):
             yield balance(residual, name, symbol, unit, of=of, bound=bound, because=because)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Tractions, growth of the slip strips, the loop of a cycle, energies."""
+        """Figures: tractions, growth of the slip zones, loop of a cycle, energies."""
         yield from drawn.figures()
 
     def pictures(self) -> Iterator[Picture]:
-        """Shear stress about the contact at Q_max."""
+        """Picture of the shear stress near the contact at Q_max."""
         w = 2.0 * self.a
         yield Picture(
             field="pushed", data="shear_at_nodes", symbol="τ_max/p_0", unit="1", factor=self.p_0,
-            caption="Largest shear stress about the contact at Q_max, over p_0, from means of "
-            "cells at nodes", displacement="", window=(-w, -w, w, w),
+            caption="Maximum shear stress over p_0 near the contact at Q_max, from nodal "
+            "averages of cells", displacement="", window=(-w, -w, w, w),
         )  # fmt: skip
 
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """Amplitudes whose slip or stick the meshes do not resolve."""
+        """Reason for not solving amplitudes whose slip or stick zone the meshes do not resolve."""
         low, high = FE_SHARES
         if low <= self.share <= high:
             return ""
         return (
-            f"Q/(μP) = {self.share:g}: the meshes resolve slip and stick of amplitudes from "
-            f"{low:g} to {high:g}; check it without --fem"
+            f"Q/(μP) = {self.share:g}: the meshes resolve slip and stick zones for amplitudes from "
+            f"{low:g} to {high:g}; run `check` without --fem"
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the contact is wide, if surfaces yield, and if friction is high."""
+        """Warnings if the contact is wide, the surfaces yield, or friction is high."""
         if neglected(self) > HALF_PLANES * 10:
             yield (
-                f"a/R = {self.a / self.R:.3g}: the rollers are no half planes, the formulas err "
-                f"by up to {neglected(self):.1%}"
+                f"a/R = {self.a / self.R:.3g}: the formulas replace the rollers by half-planes and "
+                f"err by up to {neglected(self):.1%}"
             )
         if self.hardness is not None and self.p_0 > self.hardness:
             yield (
                 f"p_0 = {self.shown('p_0')} exceeds p_lim = {self.shown('hardness')}: the surfaces "
-                "yield, contact and slip strips grow"
+                "yield, so that contact and slip zones grow"
             )
         if self.hardness is None and self.p_0 > 0.02 * self.E:
             yield (
                 f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: most steels yield "
-                "before; give p_lim"
+                "below 2 %; enter p_lim"
             )
         if self.mu > 0.5:
             yield (
-                f"μ = {self.mu:g}: friction this high brings the largest shear stress to the "
-                "surface, and yielding there before sliding"
+                f"μ = {self.mu:g}: with this friction, the largest shear stress is at the "
+                "surface, which yields there before it slides"
             )
 
 
@@ -180,7 +181,7 @@ def _half_planes(
     q: Quantity, name: str, *, state: State | None = None, fem: str = "", symbol: str = "",
     **more: Any,
 ) -> Comparison:  # fmt: skip
-    """A formula of half planes against discs."""
+    """Row: the formula `q` of half-planes against finite elements of discs."""
     number = f"{q.name}_{state.key}" if state else q.name
     check = HalfPlanes(name=name, symbol=symbol or q.symbol, unit=q.unit, analytic=number,
                        fem=fem or number, formal=1, **more)  # fmt: skip

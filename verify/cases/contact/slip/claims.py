@@ -1,4 +1,4 @@
-"""Comparisons of partial slip only: half planes for discs, tractions, energies, steps."""
+"""Comparisons of partial slip: half-planes against discs, tractions, energies, steps."""
 
 import math
 from collections.abc import Callable
@@ -20,13 +20,16 @@ L2 = 0.03  # acceptance of tractions
 
 
 def neglected(q: SlipInputs) -> float:
-    """Bound of the relative error of half planes as a model of discs."""
+    """Bound of the relative error due to half-planes instead of discs."""
     return slip.neglected(a=q.width, R=q.R)
 
 
 @dataclass(frozen=True, kw_only=True)
 class HalfPlanes(FemClaim):
-    """Identity if the error of half planes is below HALF_PLANES, else an approximation."""
+    """Comparison of half-planes with discs.
+
+    It is an identity if the error of half-planes is below HALF_PLANES, else an approximation.
+    """
 
     kind = Kind.IDENTITY
 
@@ -42,14 +45,17 @@ class HalfPlanes(FemClaim):
             bound = neglected(q) + demand / 2  # the least slack of wide contacts
             return (-bound, bound) if neglected(q) <= demand / 4 else None
 
-        source = f"±{slip.MODEL:g} (a/R)², and half of the demand"
+        source = f"±{slip.MODEL:g} (a/R)², and half of the required sensitivity"
         return Approximation(**stated, interval=interval, source=source).rows(context)
 
 
 def l2_margin(
     name: str, formula: Callable[[Any, float], Any], at: float, scale_at: float
 ) -> Callable[[Context], tuple[float, float]]:
-    """Acceptance less the error in L2 against `formula`, over its norm at `scale_at`."""
+    """Function that returns the margin of the L2 error to `L2`, relative to a norm.
+
+    The error is the difference to `formula` at `at`, relative to its norm at `scale_at`.
+    """
 
     def margin(context: Context) -> tuple[float, float]:
         x, found, weight = context.fem[-1].arrays[f"points, {name}"]
@@ -60,16 +66,17 @@ def l2_margin(
 
 
 def two_ways(context: Context) -> Pair:
-    """The loop's area and the work of friction."""
+    """Area of the loop and work of friction [J/m], as a pair."""
     area, work = (context.series(key)[1][-1] for key in ("area", "work"))
     u = context.fem[-1].u_it["area_by_steps"]
     return Pair(area, work, 2 * u, f"difference {area / work - 1:+.2g}")
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:
-    """Order above 1.8 in which straight lines between steps approach the loop's area.
+    """Excess over 1.8 of the order of convergence of the area of the loop, and its uncertainty.
 
-    The difference left after Simpson's rule is scatter of the mesh and counts as uncertainty.
+    The area is computed with straight lines between steps. The difference between work and the
+    area by Simpson's rule is mesh scatter and counts as uncertainty.
     """
     from fem.contact.partial_slip import order_in_steps
 

@@ -1,4 +1,4 @@
-"""Figures of partial slip: sketch, tractions, the loop, energies."""
+"""Figures of partial slip: sketch, tractions, loop, energies."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -21,12 +21,12 @@ FINE = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # x/a of curves, dense a
 
 
 def sketch(q: SlipFormulas) -> Sketch:
-    """Both half discs, their contact not to scale."""
+    """Sketch of both half discs; the contact is not to scale."""
     t = np.linspace(0.0, np.pi, 61)
     lower = np.column_stack([np.cos(t), np.sin(t) - 1])
     wall = 0.1
     return sketches.sketch(
-        "two equal half discs; the lower cut is fixed, the upper one driven along x and y",
+        "two equal half discs; the lower cut is fixed, the upper cut is displaced along x and y",
         shape("modelled", lower * (1, -1)),
         shape("modelled", lower),
         sketches.arrow((0.0, -1.3), (0.0, 1.3), style="axis"),
@@ -34,20 +34,20 @@ def sketch(q: SlipFormulas) -> Sketch:
         sketches.arrow((0.0, 1.55), (0.0, 1.05), "P"),
         sketches.arrow((-1.6, 1.0), (-1.08, 1.0), "Q"),
         sketches.leader((1.5, 0.42), (0.05, 0.0), f"contact, a = {q.shown('a')}"),
-        sketches.leader((1.5, -0.42), (0.02, -0.01), f"sticks to c = {q.shown('c')}"),
+        sketches.leader((1.5, -0.42), (0.02, -0.01), f"stick zone, c = {q.shown('c')}"),
         sketches.leader((-1.5, -0.3), (-0.86, -0.5), f"R = {q.shown('R')}"),
         sketches.room(2.4, 2.6),
     )  # fmt: skip
 
 
 def figures() -> Iterator[AlongLine | Drawn]:
-    """Tractions, growth of the slip strips, the loop of a cycle, energies."""
+    """Figures: tractions, growth of the slip zones, loop of a cycle, energies."""
     yield converged(_first_loading)
     yield AlongLine(
-        title="Stick zone shrinks as Q grows", x=("Q/(μP)", "1"), y=("c/a", "1"),
+        title="Stick half-width over the tangential force", x=("Q/(μP)", "1"), y=("c/a", "1"),
         curve=lambda k: np.sqrt(1 - k), reference="profile, growth", at=GROWTH,
         points=np.linspace(0.0, 1.0, 201), order=1.0, scale=1.0,
-        note="Stick half-width from the moments of the traction.",
+        note="Line: Cattaneo; dots: stick half-width from the moments of the traction.",
     )  # fmt: skip
     yield converged(_cycle)
     yield converged(_loop)
@@ -55,7 +55,7 @@ def figures() -> Iterator[AlongLine | Drawn]:
 
 
 def _first_loading(context: Context) -> Profile:
-    """Tractions for all shares in one line, back and forth: all of them end at zero."""
+    """Figure: tractions of the first loading at all shares of μP, as one line."""
     q = context.inputs
     limit = q.mu * hertz_line.pressure(FINE * q.a, a=q.a, p_0=q.p_0)
     edges = ", ".join(f"±{math.sqrt(1 - k):.3f} a" for k in SHARES)
@@ -64,8 +64,8 @@ def _first_loading(context: Context) -> Profile:
     return _chained(
         context, lines, at, [f"k = {k:g}" for k in SHARES],
         title="Traction under Q/(μP) = 0.2, 0.4, 0.6, 0.8",
-        note=f"The outermost line is μp, where all slips; a traction leaves it at the edge of its "
-        f"stick zone, {edges}.",
+        note=f"The outermost line is μp, the traction in sliding. Each traction leaves this line "
+        f"at the edge of its stick zone, {edges}.",
     )  # fmt: skip
 
 
@@ -77,7 +77,7 @@ def _cycle(context: Context) -> Profile:
         context, lines, at,
         [f"Q/Q_max = {s:g}" for s in stages],
         title="Traction during unloading: Q/Q_max = 1, 0.5, 0, −0.5, −1",
-        note="From the top line down. Reverse slip starts at the edges; at Q = 0 the "
+        note="The lines follow from top to bottom. Reverse slip starts at the edges; at Q = 0, the "
         "traction is not zero.",
     )  # fmt: skip
 
@@ -86,7 +86,7 @@ def _chained(
     context: Context, curves: list[Any], references: list[Any], names: list[str], *, title: str,
     note: str,
 ) -> Profile:  # fmt: skip
-    """Several curves over x/a that all end at zero, drawn as one line."""
+    """Figure of several curves over x/a, which all end at zero, drawn as one line."""
     scale = context.inputs.mu * context.inputs.p_0
     found = [along(context, f"profile, {name}", formal=1.0, scale=scale) for name in names]
 
@@ -101,7 +101,7 @@ def _chained(
         y=chain(curves) / scale, x_fem=x[order], y_fem=y_fem,
         y_ref=np.concatenate(references)[order] / scale,
         u=np.full(x.size, max(u.max() for _, u in found)) / scale, scale=1.0,
-        note=note + " Below: the difference at fixed places, in the band of all meshes.",
+        note=note + " Lower diagram: difference at fixed positions; band: mesh uncertainty.",
     )  # fmt: skip
 
 
@@ -118,12 +118,12 @@ def _loop(context: Context) -> Profile:
     x = np.concatenate([AROUND[::-1], AROUND])
     order = np.argsort(x, kind="stable")
     return Profile(
-        title="Loop of displacement over force", x_label="Q/Q_max", y_label="δ − δ_c [nm]",
+        title="Displacement over the tangential force", x_label="Q/Q_max", y_label="δ − δ_c [nm]",
         x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm, x_fem=x[order],
         y_fem=values[order] / nm, y_ref=beyond(AROUND)[order] / nm, u=u / nm, scale=scale / nm,
         scale_name="δ(0)",
-        note="Displacement beyond the straight line δ_c between both reversals; the upper branch "
-        "is unloading. The area of the loop is the energy lost.",
+        note="Displacement δ less the straight line δ_c between both reversals of Q; the upper "
+        "branch is unloading. The area of the loop is the energy lost in a cycle.",
     )  # fmt: skip
 
 
@@ -136,6 +136,6 @@ def _energies(context: Context) -> Dots:
             ("FE, work of friction", finest["work"] / uJ, None, "fe"),
             ("FE, area of the loop", finest["area"] / uJ, None, "fe"),
         ),
-        note="Friction's work is summed over nodes and steps, the area is taken from forces and "
-        "displacements of the cut.",
+        note="The work of friction is summed over nodes and steps; the area follows from forces "
+        "and displacements of the cut.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Formulas of partial slip (Cattaneo) and of the cycle of an alternating force (Mindlin)."""
+"""Formulas of partial slip (Cattaneo) and of cycles of a tangential force (Mindlin)."""
 
 from typing import Any, Self
 
@@ -27,11 +27,11 @@ class SlipFormulas(SlipInputs):
     def p_0(self) -> float:
         return float(hertz_line.peak_pressure(**self.hertz))
 
-    @Quantity("Q_max", "N/mm", "amplitude of the force", role="step")
+    @Quantity("Q_max", "N/mm", "amplitude of the tangential force", role="step")
     def Q_max(self) -> float:
         return self.share * self.limit
 
-    @Quantity("k", "1", "amplitude over the force at which all slips", role="step",
+    @Quantity("k", "1", "amplitude relative to the sliding force μP", role="step",
               tex=r"\frac{Q_{max}}{\mu P}")  # fmt: skip
     def k(self) -> float:
         return self.share
@@ -46,8 +46,8 @@ class SlipFormulas(SlipInputs):
     def q_1(self) -> float:
         return float(self.first_traction(0.0, self.share))
 
-    @Quantity("δ(Q_max)", "nm", "displacement by slip at Q_max", role="step",
-              source="Cattaneo; beyond a contact that sticks whole",
+    @Quantity("δ(Q_max)", "nm", "displacement due to slip at Q_max", role="step",
+              source="Cattaneo; in addition to the displacement with full stick",
               tex=r"\frac{\mu P}{\pi E*} (k + (1 - k) \ln\left(1 - k\right))")  # fmt: skip
     def delta(self) -> float:
         return float(partial_slip.rigid_displacement_beyond_stick(Q=self.Q_max, **self.moved))
@@ -57,12 +57,12 @@ class SlipFormulas(SlipInputs):
         return self.delta - self.share / CHORD * self.at_share(CHORD).delta
 
     q_0 = Quantity(
-        "q(0)", "MPa", "traction in the middle when Q has gone back to 0", source=MINDLIN,
+        "q(0)", "MPa", "traction in the middle at Q = 0 in unloading", source=MINDLIN,
         tex=r"q_1(x, Q_{max}) - 2\,q_1\left(x, \frac{Q_{max} - Q}{2}\right)"
         r" = \mu p_0 (2 \sqrt{1 - \frac{k}{2}} - 1 - \frac{c}{a})",
     ).reads(lambda q: q.cycle_traction(0.0, 0.0))  # fmt: skip
 
-    @Quantity("δ(0)", "nm", "displacement left when Q has gone back to 0", source=MINDLIN,
+    @Quantity("δ(0)", "nm", "residual displacement at Q = 0 in unloading", source=MINDLIN,
               tex=r"\delta(Q_{max}) - 2 \frac{\mu P}{\pi E*} "
               r"(\frac{k}{2} + (1 - \frac{k}{2}) \ln\left(1 - \frac{k}{2}\right))")  # fmt: skip
     def delta_0(self) -> float:
@@ -78,7 +78,7 @@ class SlipFormulas(SlipInputs):
 
     @property
     def limit(self) -> float:
-        """Force at which all slips [N/m]."""
+        """Tangential force per length at which the whole contact slides, μP [N/m]."""
         return self.mu * self.P
 
     @property
@@ -92,15 +92,15 @@ class SlipFormulas(SlipInputs):
         return {**self.loads, "E_star": self.E_star}
 
     def at_share(self, k: float) -> Self:
-        """These rollers under Q_max = k mu P."""
+        """The rollers under Q_max = k mu P."""
         return self.model_copy(update={"share": k})
 
     def first_traction(self, x: Any, k: float) -> Any:
-        """Cattaneo's traction [Pa] at x under Q = k mu P."""
+        """Cattaneo's traction [Pa] at x [m] under Q = k mu P."""
         return partial_slip.traction(x, Q=k * self.mu * self.P, a=self.a, **self.loads)
 
     def cycle_traction(self, x: Any, stage: float) -> Any:
-        """Mindlin's traction [Pa] at x during unloading, at Q = `stage` Q_max."""
+        """Mindlin's traction [Pa] at x [m] during unloading, at Q = `stage` Q_max."""
         Q_max = self.share * self.mu * self.P
         return tangential_cycle.traction(
             x, Q=stage * Q_max, Q_max=Q_max, a=self.a, branch="unloading", **self.loads

@@ -14,12 +14,12 @@ STAGES = (0.5, 0.0, -0.5, -1.0)  # Q/Q_max of the unloading's rows
 
 
 def key(k: float) -> str:
-    """Suffix of the names of numbers at Q/(mu P) = `k`: k in hundredths."""
+    """Suffix of keys of results at Q/(mu P) = `k`, in hundredths: "k20" for 0.2."""
     return f"k{round(100 * k)}"
 
 
 class SlipInputs(Case):
-    """Two equal rollers, pressed together and then pushed sideways."""
+    """Two equal rollers under a normal force and an alternating tangential force."""
 
     R: float = given(
         "4.02 mm", "mm", "R", "radius of both rollers", gt=1e-3, le=1e5,
@@ -28,7 +28,7 @@ class SlipInputs(Case):
     P: float = given("70 N/mm", "N/mm", "P", "normal load per length", gt=0, le=1e6)
     mu: float = given(0.1, "1", "μ", "coefficient of friction", ge=1e-3, le=1)
     share: float = given(
-        0.6, "1", "Q/(μP)", "amplitude of the tangential load in a cycle; --fem: 0.5 to 0.9",
+        0.6, "1", "Q/(μP)", "amplitude of tangential force over μP; --fem: 0.5 to 0.9",
         gt=0, lt=1,
     )  # fmt: skip
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
@@ -42,14 +42,14 @@ class SlipInputs(Case):
     def _line_contact(self) -> Self:
         if self.width > WIDEST * self.R:
             raise ValueError(
-                f"a line contact needs a/R of at most {WIDEST:g}, got a/R = "
+                f"a line contact requires a/R of at most {WIDEST:g}, got a/R = "
                 f"{self.width / self.R:.3g} with P = {self.P / 1e3:g} N/mm, R = {self.R * 1e3:g} mm"
             )
         return self
 
     @property
     def hertz(self) -> dict[str, Any]:
-        """Arguments of Hertz's formulas: P, R of the pair, E_star in plane strain."""
+        """Arguments of Hertz's formulas: P, relative radius R, E_star in plane strain."""
         E_star = hertz_line.contact_modulus(
             E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )
@@ -58,5 +58,5 @@ class SlipInputs(Case):
 
     @property
     def width(self) -> float:
-        """Hertz's half-width [m]: the size of the finest cells, too."""
+        """Hertz's half-width [m], which also sets the size of the finest cells."""
         return float(hertz_line.half_width(**self.hertz))

@@ -1,4 +1,4 @@
-"""Finite elements of partial slip: two half discs pressed together, pushed, and swung."""
+"""Finite-element model of partial slip: two half discs under P and an alternating Q."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -28,7 +28,7 @@ VIEW = 3.0  # half-widths about the contact whose cells are stored
 
 
 def solve(q: SlipInputs, level: int) -> Level:
-    """One level: the first loading and a cycle."""
+    """Results of the first loading and of a cycle on the mesh of `level`."""
     from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
@@ -62,7 +62,7 @@ def solve(q: SlipInputs, level: int) -> Level:
 def loading(
     q: SlipInputs, rollers: "DrivenDiscs"
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array]]:
-    """First loading: stick half-widths, displacements, tractions; sliding at its end."""
+    """Values, iteration errors and tractions of the first loading, which ends with sliding."""
     from fem.contact.slip_course import push
 
     state, cut = rollers.pressed
@@ -90,7 +90,7 @@ def loading(
 def cycle(
     q: SlipInputs, rollers: "DrivenDiscs"
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array], tuple[Field, ...]]:
-    """Q_max, -Q_max, Q_max: tractions in between, work of friction, area of the loop."""
+    """Values, iteration errors, tractions and fields of the cycle Q_max, -Q_max, Q_max."""
     from fem.contact.partial_slip import apart, beyond_chord, loop_area, smoothed
     from fem.contact.slip_course import swing
 
@@ -125,7 +125,7 @@ def cycle(
 
 
 def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Array]:
-    """Tangential traction at integration points, with their weights, and at `ACROSS`."""
+    """Tangential tractions [Pa] at integration points with weights, and at x/a `ACROSS`."""
     touch = state.touches[0]
     order = np.argsort(touch.x[0])
     loaded = touch.p > 0
@@ -136,7 +136,7 @@ def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Ar
 
 
 def near(q: SlipInputs, whole: Mapping[str, Array]) -> Field:
-    """The cells about the contact, with their largest shear stress."""
+    """Field of the cells near the contact: stresses and maximum shear stress [Pa]."""
     from fem.plane.cell_fields import at_nodes, cut_out, largest_shear
 
     cells = cut_out(whole, lambda centre: np.asarray(np.abs(centre).max(axis=1) <= VIEW * q.width))

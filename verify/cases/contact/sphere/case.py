@@ -1,4 +1,4 @@
-"""Point contact: a sphere on a rigid flat and on another sphere; errors of Hertz's theory."""
+"""Case of a sphere on a rigid flat and on another sphere: errors of Hertz's theory."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -22,50 +22,49 @@ from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.form.figures import AlongLine, Drawn
 
-ORDER = "first correction for finite spheres ± (a/R)² of the smaller one, 2e-4 at least"
+ORDER = "first correction for finite spheres ± (a/R)² of the smaller sphere, at least 2e-4"
 SURFACE = (
-    "± a/R: against the curved surface the pressure tilts by r/R, which changes the stress on the "
-    "axis by that share of p_0"
+    "± a/R: the pressure on the curved surface is inclined by r/R, which changes the stress on the "
+    "axis by up to a/R of p_0"
 )
 LEAST, BLUNT = 2e-4, 5e-3  # least slack, of Hertz and of his shear stress
-SHARP = "design limit for contact figures"
-FIRST_ORDER = 0.04, "an estimate of first order in a/R"
-DIRECT = "direct solve: machine epsilon times the condition of K, with cells from a/50 to R"
+SHARP = "accepted error of the contact models"
+FIRST_ORDER = 0.04, "the expected error is an estimate of first order in a/R"
+DIRECT = "direct solution: machine epsilon times the condition number, with cells from a/50 to R"
 
 
 class Spheres(SphereFormulas):
-    """Hertz replaces each sphere by a half space with a paraboloid on it.
+    """Hertz's theory replaces each sphere by a half-space with a paraboloid on it.
 
-    Against whole spheres, pressed from both sides, his radius and pressure err by a share of a/R
-    that the logarithm in the solution of a sphere predicts, his approach by the finite distance to
-    its middle.
+    The reference consists of whole spheres that are pressed from both sides. The error of Hertz's
+    radius and pressure is proportional to a/R and follows from the logarithmic term in the solution
+    of a sphere. The error of the approach is due to the finite distance to the equator.
     """
 
     id = "contact-sphere"
-    title = "Sphere on a flat and on another sphere"
+    title = "Sphere on a rigid flat and on another sphere"
     source = "huang2018"
-    place = "Eqs. 2-5, the contact behind them (Hertz); Table 1, radii of sprag and race"
+    place = "Eqs. 2-5, based on Hertz's contact; Table 1, radii of sprag and race"
     levels: ClassVar = (2, 4, 8)
     scans: ClassVar = (Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),)
     readings: ClassVar = (
-        "R_1 and R_2 are radii of the spheres; the relative one enters Hertz's formulas",
-        "E/(1 − ν²) of each body: around a point no direction is free of strain",
-        "the approach is that of the planes half-way to the opposite contact, not of points at "
-        "infinity",
+        "R_1 and R_2 are radii of the spheres; Hertz's formulas use the relative radius R",
+        "the modulus of each body is E/(1 − ν²), as in Hertz's theory of point contact",
+        "δ is the approach of the equatorial planes of the spheres, not of points at infinity",
     )
     assumptions: ClassVar = (
         "no friction, small strain",
-        "load and second material are assumed; the radii are those of the paper's sprag and inner "
-        "race, as if they were balls",
-        "every sphere is pressed by the same load from the opposite side",
+        "load and second material are assumed; the spheres have the radii of the sprag and the "
+        "inner race of the paper",
+        "each sphere carries the same load on its opposite side",
     )
 
     def reference(self, level: int) -> Level:
-        """Quarter discs turned about the axis, on a rigid flat and on each other."""
+        """Results of the axisymmetric upper sphere, on a rigid flat and on the lower sphere."""
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz on a flat and on a sphere; balances of the spheres."""
+        """Rows: errors of Hertz's theory on a flat and on a sphere; balances of the spheres."""
         for pair in PAIRS:
             at = self if pair == self.pair else self.of(pair)
             state = State(at, END[pair].lstrip("_"), WORDS[pair])
@@ -85,7 +84,7 @@ class Spheres(SphereFormulas):
                               of={"load": self.P}, bound=1e-7, because=DIRECT)  # fmt: skip
 
     def against_hertz(self, state: State) -> Iterator[Comparison]:
-        """Radius, pressure, approach and force of this contact."""
+        """Rows: contact radius, pressure, approach and force of this contact against Hertz."""
         finite, by = self.finite, Spheres
         kinds: tuple[tuple[Quantity, str, float, float, float], ...] = (
             (by.a, "contact radius", finite.a_excess, 1e-3, 2),
@@ -113,43 +112,43 @@ class Spheres(SphereFormulas):
             yield drawn.errors(at)
 
     def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact of both spheres."""
+        """Pictures of stresses near the contact of both spheres."""
         yield from drawn.pictures(self.width)
 
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """The approach must exceed the round-off of the larger sphere's coordinates."""
+        """Reason for not solving very small approaches, because of round-off; "" if none."""
         ratio = max(self.R_1, self.R_2) / (self.width**2 / self.hertz["R"])
         if ratio <= 1e9:
             return ""
         return (
-            f"an approach of R/{ratio:.1g} is lost in the round-off of the larger sphere's "
-            "coordinates: check without --fem"
+            f"an approach of R/{ratio:.1g} is too small against the round-off of the coordinates "
+            "of the larger sphere: run `check` without --fem"
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the contact is wide or a body yields."""
+        """Warnings if the contact is wide or a body exceeds its yield strength."""
         for pair in PAIRS:
             at: Any = self.of(pair)
             wide, where = at.beyond**0.5, WORDS[pair]
             if wide > 0.05:
                 yield (
-                    f"a/R = {wide:.2g} {where}: Hertz's approach is off by about "
-                    f"{at.approach / at.approach_finite - 1:.1%}, his pressure by "
+                    f"a/R = {wide:.2g} {where}: error of Hertz's approach about "
+                    f"{at.approach / at.approach_finite - 1:.1%}, of Hertz's pressure about "
                     f"{at.p_0 / at.p_0_finite - 1:.1%}"
                 )
             shear = max(at.shear_of(body)[0] for body in BODIES[pair])
             if self.R_p is not None and shear > self.R_p / 2:
                 yield (
                     f"shear stress {shear / 1e6:.4g} MPa {where} exceeds R_p/2 = "
-                    f"{self.R_p / 2e6:.4g} MPa: it yields below the surface (Tresca)"
+                    f"{self.R_p / 2e6:.4g} MPa: the body yields below the surface (Tresca)"
                 )
             softest = self.E_1 if pair == "flat" else min(self.E_1, self.E_2)
             if self.R_p is None and at.p_0 > 0.02 * softest:
                 yield (
                     f"p_0 = {at.p_0 / 1e6:.4g} MPa {where} is {at.p_0 / softest:.1%} of E: "
-                    "hardened steel yields before; give R_p"
+                    "hardened steel yields below 2 %; enter R_p"
                 )
 
 

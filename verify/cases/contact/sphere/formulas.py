@@ -11,7 +11,7 @@ FINITE = "first correction for finite spheres"
 
 
 class SphereFormulas(SphereInputs):
-    """Hertz's contact of two spheres; on a rigid flat the lower one is neither round nor soft."""
+    """Hertz's contact of two spheres; a rigid flat is a sphere with infinite R_2 and E_2."""
 
     E_star = Quantity(
         "E*", "GPa", "contact modulus", role="step", source=HERTZ,
@@ -43,14 +43,14 @@ class SphereFormulas(SphereInputs):
 
     tau_upper = Quantity("τ_1", "MPa", "largest shear stress in the upper body", source=HERTZ,
                          safe="too high").reads(lambda q: q.shear_of("upper")[0])  # fmt: skip
-    z_upper = Quantity("z_1", "mm", "its depth", source=HERTZ,
+    z_upper = Quantity("z_1", "mm", "depth of τ_1", source=HERTZ,
                        role="step").reads(lambda q: q.shear_of("upper")[1])  # fmt: skip
     tau_lower = Quantity("τ_2", "MPa", "largest shear stress in the lower body", source=HERTZ,
                          safe="too high").reads(lambda q: q.shear_of("lower")[0])  # fmt: skip
-    z_lower = Quantity("z_2", "mm", "its depth", source=HERTZ,
+    z_lower = Quantity("z_2", "mm", "depth of τ_2", source=HERTZ,
                        role="step").reads(lambda q: q.shear_of("lower")[1])  # fmt: skip
 
-    @Quantity("ε", "1", "strength of the logarithm of the spheres", source=FINITE, role="step",
+    @Quantity("ε", "1", "factor of the logarithmic term, spheres", source=FINITE, role="step",
               tex=r"a E* \left(\frac{(1 - 2 \nu_1)^2 (1 - \nu_1^2)}{2 (1 - \nu_1) E_1 R_1}"
               r" + \frac{(1 - 2 \nu_2)^2 (1 - \nu_2^2)}{2 (1 - \nu_2) E_2 R_2}\right)")  # fmt: skip
     def epsilon(self) -> float:
@@ -65,21 +65,22 @@ class SphereFormulas(SphereInputs):
         tex=r"p_0 (1 - \frac{\pi \varepsilon}{8})",
     ).reads(lambda q: q.finite.p_0)  # fmt: skip
     approach_finite = Quantity(
-        "δ_f", "µm", "approach of the equators of finite spheres", source=FINITE, role="step",
+        "δ_f", "µm", "approach of the equatorial planes, finite spheres",
+        source=FINITE, role="step",
     ).reads(lambda q: q.finite.approach)  # fmt: skip
 
     @shared
     def finite(self) -> sphere_series.PressedSpheres:
-        """Finite spheres under the load, to first order."""
+        """Finite spheres under the load, corrected to first order in a/R."""
         return sphere_series.pressed_spheres(*self.spheres, P=self.P)
 
     @property
     def force_excess(self) -> float:
-        """Relative excess of the load that moves finite spheres by Hertz's approach."""
+        """Relative error of Hertz's load at Hertz's approach, to first order."""
         return sphere_series.load_excess(*self.spheres, P=self.P)
 
     def shear_of(self, body: str) -> tuple[float, float]:
-        """Largest shear stress on the axis of a body [Pa] and its depth [m]."""
+        """Largest shear stress [Pa] on the axis of `body`, and its depth [m]."""
         sphere = self.spheres[body == "lower"]
         shear, depth = hertz_point.largest_shear_stress(a=self.a, p_0=self.p_0, nu=sphere.nu)
         return float(shear), float(depth)

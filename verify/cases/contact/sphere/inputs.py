@@ -1,4 +1,4 @@
-"""Inputs of two spheres in point contact, and values that both sides derive from them."""
+"""Inputs of two spheres in point contact, and values that formulas and reference share."""
 
 from typing import Any, ClassVar, Literal, Self
 
@@ -17,7 +17,7 @@ WIDEST = 0.15  # a over the smaller radius
 
 
 class SphereInputs(Case):
-    """A sphere on a rigid flat and on another sphere, each pressed from both sides."""
+    """Inputs of a sphere on a rigid flat and on another sphere, pressed from both sides."""
 
     pair: ClassVar[Pair] = "sphere"  # of the quantities
 
@@ -30,10 +30,10 @@ class SphereInputs(Case):
         claims="huang2018:table1-r-i",
     )  # fmt: skip
     P: float = given("16 N", "N", "P", "load", gt=0, le=1e12)
-    E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, upper", gt=0, le=1e5)
-    nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, upper", ge=0, le=0.45)
-    E_2: float = given("110 GPa", "GPa", "E_2", "Young's modulus, lower", gt=0, le=1e5)
-    nu_2: float = given(0.34, "1", "ν_2", "Poisson's ratio, lower", ge=0, le=0.45)
+    E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, upper sphere", gt=0, le=1e5)
+    nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, upper sphere", ge=0, le=0.45)
+    E_2: float = given("110 GPa", "GPa", "E_2", "Young's modulus, lower sphere", gt=0, le=1e5)
+    nu_2: float = given(0.34, "1", "ν_2", "Poisson's ratio, lower sphere", ge=0, le=0.45)
     R_p: float | None = given(
         None, "MPa", "R_p", "yield strength of the weaker body, for the warning", omitted=None,
         gt=0, example="1200 MPa",
@@ -44,30 +44,30 @@ class SphereInputs(Case):
         least, most = sorted((self.R_1, self.R_2))
         if most > 1e3 * least:
             raise ValueError(
-                f"radii may differ by a factor of 1000, got R_1 = {self.R_1 * 1e3:g} mm, "
-                f"R_2 = {self.R_2 * 1e3:g} mm: take the larger one as flat"
+                f"R_1 and R_2 must not differ by more than a factor of 1000, got R_1 = "
+                f"{self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm: use the rows for a flat"
             )
         if not 1e-3 <= self.E_1 / self.E_2 <= 1e3:
             raise ValueError(
-                f"moduli may differ by a factor of 1000, got E_1 = {self.E_1 / 1e9:g} GPa, "
-                f"E_2 = {self.E_2 / 1e9:g} GPa: take the stiffer body as rigid"
+                f"E_1 and E_2 must not differ by more than a factor of 1000, got E_1 = "
+                f"{self.E_1 / 1e9:g} GPa, E_2 = {self.E_2 / 1e9:g} GPa: use the rows for a flat"
             )
         for pair in PAIRS:
             wide = self.of(pair).width / (self.R_1 if pair == "flat" else least)
             if not 1e-5 <= wide <= WIDEST:
                 raise ValueError(
-                    f"a point contact needs a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} "
+                    f"a point contact requires a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} "
                     f"{WORDS[pair]} with P = {self.P:g} N"
                 )
         return self
 
     def of(self, pair: Pair) -> Self:
-        """These inputs for one of the two contacts."""
+        """The inputs for the contact `pair`: on a flat or on a sphere."""
         return self.variant(pair=pair)
 
     @property
     def spheres(self) -> tuple[Sphere, Sphere]:
-        """Upper and lower body."""
+        """Upper and lower body, as spheres; a flat has infinite radius and modulus."""
         one = Sphere(R=self.R_1, E=self.E_1, nu=self.nu_1)
         if self.pair == "flat":
             return one, Sphere(R=float("inf"), E=float("inf"), nu=0.0)
@@ -85,11 +85,11 @@ class SphereInputs(Case):
 
     @property
     def width(self) -> float:
-        """Hertz's contact radius [m]: the size of the finest cells, too."""
+        """Hertz's contact radius [m], which also sets the size of the finest cells."""
         return float(hertz_point.radius(**self.hertz))
 
     @property
     def beyond(self) -> float:
-        """(a/R)² of the smaller sphere: the most that the first correction to Hertz neglects."""
+        """(a/R)² of the smaller sphere: bound of the terms that the first correction neglects."""
         least = self.R_1 if self.pair == "flat" else min(self.R_1, self.R_2)
         return (self.width / least) ** 2

@@ -1,4 +1,4 @@
-"""Finite elements of spheres: quarter discs turned about the axis, their cuts driven along it."""
+"""Finite-element model of spheres: axisymmetric hemispheres with displaced equators."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,7 @@ VIEW = 4.0  # half-widths about the contact whose cells are stored
 
 
 def solve(q: SphereInputs, level: int) -> Level:
-    """One level of both contacts."""
+    """Results of both contacts on the mesh of `level`."""
     from fem.contact.point_contact import HIT
 
     values: dict[str, float] = {}
@@ -45,7 +45,7 @@ def solve(q: SphereInputs, level: int) -> Level:
 def solve_pair(
     q: SphereInputs, level: int
 ) -> tuple[dict[str, float], dict[str, Any], "ContactSolution"]:
-    """Numbers of one contact by the names of the quantities, profiles, and the state."""
+    """Values of one contact by names of quantities, profiles, and the contact solution."""
     from fem.contact.point_contact import (
         at_load,
         axis_stresses,
@@ -79,7 +79,10 @@ def solve_pair(
 
 
 def problem(q: SphereInputs, level: int) -> "ContactProblem":
-    """The upper sphere with its equator driven along y, on a rigid flat or on the lower sphere."""
+    """Problem of the upper sphere on a rigid flat or on the lower sphere.
+
+    The equator of the upper sphere is displaced along y.
+    """
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle, Flat
@@ -105,7 +108,7 @@ def problem(q: SphereInputs, level: int) -> "ContactProblem":
 
 
 def near(state: "ContactSolution", name: str, reach: float) -> Field:
-    """The cells about the contact."""
+    """Field of the cells near the contact, with stresses [Pa]."""
     from fem.plane.cell_fields import cut_out
 
     cells = cut_out(state.plane.cells(), lambda centre: np.hypot(*centre.T) < reach)

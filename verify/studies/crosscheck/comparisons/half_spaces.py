@@ -26,7 +26,7 @@ CELLS, REACH = 128, 1.3  # of a sphere's grid, across and over the contact's rad
 TOLERANCE, LIMIT = 1e-12, 20_000  # of tamaas
 ALIKE = 1e-6
 AT_MIDDLE, TOP = "pressure at mid-length", "largest pressure outside the end zones d"
-END = "pressure of the mean load within d, strips within 3%"
+END = "Hertz's pressure of the mean line load in the more loaded end zone: strips agree within 3%"
 READ = {"mid": "p_mid", "peak": "p_max", "end pressure": "p_d", "q mid": "q_mid",
         "largest": "p_largest"}  # fmt: skip
 GRID = "the same cells and Love's influence; both stop at a tolerance"
