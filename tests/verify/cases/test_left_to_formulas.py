@@ -11,7 +11,7 @@ NANOMETRE = {"delta": "1 nm", "E_o": "2 GPa", "p_i": "0 MPa", "p_o": "0 MPa"}
 LEFT = [
     ("ring-loads-outer", {"r_o": "300 mm"}, "r_o/r_i"),
     ("ring-loads-outer", {"n": 250, "F": "1 kN", "R": "1 mm"}, "n = 250"),
-    ("ring-loads-outer", {"F": "0.05 N"}, "digits"),
+    ("ring-loads-outer", {"F": "0.05 N"}, "because of round-off"),
     ("polyhedral-locking", {"p_t": "20.5 MPa"}, "the ring reaches them at 20.26 MPa"),
     ("polyhedral-locking", {"p_t": "22.2 MPa"}, "strain at 22.27 MPa, and is compared above 22.27"),
     ("polyhedral-clutch", {"mu": 0.6}, "pressure does not limit the torque"),

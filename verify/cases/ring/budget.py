@@ -1,4 +1,4 @@
-"""Error budgets of races: discrete loads and the plane assumption."""
+"""Causes of error in formulas of races: discrete loads and plane assumption."""
 
 import math
 from collections.abc import Mapping
@@ -10,11 +10,11 @@ from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 
 CLOSER = 4  # times as many loads
-WAVE = "loads as their mean and first wave, one a pitch, not on patches: no indentations"
+WAVE = "mean load and its first harmonic per pitch, instead of patches: no indentation"
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
-    """The race with its loads replaced by a uniform pressure on the loaded wall."""
+    """Values of the race with a uniform pressure on the loaded wall instead of single loads."""
     p = q.n * q.P / (2 * math.pi * q.radius)
     ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)
@@ -23,7 +23,7 @@ def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
 
 
 def fem_wave(q: LoadsInputs, level: int) -> FemResult:
-    """The race under the mean of its loads and their first harmonic per pitch, without patches."""
+    """Values of the race under the mean load and its first harmonic per pitch."""
     import numpy as np
 
     from fem.plane.material import Elastic
@@ -47,7 +47,7 @@ def fem_wave(q: LoadsInputs, level: int) -> FemResult:
 
 
 def closer(q: Any) -> Any:
-    """The total load on more sprags."""
+    """The inputs `q` with four times as many sprags under an equal total load."""
     return q.model_copy(update={"n": CLOSER * q.n, "F": q.F / CLOSER})
 
 
@@ -58,11 +58,11 @@ LOADS = Statement(
             fem=fem_wave,
         ),
         Rerun(
-            cause=Cause.GEOMETRY, what="and spread evenly over the wall: no waves",
+            cause=Cause.GEOMETRY, what="in addition, uniform pressure on the wall: no harmonics",
             rows=("Eq. 6 at a load", "Eq. 6 between loads"), fem=fem_smeared, after=WAVE,
         ),
         Rerun(
-            cause=Cause.GEOMETRY, what="four times as many sprags, each with a quarter of the load",
+            cause=Cause.GEOMETRY, what="number of sprags × 4, load of each sprag / 4",
             rows=("Eq. 6 *indentation*",), inputs=closer,
         ),
         Rerun(
@@ -71,8 +71,8 @@ LOADS = Statement(
         ),
     ),
     left=(
-        Left(("Eq. 6 *indentation*",), "the half plane's indentation ends at a depth that is "
-             "chosen, which no body has that could be rerun"),
+        Left(("Eq. 6 *indentation*",), "the indentation of the half-plane ends at an assumed "
+             "depth; no body corresponds to this model"),
     ),
     finer=20, headline="Eq. 6 at a load",
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Common parts of rings with two plain walls: rules of their inputs, profiles, sketch."""
+"""Common parts of circular rings: limits of inputs, finite elements, profiles, sketch."""
 
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 
 ACROSS = 13  # stations over the wall
 ASKEW = 30.0  # degrees: their direction, on no line of the mesh's symmetry
-FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
+FAST = 1e-3, "smooth fields on curved quadratic cells: errors far below 1 % without extra cost"
 SQUARED: dict[str, Any] = {
     "demand": 0.025,
-    "demand_reason": "4 within 0.1: twice the energy norm's order 2",
+    "demand_reason": "order 4 within 0.1: twice the order 2 of the energy norm",
 }
 PROFILE_NOTE = (
-    "Points on a radius at 30°; below, the difference from the formula in the band of the "
-    "profile's tolerance."
+    "Dots: finite elements on a radius at 30°. Lower diagram: difference to the formula; band: "
+    "tolerance of the profile."
 )
 
 
 def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) -> None:
-    """ValueError if two radii form no ring, or its wall is a shell."""
+    """Raise ValueError if the radii [m] form no ring, or if the wall is thinner than r_o/1000."""
     if not r_i < r_o:
         raise ValueError(
             f"a ring needs {names[0]} < {names[1]}, got r_i = {r_i * 1e3:g} mm, "
@@ -35,8 +35,8 @@ def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) 
         )
     if r_o - r_i < 1e-3 * r_o:
         raise ValueError(
-            f"a wall of {(r_o - r_i) * 1e3:g} mm is below a thousandth of r_o = "
-            f"{r_o * 1e3:g} mm: a shell, not a thick ring"
+            f"a wall of {(r_o - r_i) * 1e3:g} mm is thinner than 1/1000 of r_o = "
+            f"{r_o * 1e3:g} mm, the limit of a thick ring"
         )
 
 
@@ -44,7 +44,7 @@ def quarter_fem(
     q: Any, r_i: float, r_o: float, assumption: "Assumption", refine: int, *,
     straight: bool = False, **loads: Any,
 ) -> "PlaneSolution":  # fmt: skip
-    """A quarter of a ring of the material of `q`, symmetric on both cuts, under `loads`."""
+    """Solution of a quarter of a ring of the material of `q`, symmetric on both cuts."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring
@@ -57,12 +57,12 @@ def quarter_fem(
 
 
 def stations(q: Any) -> Array:
-    """Radii (m,) of the profiles [m], both walls included."""
+    """Radii [m] of the profiles, from bore to rim, shape (m,)."""
     return np.linspace(q.r_i, q.r_o, ACROSS)
 
 
 def across(q: Any, solution: Any) -> Iterator[tuple[str, Array]]:
-    """Radial displacement [m], radial and hoop stress [Pa] at the stations, by name."""
+    """Pairs of name and values: radial displacement [m], radial and hoop stress [Pa]."""
     found = solution.at(np.outer(polar(1.0, ASKEW), stations(q))).polar()
     for name, values in zip(("displacement", "radial_stress", "hoop_stress"), found, strict=False):
         yield f"profile_{name}", values
@@ -71,7 +71,10 @@ def across(q: Any, solution: Any) -> Iterator[tuple[str, Array]]:
 def profiles(
     q: Any, assumption: str, stresses: Any, displacement: Any, *, stress: float, moved: float
 ) -> Iterator[AlongLine]:
-    """Stresses and displacement across the wall, over the scales `stress` and `moved` [SI]."""
+    """Figures: stresses and displacement across the wall.
+
+    Tolerances are relative to the scales `stress` [Pa] and `moved` [m].
+    """
     shared: dict[str, Any] = {"x": ("r", "mm"), "at": stations(q), "note": PROFILE_NOTE}
     ends = f"across the wall, {assumption}"
     yield AlongLine(title=f"Hoop stress {ends}", y=("σ_θ", "MPa"), order=2.0, scale=stress,
@@ -85,7 +88,7 @@ def profiles(
 
 
 def quarter(inner: float) -> Iterator[Shape]:
-    """Ring of outer radius 1, the quarter of the finite-element model, and both axes."""
+    """Shapes of a ring with outer radius 1, the modelled quarter, and both axes."""
     yield from sketches.ring(inner, 1.0)
     arcs = [polar(1.0, d) for d in np.linspace(0, 90, 73)]
     arcs += [polar(inner, d) for d in np.linspace(90, 0, 73)]
@@ -96,6 +99,6 @@ def quarter(inner: float) -> Iterator[Shape]:
 
 
 def radii(labels: Iterable[tuple[str, float, float]]) -> Iterator[Shape]:
-    """Leaders to circles: label, angle in degrees, radius."""
+    """Leaders to circles; each label is (text, angle [deg], radius)."""
     for label, degrees, at in labels:
         yield sketches.leader(polar(1.32, degrees), polar(at, degrees), label)

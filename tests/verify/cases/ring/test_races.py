@@ -27,7 +27,7 @@ READINGS = [
     pytest.param(OUTER, hertz_line, "relative_radius", given(R_2=lambda k: -k["R_2"]), AT_LOAD,
                  id="the race's curvature has the other sign"),
     pytest.param(OUTER, SpragLoads, "race", race(n=lambda q: q.n // 2, P=lambda q: 2 * q.P),
-                 "ripple over the mean", id="N and the force of two sprags each"),
+                 "ripple of the deflection over its mean", id="N and the force of two sprags each"),
     pytest.param(OUTER, loaded_race, "share", lambda f: lambda x: 1.0 + 0 * f(x),
                  "hoop force in the cut between loads", id="a point force for the ellipse"),
     pytest.param(MAP, fourier_ring, "_wall_tractions", lambda f: lambda *a: 1.01 * f(*a),

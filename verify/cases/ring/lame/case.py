@@ -1,4 +1,4 @@
-"""Thick rings: the races of a clutch under uniform pressure (Lamé)."""
+"""Case of a thick ring: race of a clutch under uniform pressure (Lamé)."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal, Self
@@ -29,22 +29,23 @@ from verify.form.adapter import adapted
 from verify.form.sketches import polar
 from verify.judging.checks import Order
 
-DIRECT = "direct solve: machine epsilon times the condition of K (below 1e7)"
+DIRECT = "direct solution: machine epsilon times the condition number (below 1e7)"
 Ends = Literal["plane stress", "plane strain"]
 ENDS: tuple[Ends, ...] = ("plane stress", "plane strain")
 AROUND = np.linspace(22.5, 337.5, 8)  # degrees: arrows of the sketch
 
 
 class Ring(Case):
-    """Lamé's ring is the structural part of every race in these papers.
+    """Lamé's ring is the structural model of every race in the papers.
 
-    Formula and finite elements solve the same problem here: the difference is discretisation error.
+    Formula and finite elements solve the same problem: their difference is the discretisation
+    error.
     """
 
     id = "ring-lame"
     title = "Thick ring under uniform pressure"
     source = "huang2018"
-    place = "Eq. 6, the formula behind it"
+    place = "Eq. 6, based on Lamé's formulas"
     levels: ClassVar = (2, 4, 8, 16)
     ends: ClassVar[Ends] = "plane stress"  # ends for the quantities below
     scans: ClassVar = (
@@ -54,14 +55,14 @@ class Ring(Case):
         ),
     )
     readings: ClassVar = (
-        "pressures push on the wall: positive p_i opens the bore, positive p_o closes the rim",
-        "the race is taken once as a thin ring (plane stress) and once as a long one (plane "
-        "strain): the stresses in the plane are the same, displacements and energy are not",
+        "positive pressures act towards the wall: p_i widens the bore, p_o compresses the rim",
+        "the race is computed as a thin ring (plane stress) and as a long ring (plane strain): "
+        "in-plane stresses are equal, displacements and energies differ",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
-        "pressure uniform around and along the ring",
-        "a quarter with symmetry on both cuts",
+        "the pressure is uniform around and along the ring",
+        "a quarter is modelled, with symmetry on both cuts",
     )
 
     r_i: float = given(
@@ -83,16 +84,17 @@ class Ring(Case):
     def _wall(self) -> Self:
         walls.check_wall(self.r_i, self.r_o)
         if self.p_i == self.p_o == 0:
-            raise ValueError("p_i and p_o are both 0 MPa: there is no load")
+            raise ValueError("p_i or p_o must differ from 0 MPa: the ring has no load")
         return self
 
     @Quantity("A", "MPa", "mean of radial and hoop stress", role="step",
-              source="Lamé; behind Eq. 6",
+              source="Lamé; basis of Eq. 6",
               tex=r"\frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}")  # fmt: skip
     def A(self) -> float:
         return sum(float(s[1]) for s in self._stresses) / 2
 
-    @Quantity("B", "N", "half their difference, times r²", role="step", source="Lamé; behind Eq. 6",
+    @Quantity("B", "N", "(σ_θ − σ_r) r²/2, equal at all r", role="step",
+              source="Lamé; basis of Eq. 6",
               tex=r"\frac{(p_i - p_o) r_i^2 r_o^2}{r_o^2 - r_i^2}")  # fmt: skip
     def B(self) -> float:
         radial, hoop = self._stresses
@@ -141,7 +143,7 @@ class Ring(Case):
 
     @property
     def _stresses(self) -> tuple[lame.Array, lame.Array]:
-        """Radial and hoop stresses (3,) [Pa] at bore, middle and rim."""
+        """Radial and hoop stresses [Pa] at bore, mid-wall and rim, each of shape (3,)."""
         return lame.stresses([self.r_i, (self.r_i + self.r_o) / 2, self.r_o], **self._loads)
 
     def _displacement(self, r: float) -> float:
@@ -153,13 +155,13 @@ class Ring(Case):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Quarters in plane stress and plane strain, and a quarter with straight edges."""
+        """Results of quarters in plane stress and strain, and of one with straight cell edges."""
         from verify.cases.ring.lame.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Order]:
-        """Against Lamé, thin and long; how fast energies and displacements converge."""
+        """Rows: thin and long ring against Lamé; orders of energies and displacements."""
         ring, long = Ring, self.as_long()
         thin_and_long = (State(self, "", ENDS[0]), State(long, "strain", ENDS[1]))
         both: dict[str, Any] = {"sensitivity": walls.FAST}
@@ -192,7 +194,7 @@ class Ring(Case):
                     errors=displacement_errors("_straight"))  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
-        """Stresses and displacement over the wall of the long ring."""
+        """Figures: stresses and displacement over the wall of the long ring."""
         long = self.as_long()
         scale = max(abs(self.p_i), abs(self.p_o), *np.abs(self._stresses[1]))
         yield from walls.profiles(
@@ -204,13 +206,13 @@ class Ring(Case):
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
-        """Hoop and von Mises stress of the long ring."""
+        """Pictures of the hoop stress and the von Mises stress of the long ring."""
         for data, what in (("hoop_stress", "Hoop"), ("von_mises", "Von Mises")):
-            caption = f"{what} stress, plane strain, cell means"
+            caption = f"{what} stress, plane strain, means of cells"
             yield picture("plane strain", data, caption, mirror="xy")
 
     def sketch(self) -> Sketch:
-        """The ring with both pressures."""
+        """Sketch of the ring with both pressures."""
         inner = self.r_i / self.r_o
         pushed = [f"{p / 1e6:.4g} MPa {where}" for p, where in
                   ((self.p_i, "in the bore"), (self.p_o, "on the rim")) if p]  # fmt: skip
@@ -223,7 +225,7 @@ class Ring(Case):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the ring yields, or strains or the wall are outside the theory."""
+        """Warnings if the ring yields, strains are large, or the wall is thin."""
         _, hoop = lame.stresses([self.r_i, self.r_o], **self._loads)
         radial = np.array([-self.p_i, -self.p_o])
         shear = np.maximum.reduce([abs(hoop - radial), abs(hoop), abs(radial)])  # Tresca, σ_z = 0
@@ -233,21 +235,24 @@ class Ring(Case):
         if self.R_p is not None and stress > self.R_p:
             yield (
                 f"Tresca stress {stress / 1e6:.4g} MPa at the {where} exceeds R_p = "
-                f"{self.shown('R_p')}: the ring yields and Lamé no longer holds"
+                f"{self.shown('R_p')}: the ring yields, and Lamé's theory is not valid"
             )
         if strain > 2e-3 and self.R_p is None:
-            yield f"strain reaches {strain:.2%} at the {where}: most steels yield before; give R_p"
+            yield f"strain reaches {strain:.2%} at the {where}: most steels yield; enter R_p"
         if strain > 1e-2:
-            yield f"strain reaches {strain:.2%}: small-strain elasticity is off by about that"
+            yield f"strain reaches {strain:.2%}: the theory of small strains has such an error"
         if wall < 0.02 * self.r_o:
             yield (
                 f"the wall is {wall / self.r_o:.1%} of r_o: out-of-roundness and bending, "
-                "which Lamé neglects, matter more than the field of the pressure"
+                "which Lamé's theory neglects, have larger effects than the pressure"
             )
 
 
 def displacement_errors(edges: str) -> Any:
-    """Relative L2 errors of the long ring's displacement field against Lamé, per level."""
+    """Function that returns mesh sizes and relative L2 errors of the displacement field.
+
+    Long ring against Lamé; `edges` is "_straight" for straight cell edges.
+    """
 
     def errors(context: Context) -> tuple[list[float], list[float]]:
         q, found = context.inputs, []
@@ -266,7 +271,7 @@ def displacement_errors(edges: str) -> Any:
 
 
 def _pressure(p: float, start: float, end: float, label: str) -> Iterator[Shape]:
-    """Arrows of a pressure that pushes from `start` to `end`, or pulls the other direction."""
+    """Arrows of a pressure from radius `start` to `end`; reversed if `p` is negative."""
     ends = (start, end) if p > 0 else (end, start)
     for k, degrees in enumerate(AROUND if p else ()):
         first, last = (polar(r, degrees) for r in ends)

@@ -1,4 +1,4 @@
-"""Finite elements of a thick ring: quarters in plane stress and strain; straight edges."""
+"""Finite elements of a thick ring: plane stress, plane strain, straight cell edges."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from verify.cases.ring import walls
 
 
 def solve(q: Any, level: int) -> Level:
-    """One level of all three quarters."""
+    """Results of all three quarters on the mesh of `level`."""
     values: dict[str, float] = {}
     arrays: dict[str, Any] = {}
     loads: dict[str, Any] = {"pressures": {"bore": q.p_i, "rim": q.p_o}, "degree": 2}
@@ -44,7 +44,7 @@ def solve(q: Any, level: int) -> Level:
 
 
 def _read(ring: Any) -> dict[str, float]:
-    """Mean displacements and stresses of a quarter, its energy times four, by quantity."""
+    """Mean displacements and stresses of a quarter, and four times its energy, by quantity."""
     bore, rim, middle = (ring.on_boundary(name) for name in ("bore", "rim", "middle"))
     body = ring.in_body()
     return {

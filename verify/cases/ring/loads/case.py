@@ -1,4 +1,4 @@
-"""Races under n sprags: outer race pushed on its bore, inner race on its rim."""
+"""Cases of races under n sprags: outer race loaded on its bore, inner race on its rim."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -16,20 +16,20 @@ from verify.form.adapter import adapted
 YIELDING = 1.67  # p_0 over R_p at which a line contact yields below its surface (Tresca)
 WIDE = 0.1  # a over the wall
 READINGS = (
-    "n is the number of sprags, N the force of one of them, R and r are radii",
-    "the race is a thin ring (plane stress), as in Eq. 6; the contact's half-width is a long "
-    "roller's (plane strain)",
+    "n is the number of sprags, N the force of one sprag; R and r are radii",
+    "the race is a thin ring (plane stress), as in Eq. 6; the half-width of the contact is that of "
+    "a long roller (plane strain)",
 )
 
 
 class SpragRace(SpragLoads):
-    """Common base of both races."""
+    """Common part of the cases of both races."""
 
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (
-        "linear elasticity, small strain, forces along radii, no friction",
-        "Hertz's pressure on every patch, along the arc; the other wall free",
-        "half a pitch with symmetry on both cuts",
+        "linear elasticity, small strain, radial forces, no friction",
+        "Hertz's pressure acts on every contact patch, along the arc; the second wall is free",
+        "half a pitch is modelled, with symmetry on both cuts",
     )
 
     comparisons = comparisons
@@ -38,17 +38,17 @@ class SpragRace(SpragLoads):
     pictures = drawn.pictures
 
     def reference(self, level: int) -> Level:
-        """Half a pitch under Hertz's pressure."""
+        """Results of half a pitch under Hertz's pressure."""
         from verify.cases.ring.loads.reference import solve
 
         return solve(self, level)
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Wind-up and peak force of a clutch with such races."""
+        """Table of wind-up and peak force of a clutch with these races."""
         yield drawn.table(self, (OuterRace(), InnerRace()) if context.is_paper else ())
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the race yields or is no ring under line contacts."""
+        """Warnings if the race yields, the contact is wide, or displacements are large."""
         if self.R_p is not None:
             limit = YIELDING * self.R_p
             if self.p_0 > limit:
@@ -64,19 +64,19 @@ class SpragRace(SpragLoads):
         elif self.p_0 > 0.025 * self.E:
             yield (
                 f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: no steel withstands "
-                "that; give R_p"
+                "this pressure; enter R_p"
             )
         if (share := self.a / self.wall) > WIDE:
-            yield f"a is {share:.0%} of the wall: Hertz's half plane and indentation no longer hold"
+            yield f"a is {share:.0%} of the wall: Hertz's theory of a half-plane is not valid"
         if self.load > 0.1 * self.wall:
-            yield "the race moves by more than a tenth of its wall: strains are not small"
+            yield "the race deflects by more than a tenth of its wall: strains are not small"
 
 
 class OuterRace(SpragRace):
     """Eq. 6 replaces the forces of n sprags by a uniform pressure.
 
-    Finite elements of half a pitch and a Fourier ring agree. They measure the error of Eq. 6 at a
-    load and between loads, with and without the local indentation.
+    Finite elements of half a pitch agree with the Fourier-series solution of the ring. Both measure
+    the error of Eq. 6 at a load and between loads, with and without the local indentation.
     """
 
     id = "ring-loads-outer"
@@ -86,7 +86,8 @@ class OuterRace(SpragRace):
     scans: ClassVar = (Scan(vary=("n=6,12,24,48", "r_o=22mm,26.23mm,32mm,45mm")),)
     readings: ClassVar = (
         *READINGS,
-        "the sprag's radius at the outer race is not printed: it is taken as at the inner one",
+        "the contact radius of the sprag at the outer race is not printed: that at the inner race "
+        "is used",
     )
     names: ClassVar = ("R_e", "R_ed")
 
@@ -105,10 +106,10 @@ class OuterRace(SpragRace):
 
 
 class InnerRace(SpragRace):
-    """The sprags push on the rim of the inner race.
+    """The sprags load the rim of the inner race.
 
-    It has the thicker wall, so that the waves between the sprags, which Eq. 6 neglects, are a
-    larger part of its deflection.
+    Its wall is thicker relative to its radius than that of the outer race. The waves of deflection
+    between the sprags, which Eq. 6 neglects, are therefore a larger part of its deflection.
     """
 
     id = "ring-loads-inner"

@@ -1,4 +1,4 @@
-"""Comparisons of a race under n sprags: finite elements, Fourier ring, and Eq. 6 with both."""
+"""Comparisons of a race under n sprags: finite elements, Fourier ring, and Eq. 6."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -17,22 +17,22 @@ from verify.judging.convergence import grid_convergence
 from verify.judging.judge import expanded, numerical_uncertainty
 from verify.judging.tolerance_checks import Deviation
 
-BY_SUBJECT = "acceptance figure of finite elements against the Fourier ring"
+BY_SUBJECT = "accepted difference of finite elements and Fourier ring"
 EDGE = 1.5  # order at the load: even cells on the pressure's square-root end
 AWAY = 3.0  # away from it: twice the order of the energy norm, which is 3/2 due to that end
-FITTED = "on a force and a length that are identified, not printed"
-PATCHES = "Hertz's pressure on the patches, forces along radii, plane stress"
-RADII = "forces along radii, plane stress"
+FITTED = "at a force and a length that are identified, not printed"
+PATCHES = "Hertz's pressure on the contact patches, radial forces, plane stress"
+RADII = "radial forces, plane stress"
 DEPTH = {SpragLoads.dent.name: 1.0, SpragLoads.dent_half.name: 0.5}  # over the wall
 BY_FOURIER = (
-    "derived: the value of the Fourier ring, independent of these finite elements; the local "
-    "indentation from McEwen's stresses, integrated along the axis of the contact"
+    "derived: deflection by the Fourier ring, which is independent of these finite elements; local "
+    "indentation by integration of McEwen's stresses along the axis of the contact"
 )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Smeared(Approximation):
-    """A formula against the finite elements' deflection minus the indentation named by `less`."""
+    """Comparison of a formula with the FE deflection minus the indentation `less`."""
 
     less: str = ""
 
@@ -46,7 +46,7 @@ class Smeared(Approximation):
 
 
 def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
-    """Rows: Fourier ring against finite elements; then Eq. 6, with forces as a pressure."""
+    """Rows: Fourier ring against finite elements; Eq. 6 against finite elements."""
     race = type(self)
     wall, far = ("bore", "rim") if self.loaded == "bore" else ("rim", "bore")
     shared: dict[str, Any] = {"sensitivity": (ACCEPTED, BY_SUBJECT), "shares": PATCHES}
@@ -59,7 +59,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
         yield identity(q, name=name, scale=race.load, order=order, **shared)
     yield identity(race.smeared, "mean", name=f"{wall} displacement, mean", order=AWAY,
                    **shared | {"shares": RADII})  # fmt: skip
-    yield identity(race.ripple, name="ripple over the mean", order=EDGE, **shared)
+    yield identity(race.ripple, name="ripple of the deflection over its mean", order=EDGE, **shared)
     for q, name in (
         (race.hoop_between, f"hoop stress between loads, {wall}"),
         (race.far_hoop_load, f"hoop stress opposite a load, {far}"),
@@ -76,7 +76,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
         (race.smeared, race.load, race.dent,
          "Eq. 6 at a load, local indentation to the wall's depth subtracted"),
         (race.smeared, race.load, race.dent_half,
-         "Eq. 6 at a load, local indentation to half the wall subtracted"),
+         "Eq. 6 at a load, local indentation to half the wall's depth subtracted"),
         (race.smeared, race.between, None, "Eq. 6 between loads"),
         (race.with_dent, race.load, None,
          "Eq. 6 and Hertz's indentation to the wall's depth, at a load"),
@@ -88,12 +88,12 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
 
 
 def _fields() -> Iterator[Deviation]:
-    """The Fourier ring at all nodes of the walls, and inside."""
+    """Rows: Fourier ring at all nodes of both walls, and at points inside."""
     for name, symbol, size, whole in (
         (f"displacements at every node of both walls within {ACCEPTED:g}", "e_u", wall_errors,
          "radial displacement at a load"),
         (f"stresses beyond one patch width within {ACCEPTED:g}", "e_σ", stress_errors,
-         "largest stress there"),
+         "largest stress beyond one patch width"),
     ):  # fmt: skip
         yield Deviation(name=name, symbol=symbol, unit="1", size=finest(size), accepted=ACCEPTED,
                         source=BY_SUBJECT, whole=whole, shares=PATCHES)  # fmt: skip
@@ -120,7 +120,10 @@ def _smeared(
 
 
 def wall_errors(context: Context) -> list[float]:
-    """Largest difference of u_r and u_theta at the nodes of both walls over u_r at the load."""
+    """Largest differences of u_r and u_theta at nodes of both walls over u_r at the load.
+
+    Finite elements against the Fourier ring, one value per level.
+    """
     q = context.inputs
     ring, found = q.race(), []
     for result in context.fem:
@@ -134,7 +137,10 @@ def wall_errors(context: Context) -> list[float]:
 
 
 def stress_errors(context: Context) -> list[float]:
-    """Largest difference of the three stresses at `stations` over the largest hoop stress."""
+    """Largest differences of the three stresses at `stations` over the largest stress.
+
+    Finite elements against the Fourier ring, one value per level.
+    """
     exact = context.inputs.race().at(*stations(context.inputs))
     wanted = np.array([exact.sigma_r, exact.sigma_theta, exact.tau])
     scale = np.abs(wanted).max()
@@ -144,7 +150,7 @@ def stress_errors(context: Context) -> list[float]:
 def finest(
     errors: Callable[[Context], list[float]],
 ) -> Callable[[Context], tuple[float, float, str]]:
-    """The finest error, with its last change as its uncertainty."""
+    """Function that returns the error on the finest mesh, its last change, and a text."""
 
     def of(context: Context) -> tuple[float, float, str]:
         found = errors(context)
@@ -154,12 +160,12 @@ def finest(
 
 
 def too_soft(context: Context) -> tuple[float, float, str]:
-    """Excess of Eq. 6 over the finite elements' deflection at the load minus the indentation."""
+    """Relative error m of Eq. 6 against the FE deflection minus indentation, U, and a text."""
     q, (h, series) = context.inputs, context.series("load")
     u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
     reference = series[-1] - q.dent
     if reference < PART * q.load:
-        return 0.0, 0.0, "nothing is left to compare without the local indentation"
+        return 0.0, 0.0, "the deflection without local indentation is too small"
     m = q.smeared / reference - 1
     U = (1 + m) * expanded(u) / reference
-    return m, U, f"Eq. 6 is {m:+.1%} off at n = {q.n}"
+    return m, U, f"error of Eq. 6 {m:+.1%} at n = {q.n}"

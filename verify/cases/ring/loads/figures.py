@@ -1,4 +1,4 @@
-"""Figures and table of a race under n sprags: around it, fields, wind-up and shock of a clutch."""
+"""Figures and table of a race under n sprags: deflections, stresses, wind-up, peak force."""
 
 from collections.abc import Iterator, Sequence
 
@@ -20,11 +20,11 @@ DOTS = 40  # nodes of finite elements in a curve
 
 
 def figures(self: SpragLoads) -> Iterator[AlongLine | Drawn]:
-    """Displacement and hoop stress over half a pitch."""
+    """Figures: displacement and hoop stress over half a pitch."""
     yield Drawn(lambda context: (_ripple(self, context),))
     ring, pitch = self.race(), np.pi / self.n
     yield AlongLine(
-        title=f"Displacement of the {self.loaded}, finite elements and Fourier ring",
+        title=f"Displacement of the {self.loaded} by finite elements and Fourier ring",
         x=("θ n/π", "1"), y=("δ", "µm"), points=np.linspace(0, 1, 200),
         curve=lambda x: self.outward * ring.at(ring.r, x * pitch).u_r, reference="displacement",
         at=wall_angles(self) / pitch, order=EDGE, scale=self.load,
@@ -34,7 +34,7 @@ def figures(self: SpragLoads) -> Iterator[AlongLine | Drawn]:
 
 
 def around(q: SpragLoads) -> Array:
-    """Angles over half a pitch (m,), dense about the patch and its end."""
+    """Angles over half a pitch, as shares of it, shape (m,); dense near the contact patch."""
     alpha = q.half_width / q.radius * q.n / np.pi
     near = np.linspace(0, min(3 * alpha, 0.9), 40)
     return np.asarray(np.concatenate([near, np.linspace(near[-1], 1, 60)[1:]]))
@@ -59,15 +59,16 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
     )
     return Curves(
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
-        x_label="θ n/π, from a load to half-way to the next", y_label="δ over Eq. 6",
+        x_label="θ n/π, from a load to half-way to the next load", y_label="δ over Eq. 6",
         curves=tuple(curves),
-        note="Every load as large as here, Eq. 6 with its n. The peak at the left is the local "
-        "indentation; the curves' means over θ are Eq. 6 exactly.",
+        note="All curves have the load of one sprag of this case; δ is relative to Eq. 6 with n of "
+        "the curve. The peak at the left is the local indentation. The mean of each curve over θ "
+        "equals Eq. 6 exactly.",
     )  # fmt: skip
 
 
 def _thinned(context: Context, wall: str) -> Array:
-    """Some nodes (3, m) of a wall on the finest mesh, including the first and last."""
+    """Angle, u_r and u_theta of some nodes of a wall on the finest mesh, shape (3, m)."""
     nodes = context.fem[-1].arrays[f"{wall} nodes"]
     n = context.inputs.n / np.pi
     wanted = np.linspace(0, 1, DOTS)
@@ -76,7 +77,7 @@ def _thinned(context: Context, wall: str) -> Array:
 
 
 def _stresses(q: SpragLoads, context: Context) -> Curves:
-    """Hoop stress of both walls; of the loaded one beyond the patch."""
+    """Figure of the hoop stress of both walls; of the loaded wall only outside the patch."""
     ring, fem = q.race(), context.fem[-1].arrays
     theta, at = around(q) * np.pi / q.n, wall_angles(q)
     curves = []
@@ -89,31 +90,31 @@ def _stresses(q: SpragLoads, context: Context) -> Curves:
                   style="dots", colour=k),
         ]  # fmt: skip
     return Curves(
-        title="Hoop stress on the walls", x_label="θ n/π", y_label="σ_θ [MPa]",
-        curves=tuple(curves), note=f"Lines by the Fourier ring; of the {q.loaded} beyond the "
-        "patch, under which the hoop stress is about the pressure.",
+        title="Hoop stress on both walls", x_label="θ n/π", y_label="σ_θ [MPa]",
+        curves=tuple(curves), note=f"Lines: Fourier ring; the {q.loaded} is drawn outside the "
+        "contact patch only, as the hoop stress in the patch is about the pressure.",
     )  # fmt: skip
 
 
 def pictures(self: SpragLoads) -> Iterator[Picture]:
-    """Radial displacement over a pitch, stress about a load."""
+    """Pictures: radial displacement over a pitch, von Mises stress near a load."""
     view = 12 * self.half_width
     window = (self.radius - view, -view, self.radius + view, view)
     yield Picture(field="half a pitch", data="radial_displacement", symbol="u_r", unit="µm",
                   factor=um, caption="Radial displacement over a pitch", mirror=("y",))  # fmt: skip
-    yield picture("half a pitch", "von_mises", "Von Mises stress about a load, cell means",
+    yield picture("half a pitch", "von_mises", "Von Mises stress near a load, means of cells",
                   mirror="y", window=window)  # fmt: skip
 
 
 def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
-    """Wind-up and peak force by Lamé and Hertz over those by the Fourier ring, with n sprags."""
+    """Ratios of wind-up and of peak force by Lamé and Hertz to those by the Fourier ring."""
     return windup.ratios([
         windup.compliances(q.race(n=n), R=q.R, F=q.F, L=q.L) for q in races
     ])  # fmt: skip
 
 
 def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
-    """Both ratios over n: of this race and, for the paper's numbers, of both races."""
+    """Table of both ratios over n: of this race and, for the numbers of the paper, of both."""
     rows: list[tuple[str | float | None, ...]] = []
     for n in sorted({*LISTED, q.n}):
         if not all(race.room_for(n) for race in (q, *pair)):
@@ -122,11 +123,11 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
         rows.append((str(n), *(f"{x - 1:+.1%}" for x in (*ratios((q,), n), *both))))
     header = ("n", "wind-up, this race", "peak force, this race")
     return Table(
-        title="Lamé's ring and Hertz's indentation (to the wall's depth) against the Fourier ring",
+        title="Error of Lamé's ring with Hertz's indentation (to the depth of the wall)",
         header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
-        note=f"One sprag of {q.F:.4g} N with its local indentation; the peak force is that of a "
-        "shock with the energy which Lamé and Hertz take up under this force. Too soft a race "
-        "overestimates the wind-up (conservative) and underestimates the force of a shock "
-        "(unsafe).",
+        note=f"Errors against the Fourier ring, for one sprag under {q.F:.4g} N with its local "
+        "indentation. The peak force belongs to a shock with the energy that the race by Lamé and "
+        "Hertz absorbs under this force. A model that is too soft overestimates the wind-up "
+        "(conservative) and underestimates the peak force (unsafe).",
     )

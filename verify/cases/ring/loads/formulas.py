@@ -1,4 +1,4 @@
-"""The formulas of a race under n sprags: Hertz's patch, Fourier ring, Eq. 6, local indentation."""
+"""Formulas of a race under n sprags: Hertz's contact, Fourier ring, Eq. 6, indentation."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from verify.cases.ring.loads.inputs import LoadsInputs
 
 
 class SpragLoads(LoadsInputs):
-    """Eq. 6 and the indentation, and the Fourier ring under the same loads."""
+    """Eq. 6 with local indentation, and the Fourier-series solution under the same loads."""
 
     @Quantity("δ_6", "µm", "deflection", equation="6")
     def smeared(self) -> float:
@@ -26,11 +26,13 @@ class SpragLoads(LoadsInputs):
     def between(self) -> float:
         return float(self.outward * self._points.u_r[1])
 
-    @Quantity("u_r(0)", "µm", "deflection of the other wall opposite a load", source="Fourier ring")
+    @Quantity(
+        "u_r(0)", "µm", "deflection of the unloaded wall opposite a load", source="Fourier ring"
+    )
     def far_load(self) -> float:
         return float(self.outward * self._points.u_r[2])
 
-    @Quantity("u_r(π/n)", "µm", "deflection of the other wall between the loads",
+    @Quantity("u_r(π/n)", "µm", "deflection of the unloaded wall between the loads",
               source="Fourier ring")  # fmt: skip
     def far_between(self) -> float:
         return float(self.outward * self._points.u_r[3])
@@ -55,7 +57,8 @@ class SpragLoads(LoadsInputs):
         R_2 = -self.r_i if self.loaded == "bore" else self.r_o
         return float(hertz_line.relative_radius(R_1=self.R, R_2=R_2))
 
-    @Quantity("p_n", "MPa", "first wave of the pressure, m = n", source="Fourier ring", role="step",
+    @Quantity("p_n", "MPa", "first harmonic of the pressure, m = n", source="Fourier ring",
+              role="step",
               tex=r"\frac{n P}{\pi r} \frac{2 J_1(n a/r)}{n a/r}")  # fmt: skip
     def p_n(self) -> float:
         return self.n * self.P / (np.pi * self.radius) * float(
@@ -69,20 +72,20 @@ class SpragLoads(LoadsInputs):
     def dent(self) -> float:
         return self.dent_to(self.wall)
 
-    @Quantity("δ_Hh", "µm", "local indentation to half the wall", role="step",
+    @Quantity("δ_Hh", "µm", "local indentation to half the wall's depth", role="step",
               source="Hertz's contact, plane stress")  # fmt: skip
     def dent_half(self) -> float:
         return self.dent_to(self.wall / 2)
 
-    @Quantity("δ_tot", "µm", "Eq. 6 and the indentation")
+    @Quantity("δ_tot", "µm", "Eq. 6 plus the local indentation")
     def with_dent(self) -> float:
         return self.smeared + self.dent
 
-    @Quantity("δ_tot/δ(0)", "1", "that over the deflection at a load", role="step")
+    @Quantity("δ_tot/δ(0)", "1", "δ_tot over the deflection at a load", role="step")
     def windup(self) -> float:
         return self.with_dent / self.load
 
-    @Quantity("Δδ/δ", "1", "ripple over the mean")
+    @Quantity("Δδ/δ", "1", "ripple of the deflection over its mean")
     def ripple(self) -> float:
         return (self.load - self.between) / self.smeared
 
@@ -91,12 +94,12 @@ class SpragLoads(LoadsInputs):
     def hoop_between(self) -> float:
         return float(self._points.sigma_theta[1])
 
-    @Quantity("σ_far(0)", "MPa", "hoop stress of the other wall opposite a load",
+    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded wall opposite a load",
               source="Fourier ring", safe="too high")  # fmt: skip
     def far_hoop_load(self) -> float:
         return float(self._points.sigma_theta[2])
 
-    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the other wall between the loads",
+    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the unloaded wall between the loads",
               source="Fourier ring", safe="too high")  # fmt: skip
     def far_hoop_between(self) -> float:
         return float(self._points.sigma_theta[3])
@@ -111,7 +114,7 @@ class SpragLoads(LoadsInputs):
 
     @shared
     def hertz(self) -> tuple[float, float]:
-        """Half-width [m] and peak pressure [Pa] of a sprag on the race."""
+        """Half-width [m] and peak pressure [Pa] of the contact of a sprag and the race."""
         E_star = hertz_line.contact_modulus(
             E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )
@@ -120,37 +123,37 @@ class SpragLoads(LoadsInputs):
 
     @shared
     def _points(self) -> State:
-        """The Fourier ring at both walls, at a load and between loads."""
+        """State of the Fourier ring on both walls, at a load and between loads."""
         ring, pitch = self.race(), np.pi / self.n
         far_wall = self.r_o if self.loaded == "bore" else self.r_i
         return ring.at([ring.r, ring.r, far_wall, far_wall], [0.0, pitch, 0.0, pitch])
 
     @property
     def stress_scale(self) -> float:
-        """Largest of these hoop stresses [Pa], but at a load."""
+        """Largest of the hoop stresses of the rows [Pa]."""
         return float(np.abs(self._points.sigma_theta[1:]).max())
 
     @property
     def outward(self) -> float:
-        """The sign of a displacement in the direction of the loads."""
+        """Sign of u_r for a displacement in the direction of the loads: +1 for the bore."""
         return 1.0 if self.loaded == "bore" else -1.0
 
     def race(self, *, n: int | None = None) -> LoadedRace:
-        """The Fourier ring of these inputs, or under another number of loads."""
+        """The Fourier ring of the inputs, with n loads if n is given."""
         return LoadedRace(
             r_i=self.r_i, r_o=self.r_o, E=self.E, nu=self.nu, assumption="plane stress",
             loaded=self.loaded, n=self.n if n is None else n, P=self.P, a=self.hertz[0],
         )  # fmt: skip
 
     def by_smearing(self, *, n: int | None = None) -> float:
-        """Eq. 6 [m]."""
+        """Deflection by Eq. 6 [m], with n loads if n is given."""
         return float(smeared.race_deflection(
             P=self.P, n=self.n if n is None else n, r_i=self.r_i, r_o=self.r_o, E=self.E,
             nu=self.nu, loaded=self.loaded,
         ))  # fmt: skip
 
     def dent_to(self, depth: float) -> float:
-        """Approach [m] of the patch's middle and a point at `depth` of a half plane."""
+        """Approach [m] of the middle of the patch and a point at `depth` [m] in a half-plane."""
         return float(hertz_line_approach.approach_to_depth(
             depth, P=self.P, a=self.hertz[0], E=self.E, nu=self.nu, assumption="plane stress"
         ))  # fmt: skip

@@ -1,4 +1,4 @@
-"""Inputs of races under evenly spaced sprags or rollers: outer race (bore), inner race (rim)."""
+"""Inputs of races under equally spaced sprags: outer race (bore), inner race (rim)."""
 
 import math
 from typing import ClassVar, Literal, Self
@@ -18,7 +18,7 @@ MOST = 200  # loads, likewise
 
 
 class LoadsInputs(Case):
-    """A ring under n rollers of its material; long bodies, so that Hertz is in plane strain."""
+    """Inputs of a ring under n sprags of the same material; Hertz's contact in plane strain."""
 
     loaded: ClassVar[Wall] = "bore"
     names: ClassVar[tuple[str, str]] = ("r_i", "r_o")  # in the paper
@@ -29,9 +29,17 @@ class LoadsInputs(Case):
         12, "n", "number of sprags", ge=2, le=10_000, claims="huang2018:table1-number-of-sprags"
     )
     F: float = given("3407 N", "N", "N", "force of a sprag (identified, not printed)", gt=0, le=1e9)
-    L: float = given("9 mm", "mm", "l", "its length (identified, not printed)", gt=0, le=1e4)
+    L: float = given(
+        "9 mm", "mm", "l", "length of the sprags (identified, not printed)", gt=0, le=1e4
+    )
     R: float = given(
-        "4.02 mm", "mm", "R", "radius of its contact", gt=0, le=1e5, claims="huang2018:table1-r-i1"
+        "4.02 mm",
+        "mm",
+        "R",
+        "contact radius of the sprag",
+        gt=0,
+        le=1e5,
+        claims="huang2018:table1-r-i1",
     )
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
@@ -54,12 +62,12 @@ class LoadsInputs(Case):
 
     @property
     def half_width(self) -> float:
-        """Half-width of Hertz's contact [m], used as the patch of the finite elements."""
+        """Half-width of Hertz's contact [m], also that of the loaded patch of finite elements."""
         bend = 1 / self.R + (-1 if self.loaded == "bore" else 1) / self.radius
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
     def room_for(self, n: int) -> bool:
-        """Whether n patches cover at most half of the wall."""
+        """Whether n contact patches cover at most half of the loaded wall."""
         return 2 * n * self.half_width <= math.pi * self.radius
 
     @model_validator(mode="after")
@@ -68,39 +76,38 @@ class LoadsInputs(Case):
         wall = self.r_o - self.r_i
         if self.loaded == "bore" and FIT * self.r_i < self.R:
             raise ValueError(
-                f"the roller must be smaller than {FIT} of the bore, got R = {self.R * 1e3:g} mm, "
-                f"r_i = {self.r_i * 1e3:g} mm: a closer fit is no line contact"
+                f"R must not exceed {FIT} r_i, got R = {self.R * 1e3:g} mm, "
+                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide"
             )
         a, least = self.half_width, min(wall, self.R)
         if a > WIDEST * least:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
-                f"{a * 1e3:.3g} mm, exceeds {WIDEST:g} of the wall or the radius (a wall of "
-                f"{wall * 1e3:g} mm, R = {self.R * 1e3:g} mm): no line contact"
+                f"{a * 1e3:.3g} mm, must not exceed {WIDEST:g} of wall or radius R (wall "
+                f"{wall * 1e3:g} mm, R = {self.R * 1e3:g} mm): reduce F or increase L"
             )
         pitch = math.pi * self.radius / self.n
         if a > CLOSEST * pitch:
             raise ValueError(
-                f"n = {self.n} patches of half-width {a * 1e3:.3g} mm are too close on a wall with "
-                f"{2 * pitch * 1e3:.3g} mm for each: a may be {CLOSEST:g} of half of that"
+                f"n = {self.n} patches of half-width {a * 1e3:.3g} mm are too close on the "
+                f"wall, pitch {2 * pitch * 1e3:.3g} mm: a must not exceed {CLOSEST:g} of pitch/2"
             )
         return self
 
     def refusal(self) -> str:
-        """Why finite elements refuse these inputs, or nothing."""
+        """Reason for not solving these inputs with finite elements; "" if there is none."""
         ratio, alpha = self.r_o / self.r_i, self.half_width / self.radius
         if not THINNEST <= ratio <= THICKEST:
             return (
-                f"r_o/r_i = {ratio:.4g} lies outside {THINNEST:g} to {THICKEST:g}: too many cells, "
-                "check it without --fem"
+                f"r_o/r_i = {ratio:.4g} must be {THINNEST:g} to {THICKEST:g} for finite elements: "
+                "otherwise, they need too many cells; run `check` without --fem"
             )
         if self.n > MOST:
-            return (
-                f"n = {self.n} is more than {MOST}: too many cells in depth, check it without --fem"
-            )
+            return f"n = {self.n} exceeds {MOST}: too many cells; run `check` without --fem"
         if alpha < NARROWEST:
             return (
-                f"a = {self.half_width * 1e3:.3g} mm is {alpha:.1g} of the race, less than "
-                f"{NARROWEST:g}: finite elements lose too many digits there, check it without --fem"
+                f"a = {self.half_width * 1e3:.3g} mm is {alpha:.1g} of the race radius; "
+                f"finite elements require {NARROWEST:g} because of round-off: run `check` "
+                "without --fem"
             )
         return ""

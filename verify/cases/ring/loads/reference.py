@@ -1,4 +1,4 @@
-"""Finite elements of a race under n sprags: half a pitch, plane stress."""
+"""Finite-element model of a race under n sprags: half a pitch, plane stress."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ AWAY = 2.0  # distance from the patch's middle, in half-widths, beyond which res
 
 
 def stations(q: LoadsInputs) -> Array:
-    """Points (2, m): r and theta of a polar grid over half a pitch, a patch width from the load."""
+    """Points of a polar grid over half a pitch, outside a patch width: r [m], theta; (2, m)."""
     r, theta = np.meshgrid(
         np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
     )
@@ -26,14 +26,14 @@ def stations(q: LoadsInputs) -> Array:
 
 
 def wall_angles(q: LoadsInputs) -> Array:
-    """Angles (m,) [rad] of the profiles on the walls, from beyond the patch to half-way."""
+    """Angles [rad] of profiles on the walls, from outside the patch to half a pitch, (m,)."""
     return np.linspace(AWAY * q.half_width / q.radius, np.pi / q.n, ALONG)
 
 
 def fem_sector(
     *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
 ) -> Any:
-    """Half a pitch of a ring with the load P per length on the half-width a of one wall."""
+    """Solution of half a pitch of a ring with the load P [N/m] on the half-width a of a wall."""
     from fem.plane.patch import solve_under_patch
     from meshes.ring.sector import half_sector
 
@@ -45,7 +45,7 @@ def fem_sector(
 
 
 def solve(q: LoadsInputs, level: int) -> Level:
-    """One level of half a pitch."""
+    """Results of half a pitch on the mesh of `level`."""
     from fem.plane.material import Elastic
     from fem.plane.patch import polar_nodes
 

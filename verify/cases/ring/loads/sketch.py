@@ -1,4 +1,4 @@
-"""The sketch of a race under its sprags."""
+"""Sketch of a race under its sprags."""
 
 from collections.abc import Iterator
 
@@ -13,17 +13,17 @@ MOST = 48  # arrows
 
 
 def sketch(self: SpragLoads) -> Sketch:
-    """The race, its loads and the half pitch of finite elements."""
+    """Sketch of the race, its loads and the half pitch of the finite-element model."""
     inner, pitch = self.r_i / self.r_o, 180 / self.n
     wall, behind = (inner, -0.22) if self.loaded == "bore" else (1.0, 0.22)
-    pushed = "push the bore out" if self.loaded == "bore" else "push the rim in"
+    pushed = "load the bore outwards" if self.loaded == "bore" else "load the rim inwards"
     loads = (
         sketches.arrow(polar(wall + behind, 2 * k * pitch), polar(wall, 2 * k * pitch))
         for k in range(min(self.n, MOST))
     )
     low, high = self.names
     return sketches.sketch(
-        f"{self.n} sprags of {self.F:.4g} N on {self.shown('L')} {pushed}",
+        f"{self.n} sprags with {self.F:.4g} N on {self.shown('L')} each {pushed}",
         sketches.room(2.4, 2.2), sketches.ring(inner, 1.0), _sector(inner, pitch), loads,
         sketches.leader(polar(1.5, 141), polar(1.0, 141), f"{high} = {self.shown('r_o')}"),
         sketches.leader(polar(1.5, 159), polar(inner, 159), f"{low} = {self.shown('r_i')}"),
@@ -32,7 +32,7 @@ def sketch(self: SpragLoads) -> Sketch:
 
 
 def _sector(inner: float, pitch: float) -> Iterator[Shape]:
-    """Half a pitch of a ring of outer radius 1; angles in degrees."""
+    """Outline of half a pitch of a ring with outer radius 1; `pitch`: its angle [deg]."""
     arcs = [polar(1.0, d) for d in np.linspace(0, pitch, 73)]
     arcs += [polar(inner, d) for d in np.linspace(pitch, 0, 73)]
     yield Shape(style="modelled", points=np.array(arcs))

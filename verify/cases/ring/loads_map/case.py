@@ -1,4 +1,4 @@
-"""The error of a uniformly loaded race over the number of loads and the wall."""
+"""Case that maps the error of Eq. 6 over the number of loads and the wall thickness."""
 
 from collections.abc import Iterator, Mapping
 from typing import ClassVar, NamedTuple, Self
@@ -17,11 +17,11 @@ from verify.form.adapter import adapted
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
-SHARP = 3e-3, "a tenth of the finest step between shades of the map, and less"
+SHARP = 3e-3, "less than a tenth of the smallest step between shades of the map"
 
 
 class Point(NamedTuple):
-    """A race of the map: number of loads, outer over inner radius."""
+    """A race of the map: number of loads, and ratio of outer to inner radius."""
 
     n: int
     ratio: float
@@ -39,36 +39,36 @@ CHECKED = tuple(
     Point(*at) for at in ((3, 1.05), (48, 1.05), (6, 1.35), (12, 1.35), (3, 3.0), (48, 3.0))
 )
 PLACES = {
-    "load": ("at a load, less the indentation", "Eq. 6 over the Fourier ring less its local "
-             "indentation, that of a half plane to the wall's depth"),
-    "between": ("between loads", "Eq. 6 over the Fourier ring"),
-    "total": ("with Hertz's indentation, at a load", "Eq. 6 and the indentation of a half plane to "
-              "the wall's depth, over the Fourier ring"),
+    "load": ("at a load, without indentation", "Eq. 6 over the deflection of the Fourier ring "
+             "minus its local indentation (half-plane, to the depth of the wall)"),
+    "between": ("between loads", "Eq. 6 over the deflection of the Fourier ring"),
+    "total": ("with Hertz's indentation, at a load", "Eq. 6 plus the indentation of a half-plane "
+              "to the depth of the wall, over the deflection of the Fourier ring"),
 }  # fmt: skip
 
 
 class LoadsMap(Case):
-    """The error of Eq. 6 for any number of loads and any wall, by the Fourier ring.
+    """The Fourier ring gives the error of Eq. 6 for any number of loads and any wall thickness.
 
-    Finite elements at six points of the map, its corners among them, confirm the Fourier ring
-    there. Rings have the radius 1; load and modulus are 1, too.
+    Finite elements confirm the Fourier ring at six points of the map, including its corners. Radius
+    of the bore, load and modulus are 1.
     """
 
     id = "ring-loads-map"
-    title = "Validity of the uniformly loaded race"
+    title = "Validity of the model of a uniformly loaded race"
     source = "huang2018"
-    place = "Eq. 6 over the number of sprags and the wall"
+    place = "Eq. 6 over number of sprags and wall thickness"
     levels: ClassVar = (2, 3, 5)
     scans: ClassVar = (Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),)
-    readings: ClassVar = ("thin rings (plane stress), as in Eq. 6; loads on the bore",)
+    readings: ClassVar = ("thin rings (plane stress), as in Eq. 6; the loads act on the bore",)
     assumptions: ClassVar = (
-        "linear elasticity, small strain, forces along radii, no friction",
-        "Hertz's pressure over one half-width on every ring",
-        "half a pitch with symmetry on both cuts",
+        "linear elasticity, small strain, radial forces, no friction",
+        "Hertz's pressure acts on patches of equal half-width on all rings",
+        "half a pitch is modelled, with symmetry on both cuts",
     )
 
     a_r: float = given(
-        0.008, "1", "a/r_i", "half-width of the patches over the bore's radius", ge=5e-4, le=0.015
+        0.008, "1", "a/r_i", "half-width of the patches over the bore radius", ge=5e-4, le=0.015
     )
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
@@ -77,7 +77,7 @@ class LoadsMap(Case):
         wall = min(RATIOS) - 1
         if self.a_r > 0.3 * wall:
             raise ValueError(
-                f"a/r_i = {self.a_r:g} is more than 0.3 of the thinnest wall, {wall:g} r_i"
+                f"a/r_i = {self.a_r:g} must not exceed 0.3 of the thinnest wall, {wall:g} r_i"
             )
         return self
 
@@ -91,14 +91,14 @@ class LoadsMap(Case):
     def between(self, at: Point) -> float:
         return float(self._over_eq_6[at][1])
 
-    @Quantity("m({0.n}, {0.ratio:g})", "1", "error of Eq. 6 and indentation at a load, {0.words}",
+    @Quantity("m({0.n}, {0.ratio:g})", "1", "error of Eq. 6 with indentation at a load, {0.words}",
               role="step").over(CHECKED)  # fmt: skip
     def error(self, at: Point) -> float:
         return float(smeared_error(n=at.n, ratio=at.ratio, a_r=self.a_r, nu=self.nu).total)
 
     @shared
     def _over_eq_6(self) -> Mapping[Point, Array]:
-        """Displacement of the bore at a load and between loads, over Eq. 6."""
+        """Displacements of the bore at a load and between loads, over Eq. 6, by point."""
         found = {}
         for at in CHECKED:
             ring = LoadedRace(
@@ -112,7 +112,7 @@ class LoadsMap(Case):
         return found
 
     def reference(self, level: int) -> Level:
-        """Half a pitch of every point."""
+        """Results of half a pitch at every checked point."""
         from fem.plane.material import Elastic
 
         values, u_it = {}, {}
@@ -133,15 +133,15 @@ class LoadsMap(Case):
         return Level(h=1 / (CELLS * level), values=values, u_it=u_it)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """The Fourier ring at every point."""
+        """Rows: Fourier ring against finite elements at every checked point."""
         for at in CHECKED:
-            scale = {f"{at.words}: load": self.load(at)}
+            scale = {f"{at.words}: value at a load": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):
                 yield identity(q, symbol="δ/δ_6", scale=scale, order=order, sensitivity=SHARP,
                                shares=PATCHES)  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
-        """Errors of both races at three places."""
+        """Figures: maps of three errors of Eq. 6 for both races."""
         walls: tuple[Wall, ...] = ("bore", "rim")
         yield Drawn(lambda _: [self._map(loaded, place) for loaded in walls for place in PLACES])
 
@@ -155,12 +155,12 @@ class LoadsMap(Case):
         checked = np.array([[(n, ratio) in CHECKED for n in COUNTS] for ratio in RATIOS])
         race = "outer race" if loaded == "bore" else "inner race"
         return Map(
-            title=f"Error of the uniformly loaded {race} {where}", x_label="number of loads",
+            title=f"Error of Eq. 6, {race}, {where}", x_label="number of loads",
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,
-            note=f"{words}, less one; a/r = {self.a_r:g} of the loaded wall. The mean over the "
-            "wall has no error.",
+            note=f"Error: {words}, minus 1; a/r = {self.a_r:g}, r of the loaded wall. The mean "
+            "deflection over the wall has no error.",
         )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Rotating race: the outer race's growth at speed (Eq. 8) and its deflection under the sprags."""
+"""Case of a rotating outer race: centrifugal growth (Eq. 8) against deflection by sprags."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal, Self
@@ -38,33 +38,33 @@ from verify.judging.claims import Claim
 
 Ends = Literal["plane stress", "plane strain"]
 FASTEST = 0.05  # strain beyond which small-strain elasticity is no model
-PARABOLAS = "parabolas for circles: their moment errs by less than (cell's angle)^4"
+PARABOLAS = "parabolas replace circles: their first moment errs by less than (angle of a cell)^4"
 RPM = np.pi / 30
 
 
 class RotatingRace(Case):
-    """At speed the outer race grows by centrifugal force, which can separate it from the sprags.
+    """Centrifugal force widens the outer race, which can separate it from the sprags.
 
-    Formula and finite elements solve the same problem; the growth is compared with the deflection
-    of the same race under the sprags. Neither a speed nor a density is printed: both are assumed.
+    Formula and finite elements solve the same problem. The growth is compared with the deflection
+    of the race under the sprags. The paper prints neither speed nor density: both are assumed.
     """
 
     id = "ring-rotation"
     title = "Rotating race"
     source = "huang2018"
-    place = "Eq. 8; Table 1, the outer race's radii"
+    place = "Eq. 8; Table 1, radii of the outer race"
     levels: ClassVar = (2, 4, 8, 12)
     ends: ClassVar[Ends] = "plane stress"  # ends for the quantities below
     scans: ClassVar = (Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),)
     readings: ClassVar = (
-        "the n of Eq. 8 is a speed in r/min, its ρ a density: πn/30 is the angular speed",
-        "Eq. 8 is the bore's growth of a thin ring (plane stress); a long one (plane strain) has "
-        "another growth",
+        "n of Eq. 8 is a speed in r/min, so that πn/30 is the angular speed; ρ is the density",
+        "Eq. 8 gives the growth of the bore of a thin ring (plane stress); the growth of a long "
+        "ring (plane strain) differs",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
-        "steady rotation, walls free of load",
-        "a quarter with symmetry on both cuts",
+        "steady rotation; the walls are unloaded",
+        "a quarter is modelled, with symmetry on both cuts",
     )
 
     r_i: float = given(
@@ -73,8 +73,8 @@ class RotatingRace(Case):
     r_o: float = given(
         "26.23 mm", "mm", "R_ed", "outer radius", gt=0, le=1e5, claims="huang2018:table1-r-ed"
     )
-    omega: float = given("3000 r/min", "r/min", "n", "speed (none is printed)", gt=0, le=1e7)
-    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    omega: float = given("3000 r/min", "r/min", "n", "speed (assumed, not printed)", gt=0, le=1e7)
+    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (assumed, not printed)", gt=0, le=1e5)
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     n: int = count(
@@ -83,7 +83,9 @@ class RotatingRace(Case):
     F: float = given(
         "3407 N", "N", "N_be", "force of a sprag (identified, not printed)", gt=0, le=1e9
     )
-    L: float = given("9 mm", "mm", "l", "its length (identified, not printed)", gt=0, le=1e4)
+    L: float = given(
+        "9 mm", "mm", "l", "length of the sprags (identified, not printed)", gt=0, le=1e4
+    )
     R_p: float | None = given(
         None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
         example="1200 MPa",
@@ -95,8 +97,8 @@ class RotatingRace(Case):
         strain = self.rho * (self.omega * self.r_o) ** 2 / self.E
         if strain > FASTEST:
             raise ValueError(
-                f"{self.omega * 30 / np.pi:.6g} r/min strains the ring by {strain:.0%}: it "
-                "bursts, and small-strain elasticity does not apply"
+                f"{self.omega * 30 / np.pi:.6g} r/min strains the ring by {strain:.0%}, more "
+                "than 5 %: it bursts; reduce the speed"
             )
         return self
 
@@ -126,22 +128,22 @@ class RotatingRace(Case):
     def radial_mid(self) -> float:
         return float(self._stresses[0][1])
 
-    @Quantity("δ_BE", "µm", "deflection of the same bore under the sprags", equation="6",
+    @Quantity("δ_BE", "µm", "deflection of the bore under the sprags", equation="6",
               role="step")  # fmt: skip
     def under_sprags(self) -> float:
         return float(race_deflection(P=self.F / self.L, n=self.n, r_i=self.r_i, r_o=self.r_o,
                                      E=self.E, nu=self.nu, loaded="bore"))  # fmt: skip
 
-    @Quantity("δ_ce/δ_BE", "1", "growth at speed over that deflection", source="Eq. 8 over Eq. 6",
+    @Quantity("δ_ce/δ_BE", "1", "growth at speed over deflection δ_BE", source="Eq. 8 over Eq. 6",
               tex=r"\frac{\delta_{ce}}{\delta_{BE}}", role="step")  # fmt: skip
     def ratio(self) -> float:
         return self.growth / self.under_sprags
 
-    @Quantity("n_1", "r/min", "speed at which that is 1 %", role="step")
+    @Quantity("n_1", "r/min", "speed at which δ_ce/δ_BE is 1 %", role="step")
     def n_1(self) -> float:
         return self.omega * float(np.sqrt(0.01 / self.ratio))
 
-    @Quantity("n_10", "r/min", "speed at which that is 10 %", role="step")
+    @Quantity("n_10", "r/min", "speed at which δ_ce/δ_BE is 10 %", role="step")
     def n_10(self) -> float:
         return self.omega * float(np.sqrt(0.1 / self.ratio))
 
@@ -152,7 +154,7 @@ class RotatingRace(Case):
 
     @property
     def _stresses(self) -> tuple[Any, Any]:
-        """Radial and hoop stresses (3,) [Pa] at bore, middle and rim."""
+        """Radial and hoop stresses [Pa] at bore, mid-wall and rim, each of shape (3,)."""
         radii = [self.r_i, (self.r_i + self.r_o) / 2, self.r_o]
         return rotating.stresses(radii, assumption=self.ends, **self._race)
 
@@ -165,7 +167,7 @@ class RotatingRace(Case):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Quarters in plane stress and plane strain under centrifugal forces."""
+        """Results of quarters in plane stress and plane strain under centrifugal forces."""
         pull = self.rho * self.omega**2
 
         def read(race: Any) -> dict[str, float]:
@@ -191,7 +193,7 @@ class RotatingRace(Case):
         return Level(h=1 / level, values=values, u_it=u_it, arrays=profiles, fields=(field,))
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Against the formulas of the rotating disc, thin and long."""
+        """Rows: thin and long race against the formulas of the rotating disc."""
         race = RotatingRace
         states = (State(self, "", "plane stress"), State(self.as_long(), "strain", "plane strain"))
         for q in (race.growth, race.growth_rim, race.U):
@@ -216,7 +218,7 @@ class RotatingRace(Case):
         yield Comparison(check=Small(name=name, symbol="δ_ce/δ_BE", unit="1"), quantity=race.ratio)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Profiles over the wall; growth over speed, with the deflection under the sprags."""
+        """Figures: profiles over the wall; growth over speed, and deflection under the sprags."""
         thin: dict[str, Any] = self._race | {"assumption": "plane stress"}
         yield from walls.profiles(
             self, "plane stress", lambda r: rotating.stresses(r, **thin),
@@ -240,20 +242,20 @@ class RotatingRace(Case):
                 Curve(name="growth, Eq. 8", x=speed / RPM,
                       y=self.growth * 1e6 * (speed / self.omega) ** 2),
                 *shares,
-                Curve(name="the speed taken here", x=np.array([self.omega / RPM]),
+                Curve(name="assumed speed", x=np.array([self.omega / RPM]),
                       y=np.array([self.growth * 1e6]), style="dots"),
             ),
-            note="No speed is printed: the place of the paper's engagement on this curve is not "
-            "known.",
+            note="The paper prints no speed: the operating point of its clutch on this curve is "
+            "unknown.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
-        """Hoop stress of the thin race."""
-        yield picture("plane stress", "hoop_stress", "Hoop stress, plane stress, cell means",
+        """Picture of the hoop stress of the thin race."""
+        yield picture("plane stress", "hoop_stress", "Hoop stress, plane stress, means of cells",
                       mirror="xy")  # fmt: skip
 
     def sketch(self) -> Sketch:
-        """The race and its speed."""
+        """Sketch of the race with its speed."""
         inner, speed = self.r_i / self.r_o, f"{self.omega / RPM:.5g}"
         turn = np.array([polar(inner - 0.15, d) for d in np.linspace(200, 340, 73)])
         return sketches.sketch(
@@ -265,7 +267,7 @@ class RotatingRace(Case):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the race yields, or its growth matters against the sprags' deflection."""
+        """Warnings if the race yields, or if its growth is relevant against the deflection."""
         stress = self.hoop_bore
         if self.R_p is not None and stress > self.R_p:
             yield (
@@ -273,16 +275,16 @@ class RotatingRace(Case):
                 f"{self.shown('R_p')}: the race yields"
             )
         if self.R_p is None and stress / self.E > 2e-3:
-            yield f"strain reaches {stress / self.E:.2%} at the bore: most steels yield; give R_p"
+            yield f"strain reaches {stress / self.E:.2%} at the bore: most steels yield; enter R_p"
         if self.ratio > 0.01:
             yield (
-                f"the bore grows by {self.ratio:.2%} of what the sprags push it out: Eq. 8 counts "
-                f"from {self.n_1 / RPM:.5g} r/min on (1 %)"
+                f"the growth of the bore is {self.ratio:.2%} of its deflection under the sprags: "
+                f"Eq. 8 is relevant from {self.n_1 / RPM:.5g} r/min (1 %)"
             )
 
 
 class Small(Claim):
-    """Eq. 8 against Eq. 6: displayed, as the paper prints neither a speed nor a density."""
+    """Ratio of Eq. 8 to Eq. 6; not judged, as the paper prints neither speed nor density."""
 
     kind = Kind.FACT
 
