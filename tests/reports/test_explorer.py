@@ -229,7 +229,7 @@ def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(an
         "the formula is too low, the unsafe side", "formula × 1.136 (1.129 to 1.142)",
         "Belcin, Eq. 11 by all its comparisons: unsafe. Use instead: the series",
         "(δ1/de = 0.05625)",
-        "(stored for e = 2 mm, distance of the hub's contact from the middle of a flat)",
+        "(stored for e = 2 mm, distance of the hub contact from the middle of a flat)",
     ):  # fmt: skip
         assert words in answers[0]["text"]
     stored = answers[1]["text"]

@@ -1,4 +1,4 @@
-"""Error budgets of polyhedral rings: walls, corners, contacts and the plane assumption."""
+"""Causes of error in formulas of polyhedral rings: wall, corners, contacts, plane assumption."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -20,18 +20,18 @@ THINNER, SHARPER, LIGHTER = 10, 10, 16
 
 
 def thin_round(q: Any) -> Any:
-    """A thinner wall with equal mean diameter."""
+    """The inputs `q` with a wall a tenth as thick and an equal mean diameter."""
     wall = q.delta_1 / THINNER
     return q.model_copy(update={"d_e": q.d_m + wall, "delta_1": wall})
 
 
 def sharp(q: HubRing) -> HubRing:
-    """Fillets of a tenth of the size with unchanged corners."""
+    """The inputs `q` with a tenth of the fillet radius and unchanged wall in the corners."""
     return q.model_copy(update={"rho": q.rho / SHARPER})
 
 
 def fem_round(q: HubRing, level: int) -> FemResult:
-    """K of this wall with a round bore."""
+    """K of a ring with the wall of `q` and a round bore."""
     from verify.cases.polyhedral.fem import UNIT
     from verify.cases.polyhedral.ring.reference import stiffness
 
@@ -44,22 +44,22 @@ def fem_round(q: HubRing, level: int) -> FemResult:
 
 
 def fem_thin_round(q: HubRing, level: int) -> FemResult:
-    """K of a wall of a tenth of the thickness with a round bore."""
+    """K of a ring with a tenth of the wall thickness of `q` and a round bore."""
     return fem_round(thin_round(q), level)
 
 
 def light(q: Any) -> Any:
-    """A contact a quarter as wide."""
+    """The inputs `q` with a sixteenth of the force: contacts a quarter as wide."""
     return q.model_copy(update={"N": q.N / LIGHTER})
 
 
 def tight(q: Any) -> Any:
-    """A clearance a quarter as large, under a quarter of the pressure."""
+    """The inputs `q` with a quarter of the clearance and of the pressure."""
     return q.model_copy(update={"j_D": q.j_D / 4, "p_t": q.p_t / 4})
 
 
 def clutch_tight(q: Any) -> Any:
-    """A smaller clearance of a clutch, set by its race."""
+    """The inputs `q` with a quarter of clearance (by a smaller race), pressure and torque."""
     return q.model_copy(
         update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
     )
@@ -70,16 +70,16 @@ LIMITED = Rerun(
     levels=(1,), shared=True,
 )  # fmt: skip
 
-SHARP, ROUND = "fillets a tenth as large", "and a round bore, no corners"
+SHARP, ROUND = "fillet radius / 10", "in addition, a round bore without corners"
 K = ("K of the paper",)
 
-BY_SERIES = "as printed, beside the series of a ring on its rollers"
+BY_SERIES = "the printed formula is replaced by the series of an elastic ring on its rollers"
 
 STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-pressure": Statement(
         reruns=(
             Rerun(
-                cause=Cause.GEOMETRY, what="a wall a tenth as thick, mean diameter as it is",
+                cause=Cause.GEOMETRY, what="wall thickness / 10, equal mean diameter",
                 rows=("*Eq. 8*", "*Eq. 9*", "*Eq. 10"), inputs=thin_round,
             ),
             Rerun(
@@ -93,20 +93,20 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
             Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
-            Rerun(cause=Cause.GEOMETRY, what="and a wall a tenth as thick, mean diameter as it is",
+            Rerun(cause=Cause.GEOMETRY, what="in addition, wall / 10, equal mean diameter",
                   rows=K, fem=fem_thin_round, after=ROUND),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
                   changes=plane_strain(), shared=True),
         ),
         corrected=(
-            Corrected("K = 1 against the growth in the mean", "K_mean",
-                      "bending of the flats by the series"),
+            Corrected("K = 1 against the mean growth", "K_mean",
+                      "bending of the flats is included by the series"),
             Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
-                      "bending of the flats by the series"),
+                      "bending of the flats is included by the series"),
             Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
             *(
-                Corrected(f"{row}, against the largest in the fillets", "fillet",
-                          "a mean over the wall, beside the largest stress by the series")
+                Corrected(f"{row}, against the largest hoop stress in the fillets", "fillet",
+                          "the largest stress by the series replaces the mean over the wall")
                 for row in ("hoop stress, Eq. 9", "mean hoop stress, Eq. 12")
             ),
         ),
@@ -115,7 +115,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-map": Statement(finer=4),
     "polyhedral-locking": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="clearance and pressure a quarter: a narrower contact",
+            Rerun(cause=Cause.GEOMETRY, what="clearance / 4, pressure / 4: a narrower contact",
                   inputs=tight, levels=(1,)),
             LIMITED,
         ),
@@ -126,28 +126,28 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("force of an elastic roller, Eqs. 13 and 16 without the hub", "N_elastic",
                       BY_SERIES),
             Corrected("blocking pressure, Eq. 19 with K = 1", "p_2",
-                      "bending of the flats by the series"),
+                      "bending of the flats is included by the series"),
             Corrected("blocking pressure, Eq. 19 with K = 1, of a long ring in plane strain",
-                      "p_2_long", "bending of the flats by the series"),
+                      "p_2_long", "bending of the flats is included by the series"),
         ),
         finer=5, headline="force of a roller under pressure, series",
     ),
     "polyhedral-wedge": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a sixteenth of the force: contacts a quarter as wide",
+            Rerun(cause=Cause.GEOMETRY, what="force / 16: contact width / 4",
                   inputs=light),
             Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
                   changes=plane_stress(PROBLEM)),
         ),
         corrected=(
             Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
-            Corrected("normal force per torque, free, Eq. 4 as printed", "N_per_M"),
+            Corrected("normal force per torque of free rollers, Eq. 4 as printed", "N_per_M"),
         ),
         finer=32, headline="stick half-width of a released roller, T/(μN) = 0.6",
     ),
     "polyhedral-clutch": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="clearance, pressure and torque a quarter",
+            Rerun(cause=Cause.GEOMETRY, what="clearance / 4, pressure / 4, torque / 4",
                   inputs=clutch_tight, levels=(1,)),
             LIMITED,
         ),

@@ -1,4 +1,4 @@
-"""Finite elements of the polyhedral ring: half a sector under pressure, the whole for pictures."""
+"""Finite-element models of the polyhedral ring: half a sector under pressure or hub force."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -21,9 +21,9 @@ STATIONS = 25  # along the outside of half a sector
 def pressed_fem(
     q: PolygonRing, refine: int, assumption: "Assumption", arc: int = 6
 ) -> "PlaneSolution":
-    """Half a sector, free outside, with the pressure `UNIT` in its bore.
+    """Solution of half a sector, free outside, with the pressure `UNIT` in its bore.
 
-    `arc` cells lie on the fillet if `refine` is 1.
+    The fillet has `arc` cells if `refine` is 1.
     """
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
@@ -39,12 +39,12 @@ def pressed_fem(
 
 
 def stations(q: PolygonRing) -> Array:
-    """Angles (m,) of stations outside, from the middle of a flat to a corner."""
+    """Angles [rad] of points outside, from the middle of a flat to a corner, shape (m,)."""
     return np.linspace(0, q.half_angle, STATIONS)
 
 
 def factors_fem(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
-    """Outward displacement [m] under `UNIT` in the middle of the flats, in the mean, at corners."""
+    """Outward displacements [m] under `UNIT`: in the middle of the flats, mean, at corners."""
     from fem.plane.sectors import radial
 
     rim = ring.on_boundary("rim")
@@ -53,7 +53,7 @@ def factors_fem(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
 
 
 def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, str]) -> Field:
-    """The ring of 2 z copies of half a sector; `data` are values of cells with their units."""
+    """Field of the whole ring from 2 z copies of half a sector; `data`: (values, unit)."""
     from fem.plane.sectors import all_sectors
 
     points, moved, cells = all_sectors(half, z)
@@ -65,7 +65,7 @@ def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, st
 
 
 def expanded(q: PolygonRing, z: int) -> Field:
-    """The ring with `z` flats once they have taken up the clearance, on a coarse mesh."""
+    """Field of a ring with `z` flats when it has closed the clearance, on a coarse mesh."""
     other = q.model_copy(update={"z": z})
     ring = pressed_fem(other, 1, "plane stress")
     cells: dict[str, Any] = ring.cells()
@@ -75,9 +75,9 @@ def expanded(q: PolygonRing, z: int) -> Field:
 
 
 def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
-    """Half a sector in plane stress: the hub's force at e, or its normal part in the corner.
+    """Solutions of half a sector in plane stress: hub force at e; its normal part in the corner.
 
-    Displacements under the point force itself are unbounded; at other places they converge.
+    Displacements at the point of the force are unbounded; at other points, they converge.
     """
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
@@ -112,7 +112,7 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
 def in_fillet_fem(
     q: PolygonRing, ring: "PlaneSolution", p: float = UNIT, *, name: str = "fillet"
 ) -> float:
-    """Largest hoop stress [Pa] of the fillet, boundary `name`, under the pressure `p`."""
+    """Largest hoop stress [Pa] of the fillet, boundary `name`, under the pressure `p` [Pa]."""
     from fem.plane.sectors import largest_hoop_stress
 
     centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])

@@ -1,6 +1,6 @@
-"""Inputs of the polyhedral ring clutch. The paper prints no numbers: these are assumed.
+"""Inputs of the polyhedral ring clutch; default values are assumed, as the paper prints none.
 
-`d_i` is the diameter of the bore through its corners as they are, with their fillets.
+`d_i` is the diameter of the bore through its corners, measured with fillets.
 """
 
 import math
@@ -16,14 +16,14 @@ LEAST_FLAT = 0.05  # least flat part of a side of the unfilleted bore
 
 
 class RoundRing(Case):
-    """A round elastic ring inside rollers, under pressure in its bore."""
+    """Inputs of a round elastic ring inside rollers, under pressure in its bore."""
 
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
     delta_1: float = given(
-        "4 mm", "mm", "δ_1", "wall of the ring, in the corners where there are any", gt=0, le=1e5
+        "4 mm", "mm", "δ_1", "wall thickness of the ring, at corners if it has any", gt=0, le=1e5
     )
     j_D: float = given(
-        "0.06 mm", "mm", "j_D", "clearance on the diameter that the ring takes up", gt=0, le=1e3
+        "0.06 mm", "mm", "j_D", "diametral clearance that the ring closes", gt=0, le=1e3
     )
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio of the ring", ge=0, le=0.45)
@@ -43,7 +43,7 @@ class RoundRing(Case):
 
     @property
     def straining(self) -> float:
-        """Mean hoop strain that takes up the clearance."""
+        """Mean hoop strain that closes the clearance."""
         return self.j_D / self.d_m
 
     @model_validator(mode="after")
@@ -56,31 +56,31 @@ class RoundRing(Case):
             )
         if self.delta_1 < THINNEST * self.d_e:
             raise ValueError(
-                f"the wall vanishes: δ_1 must be at least {THINNEST:g} d_e = "
+                f"the wall is too thin: δ_1 must be at least {THINNEST:g} d_e = "
                 f"{THINNEST * self.d_e * 1e3:g} mm, got {sizes}"
             )
         if self.j_D > 0.02 * self.d_e:
             raise ValueError(
-                f"j_D = {self.j_D * 1e3:g} mm strains the ring by {self.straining:.1%}: no metal "
-                f"stays elastic, at most 0.02 d_e = {20 * self.d_e:g} mm"
+                f"j_D = {self.j_D * 1e3:g} mm strains the ring by {self.straining:.1%}, beyond "
+                f"the elastic limit: j_D must not exceed 0.02 d_e = {20 * self.d_e:g} mm"
             )
         return self
 
 
 class PolygonRing(RoundRing):
-    """A ring whose bore is a regular polygon with filleted corners."""
+    """Inputs of a ring whose bore is a regular polygon with filleted corners."""
 
-    z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
-    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    z: int = count(6, "z", "number of rollers and of flats of the bore", ge=3, le=48)
+    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the corners of the bore", gt=0, le=1e4)
 
     @property
     def half_angle(self) -> float:
-        """Half the angle between rollers, pi/z [rad]."""
+        """Half of the angle between rollers, pi/z [rad]."""
         return math.pi / self.z
 
     @property
     def unfilleted(self) -> float:
-        """Radius of the corners without their fillets [m]."""
+        """Distance of the corners from the axis without fillets [m]."""
         return self.d_i / 2 + self.rho * (1 / math.cos(self.half_angle) - 1)
 
     @property
@@ -105,13 +105,13 @@ class PolygonRing(RoundRing):
 
 
 class HubRing(PolygonRing):
-    """The ring with the force of the hub on each of its flats."""
+    """Inputs of the ring with a hub force on each of its flats."""
 
     e: float = given(
-        "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
+        "9 mm", "mm", "e", "distance of the hub contact from the middle of a flat", gt=0, le=1e5
     )
     R_b: float = given(
-        "200 N/mm", "N/mm", "R/b", "force of the hub on a flat, per width of the ring", gt=0, le=1e7
+        "200 N/mm", "N/mm", "R/b", "hub force on a flat, per width of the ring", gt=0, le=1e7
     )
     tan_phi: float = given(
         0.05, "1", "tan φ_1", "friction between hub and ring, towards the flat's middle", ge=0, le=1
@@ -124,7 +124,7 @@ class HubRing(PolygonRing):
 
 
 def check_on_the_flat(q: PolygonRing, e: float) -> None:
-    """ValueError unless the hub touches the flat of `q` at `e` [m] from its middle."""
+    """Raise ValueError if `e` [m] is outside the flat of `q`, measured from its middle."""
     if e > OUTERMOST * q.half_flat:
         raise ValueError(
             f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, "
@@ -133,7 +133,7 @@ def check_on_the_flat(q: PolygonRing, e: float) -> None:
 
 
 def check_apart(*, z: int, D_i: float, d: float) -> None:
-    """ValueError unless z rollers of diameter d [m] have room beside each other in the race."""
+    """Raise ValueError if z rollers of diameter d [m] overlap in the race."""
     pitch = (D_i - d) * math.sin(math.pi / z)
     if d >= pitch:
         raise ValueError(

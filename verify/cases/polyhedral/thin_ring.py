@@ -1,4 +1,4 @@
-"""The thin round ring that takes up a clearance, and the factor K of a polygonal bore."""
+"""Formulas of the thin round ring that closes a clearance, and K of a polygonal bore."""
 
 from typing import ClassVar
 
@@ -32,7 +32,7 @@ class ThinRing(RoundRing):
 
 
 class PolygonSeries(ThinRing, PolygonRing):
-    """The polygonal ring under pressure by complex potentials."""
+    """The polygonal ring under pressure, solved by complex potentials."""
 
     ends: ClassVar[Assumption] = "plane stress"
 
@@ -41,10 +41,10 @@ class PolygonSeries(ThinRing, PolygonRing):
 
     @shared
     def sector(self) -> Sector:
-        """Half a sector for the series."""
+        """Geometry of half a sector, for the series."""
         return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
 
     @shared
     def factors(self) -> StiffnessFactors:
-        """K by its three definitions."""
+        """K by its three definitions: middle of the flats, mean growth, corners."""
         return bore_pressure.stiffness_factors(sector=self.sector, nu=self.nu, assumption=self.ends)

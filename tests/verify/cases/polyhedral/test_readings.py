@@ -23,13 +23,15 @@ READINGS = [
     pytest.param(RING, expansion, "mean_hoop_stress", given(p=lambda k: 1.0999 * k["p"]),
                  "mean hoop stress in the corners, Eq. 12", id="Eq. 12 as printed"),
     pytest.param(RING, polyhedral_ring, "hub_force", given(along=lambda k: -k["along"]),
-                 "hub at e: middle of the flats", id="the hub's friction reversed"),
+                 "displacement by the hub force at e: middle of the flats",
+                 id="the hub's friction reversed"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda _: 0.0), EQ_21,
                  id="gamma = 0 in the first design"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda k: k["psi"]), EQ_20,
                  id="gamma = psi in Eq. 20"),
     pytest.param(WEDGE, wedging, "least_normal_force", lambda _: lambda *, M_t, mu, z, D_i: M_t / (
-        z * D_i / 2 * math.tan(WedgedRoller().half)), "normal force per torque, caged (Eq. 4)",
+        z * D_i / 2 * math.tan(WedgedRoller().half)),
+                 "normal force per torque of caged rollers (Eq. 4)",
                  id="a free roller's force in Eq. 4"),
     pytest.param(WEDGE, partial_slip, "stick_half_width", lambda _: lambda *, Q, P, mu, a: a * (
         1 - Q / (mu * P)), "stick half-width of a released roller, T/(μN) = 0.4",

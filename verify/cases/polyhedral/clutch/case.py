@@ -1,4 +1,4 @@
-"""The whole clutch, parts to torque: the paper's formulas and the elastic ring."""
+"""Case of the whole clutch: torque by the formulas of the paper and by the elastic ring."""
 
 from collections.abc import Iterator
 from math import degrees, isfinite
@@ -20,14 +20,15 @@ WIDE = 2.0  # walls: wider rings are not in plane stress throughout
 
 
 class PolyhedralClutch(ClutchFormulas):
-    """Every value of the paper's chain from dimensions, friction and pressure to the torque.
+    """The formulas of the paper give the torque from dimensions, friction and pressure.
 
-    It is compared with the torque of an elastic ring and elastic rollers, which finite elements
-    confirm. The corrected Eq. 21 gives several times as much. Sizes and loads are assumed.
+    Each value of this chain is computed. The torque is compared with that of an elastic ring and
+    elastic rollers, which finite elements confirm. The torque by the corrected Eq. 21 is several
+    times as large. Dimensions and loads are assumed.
     """
 
     id = "polyhedral-clutch"
-    title = "Polyhedral ring clutch, from its parts to its torque"
+    title = "Torque of a polyhedral ring clutch"
     source = "belcin"
     place = "Eqs. 3-4, 6-21"
     levels: ClassVar = fem.LEVELS
@@ -47,69 +48,69 @@ class PolyhedralClutch(ClutchFormulas):
         ),
     )
     readings: ClassVar = (
-        "misprints corrected: the side of the polygon for its arc (13, 17, 20, 21), no factor "
-        "β/360 in Eq. 21",
-        "Eq. 20: K of the middle of the flats, lever apothem/cos ψ, γ = 0; Eq. 21: K = 1, lever "
-        "d_i/2, γ = ψ, corners without fillets",
-        "rollers with a wedge angle α carry N tan(α/2); without one they are at the limit μ N, as "
-        "in Eqs. 4 and 17 to 21: α = 2 arctan μ, no force of a cage. What a cage adds to the "
-        "race's torque does not pass through the ring",
-        "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
-        "radius through its contact, as in Eq. 14",
-        "series: complex potentials of the ring; unit pressure and unit hub force lift the middle "
-        "of the flats by u_p and u_h1, a roller's force presses it back by u_N(a) N, local "
-        "indentation included, and compresses the roller by δ(N); κ = R/N",
-        "margin and pressure for the target torque are those of elastic ring and rollers",
+        "misprints are corrected: side of the polygon instead of its arc in Eqs. 13, 17, 20, 21; "
+        "no factor β/360 in Eq. 21",
+        "Eq. 20 uses K in the middle of the flats, the lever apothem/cos ψ and γ = 0; Eq. 21 uses "
+        "K = 1, the lever d_i/2, γ = ψ and corners without fillets",
+        "rollers with a given wedge angle α carry N tan(α/2). Without α, they carry the limit μ N, "
+        "as in Eqs. 4 and 17 to 21: α = 2 arctan μ, no cage force. The torque that a cage adds "
+        "at the race does not pass through the ring",
+        "the hub force R is inclined by φ_1 towards the middle of the flat: its angle to the "
+        "radius through its contact is ψ + φ_1, as in Eq. 14",
+        "series: complex potentials of the ring. Outward displacements of the middle of a flat: "
+        "u_p by unit pressure, u_h1 by unit hub force, −u_N(a) N by the roller force N, including "
+        "local indentation. δ(N) is the compression of the roller; κ = R/N",
+        "margin and pressure for the target torque hold for elastic ring and rollers",
     )
     assumptions: ClassVar = (
-        "linear elasticity, small strain; ring and rollers in plane stress, the race rigid; rigid "
-        "rollers set an upper bound of the torque",
-        "friction at the rollers turns the ring against the hub: by symmetry it lifts nothing "
-        "above the middle of the flats",
-        "the hub's force at e counts as half of it on each side of the flat's middle",
+        "linear elasticity, small strain; ring and rollers in plane stress, race rigid; the torque "
+        "with rigid rollers is an upper bound",
+        "friction at the rollers rotates the ring against the hub; by symmetry, it does not "
+        "displace the outside above the middle of the flats",
+        "the hub force at e is replaced by half of it on each side of the middle of the flat",
     )
 
     comparisons = compared.comparisons
 
     def reference(self, level: int) -> Level:
-        """Half a sector that its hub turns, with its roller."""
+        """Results of half a sector under pressure and hub force, with its roller."""
         return fem.solve(self, level)
 
     def figures(self) -> Iterator[Drawn]:
-        """Torques side by side."""
+        """Figure: torques by formulas and finite elements."""
         yield Drawn(lambda context: torques(self, context))
 
     def pictures(self) -> Iterator[Picture]:
-        """The ring at its torque."""
+        """Picture of the ring under the pressure and its torque."""
         caption = (
-            "Ring at its torque: pressure, hub (its symmetric part) and rollers; von Mises stress, "
-            "coarse mesh"
+            "Von Mises stress of the ring under pressure, hub force (symmetric part) and roller "
+            "forces, coarse mesh"
         )
         yield picture("driven", "von_mises", caption, share=0.02)
 
     def sketch(self) -> Sketch:
-        """The ring, its rollers and loads."""
+        """Sketch of the ring, its rollers and loads."""
         return sketch(self.ring, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the clutch has no torque or no limit, or if parts yield."""
+        """Warnings if the clutch has no torque or no limit, or if parts are overstressed."""
         yield from self._about_torque()
         if self.alpha_need > self.alpha_ring:
             yield (
-                "without a cage a wedge angle is required of "
-                f"{degrees(self.alpha_need):.3g}°; available are "
-                f"{degrees(self.alpha_ring):.2g}° under p_t, which carry {self.M_ring:.3g} N m: a "
-                "cage transmits the remainder"
+                "without a cage, the rollers require a wedge angle of "
+                f"{degrees(self.alpha_need):.3g}°; the ring under p_t offers only "
+                f"{degrees(self.alpha_ring):.2g}°, which transmits {self.M_ring:.3g} N m: a cage "
+                "must transmit the remainder"
             )
         if self.b > WIDE * self.delta_1 and isfinite(self.M_wide):
             yield (
-                f"b/δ_1 = {self.b / self.delta_1:.3g}: neither plane stress, as taken, nor plane "
-                f"strain, which gives {self.M_wide:.4g} N m; rollers press more on the ends"
+                f"b/δ_1 = {self.b / self.delta_1:.3g}: the ring is between plane stress (assumed) "
+                f"and plane strain, which gives {self.M_wide:.4g} N m; rollers load the ends more"
             )
         if self.hub_share >= 1:
             yield (
-                f"the hub's share of N is {self.hub_share:.3g} by Eq. 16: friction that locks, "
-                "Eqs. 17 to 20 set no limit to the torque"
+                f"the hub's share of N is {self.hub_share:.3g} by Eq. 16 (at least 1): "
+                "the clutch locks by friction, and Eqs. 17 to 20 give no limit of the torque"
             )
         yield from of_rollers(max(self.p_ring, self.p_race), " on the rollers")
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=" under p_t")
@@ -118,41 +119,41 @@ class PolyhedralClutch(ClutchFormulas):
         if self.alpha is not None and not self.stays:
             yield (
                 f"the rollers are expelled: tan(α/2) = {np.tan(self.alpha / 2):.4g} is not below "
-                f"μ = {self.mu:g}; without a cage they carry nothing"
+                f"μ = {self.mu:g}; without a cage, they carry no torque"
             )
         elif self.p_t <= self.p_1r:
             yield (
-                f"p_t = {self.shown('p_t')} is not above p_1r = {self.shown('p_1r')}: the ring "
-                "does not reach its rollers, no torque"
+                f"p_t = {self.shown('p_t')} must exceed p_1r = {self.shown('p_1r')}: the ring "
+                "does not reach its rollers, the torque is zero"
             )
         elif not isfinite(self.M_el):
             yield (
-                "after contact the hub alone wedges the rollers further and further: strength "
-                "limits the torque, not pressure; a larger e or a smaller μ restores that limit"
+                "after contact, the hub force alone clamps the rollers more and more: strength "
+                "limits the torque, not pressure; a larger e or a smaller μ changes this"
             )
         elif self.margin < 1:
             yield (
-                f"elastic ring and rollers carry {self.M_el:.4g} N m, less than the "
-                f"target of {self.M_t:.4g} N m: p_t must be {self.shown('p_need')}, under "
-                f"which the fillets carry {self.shown('fillet_need')}"
+                f"elastic ring and rollers transmit {self.M_el:.4g} N m, less than the "
+                f"target torque of {self.M_t:.4g} N m: p_t must be {self.shown('p_need')}; the "
+                f"hoop stress in the fillets is then {self.shown('fillet_need')}"
             )
 
     def refusal(self) -> str:
-        """Rows compare forces of rollers that pressure limits."""
+        """Reason for not solving inputs without a torque that pressure limits; "" if none."""
         if not self.stays:
-            return "the rollers are expelled: there is no torque to compare, check it without --fem"
+            return "the rollers are expelled, the torque is zero: run `check` without --fem"
         N = self.line_load
         if not isfinite(N):
-            return "pressure does not limit the torque: nothing to compare, check it without --fem"
+            return "pressure does not limit the torque: run `check` without --fem"
         if not self.hub.rises(self.line_need):
             return (
-                f"no pressure holds M_t = {self.M_t:.4g} N m, the hub wedges the rollers further "
-                "and further: nothing to compare, check it without --fem"
+                f"no pressure belongs to M_t = {self.M_t:.4g} N m, as the hub force clamps the "
+                "rollers more and more: run `check` without --fem"
             )
         if 1e-3 * self.p_t * self.d_i > N:
             return (
-                f"p_t = {self.shown('p_t')} hardly reaches the rollers: there is no torque to "
-                "compare, check it without --fem"
+                f"p_t = {self.shown('p_t')} hardly presses the ring against the rollers, so "
+                "that the torque is nearly zero: run `check` without --fem"
             )
         return ""
 

@@ -1,4 +1,4 @@
-"""The paper's chain from dimensions, friction and pressure to the torque, Eqs. 6 to 21."""
+"""Chain of formulas of the paper: from dimensions, friction, pressure to torque, Eqs. 6 to 21."""
 
 from math import atan
 from typing import Any
@@ -12,12 +12,12 @@ from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
 
 class PaperChain(ClutchInputs):
-    """All values of the chain, misprints corrected; infinite if friction locks."""
+    """All values of the chain with corrected misprints; infinite if the clutch locks itself."""
 
     d_m = Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
                    tex=r"\frac{d_i + d_e}{2}").reads(lambda q: q.full.parts.d_m)  # fmt: skip
     lever = Quantity(
-        "r + r_1", "mm", "lever of the hub's contact", source="Eq. 14", role="step",
+        "r + r_1", "mm", "lever of the hub contact", source="Eq. 14", role="step",
         tex=r"\frac{a_f}{\cos\left(\psi\right)}",
     ).reads(lambda q: q.full.arm)  # fmt: skip
     sigma_t = Quantity("σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step",
@@ -27,7 +27,7 @@ class PaperChain(ClutchInputs):
                    safe="too high",
                    tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}").reads(lambda q: q.full.p_1)  # fmt: skip
 
-    @Quantity("K", "1", "correction for the polygon, middle of the flats", role="step",
+    @Quantity("K", "1", "correction factor of the polygon, middle of the flats", role="step",
               source="complex potentials")  # fmt: skip
     def K(self) -> float:
         ring = bore_pressure.stiffness_factors(
@@ -35,21 +35,21 @@ class PaperChain(ClutchInputs):
         )
         return ring.mid
 
-    p_1r = Quantity("p_1r", "MPa", "pressure that reaches the rollers", equation="11", role="step",
+    p_1r = Quantity("p_1r", "MPa", "pressure at first contact", equation="11", role="step",
                     safe="too high", tex=r"K p_1").reads(lambda q: q.full.p_1r)  # fmt: skip
     sigma_tr = Quantity(
-        "σ_tr", "MPa", "mean hoop stress in the corners then", equation="12", role="step",
+        "σ_tr", "MPa", "mean hoop stress in the corners under p_1r", equation="12", role="step",
         safe="too high", tex=r"\frac{p_{1r} d_i}{2 \delta_1}",
     ).reads(lambda q: q.full.sigma_tr)  # fmt: skip
-    p_2 = Quantity("p_2", "MPa", "blocking pressure that is left", equation="19", role="step",
+    p_2 = Quantity("p_2", "MPa", "blocking pressure, p_t minus p_1r", equation="19", role="step",
                    safe="too low",
                    tex=r"\max\left(p_t - p_{1r}, 0\right)").reads(lambda q: q.full.p_2)  # fmt: skip
     F = Quantity(
-        "F", "kN", "force of that on a side", equation="13", form="corrected", role="step",
+        "F", "kN", "force of p_2 on a side", equation="13", form="corrected", role="step",
         safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
     ).reads(lambda q: q.full.F)  # fmt: skip
     hub_share = Quantity(
-        "s", "1", "hub's share of N; from 1 on it locks", equation="16", role="step",
+        "s", "1", "share of the hub force in N; self-locking from 1", equation="16", role="step",
         tex=r"\frac{\mu_g D_i \cos\left(\varphi_1\right)}"
         r"{2 (r + r_1) \sin\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.hub_share)  # fmt: skip
@@ -75,15 +75,15 @@ class PaperChain(ClutchInputs):
     def M_21_printed(self) -> float:
         return float(printed.first_torque(M_t=self.M_21, z=self.z))
 
-    T = Quantity("T", "kN", "tangential force of the hub per corner, with M_20", equation="14",
+    T = Quantity("T", "kN", "tangential hub force per corner under M_20", equation="14",
                  role="step",
                  tex=r"\frac{M_{20}}{z (r + r_1)}").reads(lambda q: q.full.T)  # fmt: skip
     F_s = Quantity(
-        "F_s", "kN", "radial force of the hub", equation="14", role="step",
+        "F_s", "kN", "radial hub force", equation="14", role="step",
         tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.F_s)  # fmt: skip
     R = Quantity(
-        "R", "kN", "force between hub and flat", source="in Eq. 16", role="step",
+        "R", "kN", "force between hub and flat", source="Eq. 16", role="step",
         tex=r"\frac{F_s}{\cos\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.R)  # fmt: skip
     N_16 = Quantity("N_16", "kN", "force of a roller", equation="16", role="step",
@@ -114,16 +114,16 @@ class PaperChain(ClutchInputs):
 
     @shared
     def sector(self) -> Sector:
-        """Half a sector for the series."""
+        """Geometry of half a sector, for the series."""
         return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
 
     @shared
     def full(self) -> PolyhedralClutch:
-        """The chain with K of the middle of the flats and the hub's exact lever."""
+        """The formulas with K in the middle of the flats and the exact lever of the hub."""
         return self.paper(K=self.K)
 
     def paper(self, *, rho: float | None = None, **readings: Any) -> PolyhedralClutch:
-        """The paper's formulas, corrected, in one of their readings."""
+        """The corrected formulas of the paper for given `readings` of its definitions."""
         parts = PolyhedralParts(
             z=self.z, d_i=self.d_i, d_e=self.d_e, D_i=self.D_i, d=self.d, b=self.b, e=self.e,
             rho=self.rho if rho is None else rho,

@@ -1,4 +1,4 @@
-"""Comparisons of the whole clutch: formulas and series with finite elements."""
+"""Comparisons of the whole clutch: formulas and series against finite elements."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -19,27 +19,27 @@ from verify.judging import judge
 from verify.judging.checks import Approximation
 
 LOOSE = 0.1  # slack above which a formula is not judged
-NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
-HERTZ = "argued: (2 a/d)² of each contact, (a/wall)² and 1e-3 of the closure, times what it moves"
+NO_LIMIT = "a missing value means no limit: the clutch locks itself by friction of the hub"
+HERTZ = "estimated: ± ((2 a/d)² of each contact + (a/wall)² + 1e-3), times the sensitivity to it"
 STATICS = (
-    "vectors of pressure, hub and roller on a flat in balance, over the series; the same slack"
+    "balance of pressure, hub and roller on a rigid flat, over the series; ± as for the series"
 )
-STRESS = "2e-3 of a peak stress between meshes, and what Hertz's neglect makes of the force"
-BALANCE = "acceptance figure; contact met to round-off"
-PLANE = "plane stress, rigid race; half of the hub's force on each side of the flat's middle"
+STRESS = "estimated: ± (2e-3 for a peak stress on meshes, plus the effect of Hertz's error)"
+BALANCE = "accepted error; the contact law is satisfied except for round-off"
+PLANE = "plane stress, rigid race; half of the hub force on each side of the middle of the flat"
 
 
 class ClutchFormulas(PaperChain, ElasticClutch):
-    """The elastic clutch first, then the paper's chain; the slack that Hertz leaves in both."""
+    """Formulas of the elastic clutch and of the paper, and their errors due to Hertz's theory."""
 
     @property
     def slack(self) -> float:
-        """Share of the elastic torque; nan without one."""
+        """Relative error of the elastic torque due to Hertz's theory; nan without a torque."""
         return self._blur(self.hub, self.line_load)
 
     @property
     def slack_p(self) -> float:
-        """Share of the pressure for the target torque."""
+        """Relative error of the pressure for the target torque due to Hertz's theory."""
         N = self.line_need
         if not 0 < self.line_load < inf:
             return nan
@@ -47,43 +47,43 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def slack_block(self) -> float:
-        """Share of the blocking pressure for the target torque."""
+        """Relative error of the blocking pressure for the target torque, likewise."""
         return self.slack_p * self.p_need / self.p_block
 
     @property
     def slack_rigid(self) -> float:
-        """Share of the torque with rigid rollers."""
+        """Relative error of the torque with rigid rollers, likewise."""
         return self._blur(self.stiff, self.line_rigid)
 
     def _blur(self, hub: Driven, N: float) -> float:
         return self._neglect(hub, N) * hub.force_sensitivity(N) if 0 < N < inf else nan
 
     def _neglect(self, hub: Driven, N: float) -> float:
-        """Relative error of Hertz's closure under N [N/m]."""
+        """Relative error of the approach by Hertz's theory under N [N/m]."""
         roller = RollerOnRing(d=self.d, d_e=self.d_e, j_D=self.j_D, apothem=self.ring.apothem,
                               E=self.E, nu=self.nu)  # fmt: skip
         return roller.closure(hub.contact.half_width(N), hub.contact.half_width_on_race(N))
 
     @property
     def flat(self) -> FlatParts:
-        """Loads and sizes of the flats, for their statics."""
+        """Loads and dimensions of the flats, for their balance of forces."""
         return FlatParts(z=self.z, d_i=self.d_i, D_i=self.D_i, b=self.b, e=self.e, mu=self.mu,
                          apothem=self.ring.apothem, phi_1=self.phi_1, alpha=self.alpha)  # fmt: skip
 
     def torque_of_first_design(self) -> float:
-        """Torque [N m] of a rigid flat as in Eq. 21, by vectors."""
+        """Torque [N m] of a rigid flat as in Eq. 21, from the balance of forces."""
         ring = {"d_m": self.ring.d_m, "wall": self.delta_1, "j_D": self.j_D, "E": self.E}
         return first_design(self.flat, **ring).torque(self.p_t)
 
     def pressure_over_the_arc(self) -> float:
-        """Pressure [Pa] for the target torque if each side's force acts on its arc."""
+        """Pressure [Pa] for the target torque if the force of a side is computed with its arc."""
         touch = self.touch
         rest = filleted(self.flat, touch).pressure(self.M_t) - touch
         return touch + rest / self.flat.arc
 
     @property
     def from_rollers(self) -> float:
-        """Share of the fillet stress due to rollers and hub."""
+        """Share of the fillet stress that is due to rollers and hub."""
         if not 0 < self.line_load < inf:
             return nan
         return abs(1 - driven_fillet_stress(self.hub, 0.0, self.p_t) / self.fillet)
@@ -91,9 +91,10 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Approximation):
-    """A formula with the slack `give` due to Hertz's error; not judged without a value.
+    """Comparison of a formula whose error interval has the half-width `give`, by Hertz's error.
 
-    For user inputs the demand is at least twice this slack.
+    It is not judged without a value. For user inputs, the required sensitivity is at least twice
+    the half-width.
     """
 
     give: str
@@ -126,7 +127,7 @@ def _claimed(
 
 
 def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
-    """Rows: series, the paper's chain, stress, balances; intervals are computed with the rows."""
+    """Rows: series, formulas of the paper, stress, balances."""
     case, arc = ClutchFormulas, self.flat.arc
     slack = ("slack", lambda: self.slack)
     rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
@@ -167,14 +168,17 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
         )  # fmt: skip
     yield balance("moment", "moments of hub and rollers about the axis", "ΣM", "N m",
                   of={"M series": self.M_el}, bound=1e-9,
-                  because="statics: Eq. 14's lever and angle")  # fmt: skip
+                  because="statics: lever and angle of Eq. 14")  # fmt: skip
 
 
 def _around(
     q: ClutchFormulas, series: Quantity, slack: Callable[[], float],
     statics: Callable[[], float] | None,
 ) -> Callable[[], Interval]:  # fmt: skip
-    """Interval of a formula's error: its expected value, derived otherwise, over the series."""
+    """Function that returns the interval of the error of a formula.
+
+    Its centre is the value by `statics`, an independent derivation, over the series.
+    """
 
     def interval() -> Interval:
         value, give = getattr(q, series.name), slack()
@@ -188,7 +192,7 @@ def _around(
 
 
 def _of_stress(q: ClutchFormulas) -> Interval:
-    """Interval of the error of the fillet stress, which is partly due to roller and hub."""
+    """Interval of the error of the fillet stress; a part of it is due to roller and hub."""
     if not q.slack < LOOSE:
         return None
     give = PEAK_STRESS + q.from_rollers * q.slack

@@ -1,4 +1,4 @@
-"""Meshes of the driven ring: the hub's force is proportional to the roller force."""
+"""Finite-element model of the driven ring: the hub force is proportional to the roller force."""
 
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ THIN = 0.02  # the same at the rollers, below which it is so: contacts end near 
 
 
 def driven_fem(q: ClutchInputs, level: int, *, elastic: bool) -> "DrivenSector":
-    """Half a sector, its roller at the friction limit, the hub in balance with it."""
+    """Model of half a sector with its roller at the friction limit, in balance with the hub."""
     from fem.contact.driven import DrivenSector
 
     slim = q.d_e / 2 - q.ring.apothem < THIN * q.d_e

@@ -1,4 +1,4 @@
-"""Figures of the whole clutch: torques side by side."""
+"""Figure of the whole clutch: torques by formulas and finite elements."""
 
 from collections.abc import Iterator
 from math import isfinite
@@ -15,7 +15,7 @@ SOLVED = {"M_rigid": "elastic ring, rigid rollers, FE", "M_el": "ring and roller
 
 
 def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
-    """Torques by formulas and finite elements, if pressure limits them."""
+    """Figure of torques by formulas and finite elements; none if pressure does not limit them."""
     values = {key: getattr(q, key) for key in FORMULAS}
     items: list[tuple[str, float, float | None, str]] = [
         (FORMULAS[key], value, None, "formula") for key, value in values.items() if isfinite(value)
@@ -25,6 +25,6 @@ def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
     if items:
         yield Dots(
             title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
-            note="Eqs. 20 and 21 assign all of the blocking pressure to the rollers; the ring "
-            "carries a part, and rollers deflect.",
+            note="Eqs. 20 and 21 assign the whole blocking pressure to the rollers. In fact, the "
+            "ring carries a part of it, and the rollers deflect.",
         )  # fmt: skip

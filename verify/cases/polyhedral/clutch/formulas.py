@@ -1,4 +1,4 @@
-"""The clutch with elastic ring and rollers: its torque by complex potentials and Hertz."""
+"""Torque of the clutch with elastic ring and rollers, by complex potentials and Hertz."""
 
 from math import inf, isfinite, nan
 from typing import Any
@@ -19,7 +19,7 @@ SERIES = "elastic ring and rollers: series"
 
 
 class ElasticClutch(ClutchInputs):
-    """Main results for design; infinite or nan if pressure sets no limit."""
+    """Main results for design; infinite or nan if pressure does not limit the torque."""
 
     @Quantity("S", "1", "margin: torque of elastic ring and rollers over the target torque",
               role="step", safe="too low", tex=r"\frac{M_{el}}{M_t}")  # fmt: skip
@@ -35,13 +35,13 @@ class ElasticClutch(ClutchInputs):
     def p_need(self) -> float:
         return self.hub.required_pressure(self.line_need) if self.stays else inf
 
-    @Quantity("p_block", "MPa", "blocking pressure for the target torque, beyond that which "
-              "reaches the rollers", source=SERIES, safe="too high")  # fmt: skip
+    @Quantity("p_block", "MPa", "blocking pressure for the target torque: p_need minus the "
+              "pressure at first contact", source=SERIES, safe="too high")  # fmt: skip
     def p_block(self) -> float:
         return self.p_need - self.touch
 
-    @Quantity("p_ring", "MPa", "Hertz pressure of rollers on the ring, under p_t or p_need, "
-              "whichever is more", role="step", safe="too high")  # fmt: skip
+    @Quantity("p_ring", "MPa", "Hertz pressure of rollers on the ring, under the larger of "
+              "p_t and p_need", role="step", safe="too high")  # fmt: skip
     def p_ring(self) -> float:
         return self._pressure(self.d_e / 2)
 
@@ -91,13 +91,13 @@ class ElasticClutch(ClutchInputs):
     def alpha_need(self) -> float:
         return float(2 * np.arctan(self.hub.grip))
 
-    @Quantity("α_ring", "deg", "steepest slope of the ring's outside under p_t, untouched",
+    @Quantity("α_ring", "deg", "steepest slope of the outside under p_t, no rollers",
               role="step")  # fmt: skip
     def alpha_ring(self) -> float:
         ring = self.hub.contact.sector
         return float(steepest(sector=ring, field=pressed(ring))[0] * self.p_t / self.E)
 
-    @Quantity("M_ring", "N m", "torque of rollers that only that slope holds", role="step",
+    @Quantity("M_ring", "N m", "torque of rollers held only by the slope α_ring", role="step",
               safe="too low")  # fmt: skip
     def M_ring(self) -> float:
         offered = self.driven(share=float(np.tan(self.alpha_ring / 2)))
@@ -105,12 +105,12 @@ class ElasticClutch(ClutchInputs):
 
     @shared
     def hub(self) -> Driven:
-        """The ring that its hub turns, rollers as elastic as the ring."""
+        """Ring under hub and pressure, with elastic rollers."""
         return self.driven()
 
     @shared
     def stiff(self) -> Driven:
-        """The clutch with rigid rollers."""
+        """Ring under hub and pressure, with rigid rollers."""
         return self.driven(rigid=True)
 
     @shared
@@ -120,7 +120,7 @@ class ElasticClutch(ClutchInputs):
 
     @shared
     def line_rigid(self) -> float:
-        """The line load with a rigid roller."""
+        """Force per length [N/m] of a rigid roller under p_t."""
         return self.stiff.force(self.p_t) if self.stays else 0.0
 
     @property
@@ -137,9 +137,9 @@ class ElasticClutch(ClutchInputs):
         self, *, rigid: bool = False, assumption: Assumption = "plane stress",
         share: float | None = None,
     ) -> Driven:  # fmt: skip
-        """The locked ring that its hub turns; rollers as elastic as the ring, or rigid.
+        """Ring under hub and pressure; the rollers are elastic, or `rigid`.
 
-        `share` is another tangential over normal force than `grip`.
+        `share` replaces `grip` as the ratio of tangential to normal force of the rollers.
         """
         own: dict[str, Any] = {} if rigid else {"E": self.E, "nu": self.nu}
         ring = Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
@@ -149,7 +149,7 @@ class ElasticClutch(ClutchInputs):
         return Driven(contact, grip=grip, D_i=self.D_i, e=self.e, tan_phi=self.tan_phi)
 
     def _pressure(self, R_2: float) -> float:
-        """Hertz's largest pressure [Pa] of a roller against the radius R_2 [m]."""
+        """Hertz's peak pressure [Pa] of a roller on a surface with the radius R_2 [m]."""
         carried = [load for load in (self.line_load, self.line_need) if isfinite(load)]
         if not carried:
             return nan

@@ -1,4 +1,4 @@
-"""Inputs of the whole polyhedral ring clutch, from its parts to the target torque."""
+"""Inputs of the whole polyhedral ring clutch: dimensions, friction, pressure, target torque."""
 
 import math
 from typing import Self
@@ -15,26 +15,30 @@ NARROWEST, WIDEST = 1e-5, 0.02  # relative to d_e: clearances that a ring can cl
 
 
 class ClutchInputs(Case):
-    """Ring, rollers, race and hub; the paper prints no numbers, these are assumed."""
+    """Inputs of ring, rollers, race and hub; default values are assumed, the paper prints none."""
 
     M_t: float = given("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
     p_t: float = given("30 MPa", "MPa", "p_t", "available pressure", gt=0, le=1e4)
-    z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
+    z: int = count(6, "z", "number of rollers and of flats of the bore", ge=3, le=48)
     D_i: float = given("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
-    delta_1: float = given("4 mm", "mm", "δ_1", "wall of the ring in its corners", gt=0, le=1e5)
-    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    delta_1: float = given(
+        "4 mm", "mm", "δ_1", "wall thickness of the ring in its corners", gt=0, le=1e5
+    )
+    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the corners of the bore", gt=0, le=1e4)
     b: float = given("30 mm", "mm", "b", "width of ring and rollers", gt=0, le=1e5)
     e: float = given(
-        "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
+        "9 mm", "mm", "e", "distance of the hub contact from the middle of a flat", gt=0, le=1e5
     )
-    mu: float = given(0.08, "1", "μ", "friction of the rollers", gt=0, lt=1)
-    tan_phi: float = given(0.05, "1", "tan φ_1", "friction between hub and ring", ge=0, le=1)
+    mu: float = given(0.08, "1", "μ", "coefficient of friction of the rollers", gt=0, lt=1)
+    tan_phi: float = given(
+        0.05, "1", "tan φ_1", "coefficient of friction between hub and ring", ge=0, le=1
+    )
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
     alpha: float | None = given(
-        None, "deg", "α", "wedge angle of the rollers; 2 arctan μ without it", omitted=None,
+        None, "deg", "α", "wedge angle of the rollers; if omitted, 2 arctan μ", omitted=None,
         gt=0, le=25, example="6 deg",
     )  # fmt: skip
     R_p: float | None = given(
@@ -61,13 +65,13 @@ class ClutchInputs(Case):
 
     @property
     def ring(self) -> PolygonRing:
-        """The elastic ring alone; ValidationError if it is impossible."""
+        """The elastic ring; raises ValidationError if it is impossible."""
         return PolygonRing(
             d_e=self.d_e, delta_1=self.delta_1, j_D=self.j_D, E=self.E, nu=self.nu, R_p=self.R_p,
             z=self.z, rho=self.rho,
         )  # fmt: skip
 
-    @Quantity("ψ", "deg", "hub's contact off the flat's normal", source="after Eq. 15",
+    @Quantity("ψ", "deg", "angle of the hub contact to the flat's normal", source="after Eq. 15",
               role="geometry", tex=r"\arctan\left(\frac{e}{a_f}\right)")  # fmt: skip
     def psi(self) -> float:
         return math.atan2(self.e, self.apothem)
@@ -77,8 +81,8 @@ class ClutchInputs(Case):
     def phi_1(self) -> float:
         return math.atan(self.tan_phi)
 
-    @Quantity("μ_g", "1", "tangential over normal force of the rollers: μ, or tan(α/2) where they "
-              "stay", role="geometry")  # fmt: skip
+    @Quantity("μ_g", "1", "ratio of tangential to normal force of the rollers: tan(α/2), or μ "
+              "without α", role="geometry")  # fmt: skip
     def grip(self) -> float:
         if self.alpha is None or not holds(alpha=self.alpha, mu=self.mu):
             return self.mu
@@ -86,29 +90,29 @@ class ClutchInputs(Case):
 
     @property
     def stays(self) -> bool:
-        """Whether the rollers are not expelled from their wedge."""
+        """Whether the rollers stay in their wedge; true without a wedge angle."""
         return self.alpha is None or bool(holds(alpha=self.alpha, mu=self.mu))
 
     @property
     def all_levers(self) -> float:
-        """Torque over the tangential force per length on a roller [m²]."""
+        """Ratio of the torque to the tangential force per length of a roller [m²]."""
         return self.b * self.z * self.D_i / 2
 
     def _check_loads(self) -> None:
-        """ValueError if rollers would be flattened: a/d above `FLATTENED`."""
+        """Raise ValueError if a/d of the rollers exceeds `FLATTENED`."""
         E_star = self.E / 2 / (1 - self.nu**2)
         most = np.pi * E_star * (FLATTENED * self.d) ** 2 / 4 * (2 / self.d + 2 / self.d_e)
         torque = self.mu * most * self.b * self.z * self.D_i / 2
         if self.M_t > torque:
             raise ValueError(
-                f"M_t = {self.M_t:.4g} N m presses rollers of {self.d * 1e3:g} mm flat: at most "
-                f"{torque:.4g} N m, {most * self.b / 1e3:.4g} kN per roller"
+                f"M_t = {self.M_t:.4g} N m is too large for rollers of {self.d * 1e3:g} mm: it "
+                f"must not exceed {torque:.4g} N m ({most * self.b / 1e3:.4g} kN per roller)"
             )
         largest = most / self.ring.d_i
         if self.p_t > largest:
             raise ValueError(
-                f"p_t = {self.p_t / 1e6:.4g} MPa presses rollers of {self.d * 1e3:g} mm flat: at "
-                f"most {largest / 1e6:.4g} MPa"
+                f"p_t = {self.p_t / 1e6:.4g} MPa is too large for rollers of {self.d * 1e3:g} mm: "
+                f"it must not exceed {largest / 1e6:.4g} MPa"
             )
 
     @model_validator(mode="after")
@@ -116,14 +120,14 @@ class ClutchInputs(Case):
         room = (self.D_i - self.d_e) / 2
         if self.j_D <= NARROWEST * self.d_e:
             raise ValueError(
-                f"the rollers do not fit between the rings: d must be below (D_i - d_e)/2 = "
+                f"the rollers do not fit between ring and race: d must be below (D_i - d_e)/2 = "
                 f"{room * 1e3:.6g} mm, got {self.d * 1e3:g} mm"
             )
         if self.j_D > WIDEST * self.d_e:
             raise ValueError(
-                f"the rollers are too small: the ring would have to take up j_D = D_i - (d_e + 2 d)"
-                f" = {self.j_D * 1e3:.6g} mm, at most {WIDEST:g} d_e = {WIDEST * self.d_e * 1e3:g} "
-                f"mm, got d = {self.d * 1e3:g} mm"
+                f"the rollers are too small: the clearance j_D = D_i - (d_e + 2 d)"
+                f" = {self.j_D * 1e3:.6g} mm must not exceed {WIDEST:g} d_e = "
+                f"{WIDEST * self.d_e * 1e3:g} mm, got d = {self.d * 1e3:g} mm"
             )
         check_apart(z=self.z, D_i=self.D_i, d=self.d)
         self._check_loads()

@@ -1,4 +1,4 @@
-"""Finite elements of the clutch: the torque of its elastic ring, rollers elastic and rigid."""
+"""Finite-element results of the clutch: torque with elastic and with rigid rollers."""
 
 from math import isfinite
 
@@ -12,11 +12,11 @@ LEVELS = (1, 2, 3, 4)
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
-    """One level under p_t, and the pressure for the target torque."""
+    """Results under p_t, and pressure for the target torque, on the mesh of `level`."""
     hub = driven_fem(q, level, elastic=True)
     N, N_t = hub.N, q.M_t / (q.grip * q.b * q.z * q.D_i / 2)
     if not isfinite(N):
-        raise ArithmeticError("the hub's lift locks the rollers: pressure does not limit N")
+        raise ArithmeticError("the clutch locks itself by the hub force: pressure does not limit N")
     p = hub.pressure(N_t)
     state = hub.at(q.p_t, N)
     rest = hub.fine.balance(q.p_t, hub.push(N))
@@ -35,17 +35,17 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def drawn_fem(q: ClutchInputs, N: float) -> Field:
-    """Ring and rollers under p_t and the loads of N [N/m], on a coarse mesh."""
+    """Field of ring and rollers under p_t and the roller force N [N/m], on a coarse mesh."""
     coarse = driven_fem(q, 1, elastic=True).at(q.p_t, N).plane.cells()
     return whole_fem("driven", q.z, coarse, von_mises=(coarse["von_mises"], "Pa"))
 
 
 def touching(q: ClutchInputs, level: int) -> float:
-    """Pressure [Pa] at which the free ring reaches its rollers in the middle of the flats."""
+    """Pressure [Pa] at which the free ring reaches its rollers, in the middle of the flats."""
     free = pressed_fem(q.ring, level, "plane stress")
     return UNIT * q.j_D / 2 / factors_fem(q.ring, free)["mid"]
 
 
 def moment(q: ClutchInputs, push: tuple[float, float]) -> float:
-    """Moment [N] about the axis of a hub force (normal, along the flat) [N/m] at e."""
+    """Moment [N] about the axis of a hub force `push` (normal, along the flat) [N/m] at e."""
     return q.e * push[0] - q.ring.apothem * push[1]

@@ -1,4 +1,4 @@
-"""The ring locked against its rollers: share of the pressure that reaches them."""
+"""Case of the ring locked against its rollers: share of the pressure that they carry."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -16,11 +16,11 @@ PRESSED = 1.02  # over the touching pressure: forces are compared above it
 
 
 class LockedPolyhedralRing(LockedFormulas):
-    """The paper assigns all of the blocking pressure to the rollers.
+    """The paper assigns the whole blocking pressure to the rollers.
 
-    The hoop force of the ring carries a large part of it. This part follows from finite elements
-    with the roller as a contact, and from complex potentials with Hertz's patch. Sizes and loads
-    are assumed.
+    In fact, the hoop force of the ring carries a large part of it. This part follows from finite
+    elements with contact at the roller, and from complex potentials with Hertz's contact.
+    Dimensions and loads are assumed.
     """
 
     id = "polyhedral-locking"
@@ -41,64 +41,64 @@ class LockedPolyhedralRing(LockedFormulas):
         ),
     )
     readings: ClassVar = (
-        "rollers and race are rigid, the ring is in plane stress: only the ring is compliant",
-        "elastic rollers are of the ring's material, in plane stress; the race stays rigid",
-        "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
-        "the hub's friction acts towards the flat's middle: R makes ψ + φ_1 with the radius "
-        "through its contact (Eq. 14)",
-        "the side of the polygon in Eq. 13, not its arc; γ = 0 in Eq. 16: along the flat's normal",
+        "rollers and race are rigid; only the ring deforms, in plane stress",
+        "elastic rollers have the material of the ring and are in plane stress; the race is rigid",
+        "p_2 = p_t − K_mid p_1 (Eq. 19 with K in the middle of the flats)",
+        "friction of the hub acts towards the middle of the flat: the angle of R to the radius "
+        "through its contact is ψ + φ_1 (Eq. 14)",
+        "Eq. 13 uses the side of the polygon, not its arc; Eq. 16 uses γ = 0, N normal to the flat",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain; no friction at the rollers",
-        "half a sector, symmetry on both cuts; the roller above the middle of the flat",
-        "the hub's force at e counts as half of it on each side of the flat's middle",
+        "half a sector is modelled, with symmetry on both cuts; the roller is above the middle of "
+        "the flat",
+        "the hub force at e is replaced by half of it on each side of the middle of the flat",
     )
 
     comparisons = compared.comparisons
 
     def reference(self, level: int) -> Level:
-        """Half a sector and its roller in contact."""
+        """Results of half a sector in contact with its roller."""
         return fem.solve(self, level)
 
     def figures(self) -> Iterator[Drawn]:
-        """Force of a roller over the pressure, efficiency over the support."""
+        """Figures: force of a roller over the pressure, load transfer over the support width."""
         yield Drawn(lambda context: figures.figures(self, context))
 
     def pictures(self) -> Iterator[Picture]:
-        """The whole ring under all loads."""
+        """Picture of the whole ring under all loads."""
         caption = "Locked ring under pressure, hub and rollers: von Mises stress, coarse mesh"
         yield picture("locked", "von_mises", caption, share=0.02)
 
     def sketch(self) -> Sketch:
-        """The ring, its rollers and loads."""
+        """Sketch of the ring, its rollers and loads."""
         return sketch.sketch(self, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the rollers are loose or parts yield."""
+        """Warnings if the rollers are loose or parts are overstressed."""
         if not self.alone.N > 0:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "
-                "reaches its rollers: pressure alone does not lock them"
+                "reaches its rollers: pressure alone does not lock the ring"
             )
         elif self.p_t <= self.touch_long:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.touch_long / 1e6:.4g} MPa, at which a "
-                "long ring in plane strain reaches its rollers: p_2l is negative, the pressure "
-                "that is missing"
+                "long ring in plane strain reaches its rollers: p_2l is negative; its amount is "
+                "the missing pressure"
             )
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
         yield from of_rollers(self.p_0)
 
     def refusal(self) -> str:
-        """Rows compare forces of rollers and blocking pressures, which there must be."""
+        """Reason for not solving pressures at which the rollers are not loaded; "" if none."""
         touch, long = self.alone.locked.touch, self.touch_long
         least = max(PRESSED * touch, long)
         if self.p_t <= least:
             return (
-                f"p_t = {self.shown('p_t')} hardly presses the rollers, if at all: the ring "
-                f"reaches them at {touch / 1e6:.4g} MPa, a long one in plane strain at "
-                f"{long / 1e6:.4g} MPa, and is compared above {least / 1e6:.4g} MPa, check it "
-                "without --fem"
+                f"p_t = {self.shown('p_t')} hardly loads the rollers: the ring reaches them "
+                f"at {touch / 1e6:.4g} MPa, a long ring in plane strain at {long / 1e6:.4g} MPa; "
+                f"finite elements need more than {least / 1e6:.4g} MPa: run `check` without --fem"
             )
         return ""
 

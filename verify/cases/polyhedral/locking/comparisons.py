@@ -1,4 +1,4 @@
-"""Comparisons of the locked ring: the series, Hertz and the paper with finite elements."""
+"""Comparisons of the locked ring: series, Hertz and paper against finite elements."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -23,25 +23,25 @@ from verify.core.case import Check, Context
 from verify.form.comparisons import key_of
 from verify.judging.bands import OwnFillet, OwnFormula
 
-NEAR, ARC = 1e-4, "the arc of a side over its chord, by vectors"
-CHORD = 1e-3, "statics: pressure on the chord between two corners"
-FILLET = 5e-3, "a peak stress: half a per cent distinguishes fillets"
-BALANCE = "acceptance figure; contact met to round-off"
-HALVES = "plane stress; half of the hub's force on each side of the flat's middle"
+NEAR, ARC = 1e-4, "ratio of arc to chord of a side, from the balance of forces"
+CHORD = 1e-3, "statics: the pressure acts on the chord between two corners"
+FILLET = 5e-3, "a peak stress: 0.5 % distinguishes different fillets"
+BALANCE = "accepted error; the contact law is satisfied except for round-off"
+HALVES = "plane stress; half of the hub force on each side of the middle of the flat"
 PLANE = "plane stress, rigid race, no friction at the rollers"
-FORCES = "argued: (2 a/d)² of the curvature, (a/wall)², and 1e-3, each once"
-SERIES = "a rigid flat's statics by vectors over the series under the same loads; the same slack"
+FORCES = "estimated: ± ((2 a/d)² for the curvature + (a/wall)² + 1e-3)"
+SERIES = "balance of forces on a rigid flat over the series under equal loads; ± as for the series"
 CONTACT = (
-    "derived: the first order in βκa, with κ of the line on which the bodies meet; argued, each "
-    "once: (2 a/d)², (a/wall)², 1e-3, and what the ring strains and bends, j_D/d_e (1 + R/wall)"
+    "derived: first order in βκa, with κ of the contact line; ± ((2 a/d)² + (a/wall)² + 1e-3 + "
+    "j_D/d_e (1 + R/wall) for strain and bending of the ring)"
 )
-RACE = "derived: the first order in βκa; argued: (2 a/d)² and 1e-3, each once"
-ROUND = "(K_mid − 1) p_1 over what is left, K_mid of the series"
-WIDE = "what Hertz or a straight wall neglects is no longer small"
+RACE = "derived: first order in βκa; ± ((2 a/d)² + 1e-3)"
+ROUND = "(K_mid − 1) p_1 over the remaining pressure p_2, with K_mid of the series"
+WIDE = "the error of Hertz's theory or of a straight wall is not small"
 
 
 def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
-    """The series, Hertz and the paper against finite elements."""
+    """Rows: series, Hertz and paper against finite elements."""
     yield from _series(self)
     yield from _flat(self)
     case = LockedFormulas
@@ -58,9 +58,9 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
                       blur="fillet blur", wide=WIDE)  # fmt: skip
     yield Comparison(check=check, quantity=q, numbers=blur, shares=HALVES)
     for key, axis, name in (
-        ("balance_x", "x", "Eq. 16 with the ring's hoop force: roller, hub, cuts, pressure"),
+        ("balance_x", "x", "balance of roller, hub, pressure and hoop forces at the cuts (Eq. 16)"),
         ("balance_y", "y", "balance of forces along the flat"),
-        ("balance_roller", "x", "forces on an elastic roller"),
+        ("balance_roller", "x", "balance of forces on an elastic roller"),
     ):
         yield balance(key, name, f"ΣF_{axis}", "N/mm", of={"side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
@@ -68,7 +68,7 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
 
 
 def _series(self: LockedFormulas) -> Iterator[Comparison]:
-    """Complex potentials with Hertz's patch, rollers rigid and elastic."""
+    """Rows: complex potentials with Hertz's contact, for rigid and for elastic rollers."""
     case, soft = LockedFormulas, self.soft
     alone = State(self.alone, "alone", "under pressure alone")
     elastic = State(soft, "elastic", "elastic rollers under pressure alone")
@@ -101,7 +101,7 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
 
 
 def _flat(self: LockedFormulas) -> Iterator[Comparison]:
-    """The paper's pressure and forces, which neglect the flats' bending and the hoop force."""
+    """Rows: pressure and forces of the paper, which neglects bending and hoop force."""
     case, soft = LockedFormulas, self.soft
     for reference, words, touch, plane in (
         ("p_2", "", self.p_1r, "plane stress"),
@@ -131,7 +131,7 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
 
 
 def _of_round_ring(self: LockedFormulas, touch: float) -> Expected:
-    """The error of Eq. 19 with p_1 of the round ring if the rollers are reached at `touch`."""
+    """Expected error of Eq. 19 with p_1 if the ring reaches the rollers at `touch` [Pa]."""
     left = self.p_t - touch
     if left <= 0:
         return Expected(0.0, 0.0, ROUND, sharp=False)
@@ -144,7 +144,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """Difference of the pressure share between the widest and the narrowest roller contact."""
+    """Difference of load-transfer ratios of the widest and the narrowest contact, and U."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
@@ -154,7 +154,10 @@ def within_band(
     q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
     symbol: str = "", bent: float = 0.0, shares: str = "",
 ) -> Comparison:  # fmt: skip
-    """A quantity whose error lies in a band; `reference` and `symbol` default to those of `q`."""
+    """Row: `q` against finite elements, with the band `expected` of its error.
+
+    `reference` and `symbol` default to those of `q`.
+    """
     limits = (expected.low, expected.high) if expected.sharp else None
     key = key_of(q, state)
     check = OwnFormula(

@@ -1,4 +1,4 @@
-"""Meshes of the locked ring: half a sector against its roller, fine where it touches."""
+"""Finite-element model of the locked ring: half a sector, its roller, fine contact zones."""
 
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -20,9 +20,10 @@ def zoned_fem(
     q: PolygonRing, refine: int, *, d: float, zones: tuple[float, float], e: float | None = None,
     elastic: bool = False,
 ) -> "LockedSector":  # fmt: skip
-    """Half a sector with its roller, `zones` [m] fine where it touches ring and race.
+    """Model of half a sector with its roller, with fine cells in the contact `zones` [m].
 
-    The roller is rigid, or `elastic` as the ring in a rigid race. The hub may push at `e` [m].
+    The zones are those at ring and race. The roller is rigid, or `elastic` with the material of the
+    ring in a rigid race. If `e` [m] is given, the hub force acts there.
     """
     from fem.contact.locked import FlatSector, LockedSector, elastic_roller, rigid_roller
     from fem.plane.material import Elastic
@@ -47,7 +48,7 @@ def locked_fem(
     q: PolygonRing, refine: int, *, d: float, p: float, e: float | None = None,
     hub: tuple[float, float] = (0.0, 0.0), elastic: bool = False,
 ) -> "LockedSector":  # fmt: skip
-    """The same, fine where it touches under the pressure `p` [Pa] and `hub` at e.
+    """Model of half a sector whose fine zones fit the contacts under `p` [Pa] and `hub` at e.
 
     `hub` is a force (normal, along the flat) [N/m].
     """
@@ -59,9 +60,9 @@ def locked_fem(
 def fine_zones(
     q: PolygonRing, d: float, p: float, e: float | None, hub: tuple[float, float], elastic: bool
 ) -> tuple[float, float]:
-    """Widths [m] of the zones of ring and race that are fine, the same on all meshes.
+    """Widths [m] of the fine zones at ring and race, equal on all meshes.
 
-    Coarse solutions give the width of the contacts; the meshes have vertices near their ends.
+    Coarse solutions give the widths of the contacts; the meshes have nodes near their ends.
     """
     wall = q.d_e / 2 - q.apothem
     beside = wall if e is None else min(wall, e)
@@ -79,7 +80,7 @@ def fine_zones(
 
 
 def held_fem(q: PolygonRing, width: float) -> float:
-    """Force [N/m] per pressure [Pa] of a stretch 2 `width` of the outside that cannot move out."""
+    """Force [N/m] per pressure [Pa] on a length 2 `width` [m] of the outside that is fixed."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.polyhedral.half_sector import half_sector

@@ -1,4 +1,4 @@
-"""Figures of the locked ring."""
+"""Figures of the locked ring: roller force over pressure, load transfer over support width."""
 
 from collections.abc import Iterator, Sequence
 
@@ -15,12 +15,12 @@ FINE = 25
 
 
 def curves(levels: Sequence[FemResult]) -> dict[str, Array]:
-    """Curves of the finite elements from the level that stores them; empty without it."""
+    """Curves of the finite elements, from the level that stores them; empty if there is none."""
     return next((dict(level.arrays) for level in levels if level.arrays), {})
 
 
 def figures(q: LockedFormulas, context: Context) -> Iterator[Curves]:
-    """Force of a roller over the pressure; efficiency over the width of the support."""
+    """Figures: force of a roller over pressure; load-transfer ratio over support width."""
     fem, p = curves(context.fem), np.linspace(0, 1.2 * q.p_t, FINE)
     side = q.d_i * np.sin(q.half_angle)
     rigid, soft = (np.array([one.under(x, q.d).N for x in p]) for one in (q.alone, q.soft))
@@ -34,27 +34,27 @@ def figures(q: LockedFormulas, context: Context) -> Iterator[Curves]:
         drawn += [
             dots(name, at, y, colour)
             for name, y, colour in (("FE", alone, 2), ("FE, elastic rollers", elastic, 4),
-                                    ("FE, with the hub's force", pushed, 3))
+                                    ("FE, with hub force", pushed, 3))
         ]  # fmt: skip
     yield plot(
         "Force of a roller over the pressure", "p [MPa]", "N/b [N/mm]", drawn,
         note=f"{q.alone.efficiency:.0%} of additional pressure reaches rigid rollers; the hoop "
-        "force of the ring carries the rest. Eq. 16 assigns all of it to the rollers.",
+        "force of the ring carries the rest. Eq. 16 assigns all pressure to the rollers.",
     )  # fmt: skip
     if "rollers" in fem:
         yield _supports(q, *fem["rollers"], *fem["bonded"])
 
 
 def _supports(q: LockedFormulas, a: Array, eta: Array, w: Array, bonded: Array) -> Curves:
-    """Efficiency over half the width of the support."""
+    """Figure: load-transfer ratio over the half-width of the support."""
     states = [q.alone.under(q.p_t, d) for d in diameters(q)]
     sizes = ", ".join(f"{d / mm:.3g}" for d in diameters(q))
     return plot(
-        "Efficiency over the width of the support", "half-width [mm]", "η",
+        "Incremental load-transfer ratio over the width of the support", "half-width [mm]", "η",
         line("rollers, series", np.array([s.a for s in states]) / mm,
              np.array([s.efficiency for s in states]), 1),
         dots("rollers, FE", a / mm, eta, 2),
-        dots("held stretch, FE", w / mm, bonded, 4),
+        dots("fixed length, FE", w / mm, bonded, 4),
         y_bottom=float(0.9 * min(eta.min(), bonded.min())),
-        note=f"Rollers of {sizes} mm under p_t, and stretches that are held over their length.",
+        note=f"Supports: rollers of {sizes} mm under p_t, and fixed lengths of the outside.",
     )  # fmt: skip

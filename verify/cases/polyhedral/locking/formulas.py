@@ -1,4 +1,4 @@
-"""The roller force of the paper, and of the elastic ring by complex potentials and Hertz."""
+"""Roller force of the locked ring: by the paper, and by complex potentials with Hertz."""
 
 from dataclasses import replace
 from typing import Any, ClassVar, Self
@@ -16,7 +16,10 @@ from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 
 
 class LockedFormulas(PolygonSeries, LockingInputs):
-    """Rollers on the ring under pressure and hub, rigid; `alone` and `soft` are other states."""
+    """Ring with rigid rollers under pressure and hub force.
+
+    `alone` and `soft` are the states under pressure only, with rigid and with elastic rollers.
+    """
 
     pushed: ClassVar[bool] = True  # whether the hub presses
     elastic: ClassVar[bool] = False  # rollers
@@ -41,7 +44,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2_long(self) -> float:
         return self.p_t - self.touch_long
 
-    @Quantity("F/b", "N/mm", "force of a roller, all of the pressure's", source="Eqs. 13 and 16",
+    @Quantity("F/b", "N/mm", "force of a roller under all of p_2", source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:
         return self._on_a_side(self.p_2)
@@ -51,7 +54,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def phi_1(self) -> float:
         return float(np.arctan(self.tan_phi))
 
-    @Quantity("N_16/b", "N/mm", "force of a roller with the hub's", source="Eq. 16 with γ = 0",
+    @Quantity("N_16/b", "N/mm", "force of a roller with hub force", source="Eq. 16 with γ = 0",
               safe="too low", tex=r"F/b + R/b \cos\left(\varphi_1\right)")  # fmt: skip
     def N_16(self) -> float:
         return float(forces.normal_force(F=self.F, R=self.R_b, phi_1=self.phi_1, gamma=0.0))
@@ -96,17 +99,17 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     @shared
     def alone(self) -> Self:
-        """The ring under pressure only."""
+        """The ring under pressure only, with rigid rollers."""
         return self.variant(pushed=False)
 
     @shared
     def soft(self) -> Self:
-        """The ring under pressure only, with rollers as elastic as the ring."""
+        """The ring under pressure only, with elastic rollers."""
         return self.variant(pushed=False, elastic=True)
 
     @shared
     def hub(self) -> HubForce:
-        """The series under the hub's force."""
+        """Solution of the ring under the hub force, by complex potentials."""
         normal, along = self.push
         return hub_force(sector=self.sector, e=self.e, normal=normal, along=along)
 
@@ -118,16 +121,16 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     @shared
     def locked(self) -> Locked:
-        """The state of these inputs by the series."""
+        """State of the locked ring for these inputs, by the series."""
         return self.under(self.p_t, self.d, self.hub if self.pushed else None)
 
     @shared
     def from_rollers(self) -> float:
-        """Share of the fillet stress due to the rollers."""
+        """Share of the fillet stress that is due to the rollers."""
         return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
 
     def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:
-        """The ring under a pressure [Pa] between rollers of the diameter d [m]."""
+        """State of the ring under the pressure p [Pa] between rollers of the diameter d [m]."""
         own: dict[str, Any] = {"E": self.E, "nu": self.nu} if self.elastic else {}
         return locked(sector=self.sector, roller=Roller(d=d, j_D=self.j_D, **own), p=p, E=self.E,
                       nu=self.nu, assumption="plane stress", hub=hub)  # fmt: skip

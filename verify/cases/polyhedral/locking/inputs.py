@@ -1,4 +1,4 @@
-"""Inputs of the ring that is locked against its rollers."""
+"""Inputs of a ring that is locked against its rollers."""
 
 import math
 from typing import Self
@@ -11,14 +11,14 @@ from verify.cases.polyhedral.inputs import HubRing
 
 
 class LockingInputs(HubRing):
-    """The ring under pressure and hub, between rigid rollers that sit above its flats."""
+    """Inputs of a ring under pressure and hub force, between rollers above its flats."""
 
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
     p_t: float = given("30 MPa", "MPa", "p_t", "pressure in the bore", gt=0, le=1e4)
 
     @property
     def push(self) -> tuple[float, float]:
-        """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
+        """Hub force on a flat [N/m]: component normal to it, and along it away from its middle."""
         normal = self.R_b / np.hypot(1, self.tan_phi)
         return float(normal), float(-normal * self.tan_phi)
 

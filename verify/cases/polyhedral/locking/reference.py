@@ -1,4 +1,4 @@
-"""Finite elements of the locked ring: forces, widths, pressures, and residuals of balances."""
+"""Finite-element results of the locked ring: forces, widths, pressures, residuals of balances."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,7 @@ PRESSURES = np.linspace(0, 1.2, 9)  # pressures of the dots over p_t
 
 
 def solve(q: LockingInputs, level: int) -> Level:
-    """One level: under pressure only, with the hub, and with elastic rollers."""
+    """Results under pressure only, with hub force, and with elastic rollers, for `level`."""
     hub, thick = q.push, q.d_e / 2 - q.apothem > THICK * q.d_e
     fine = 2 * level if thick else level
     alone = locked_fem(q, fine, d=q.d, p=q.p_t)
@@ -64,7 +64,7 @@ def solve(q: LockingInputs, level: int) -> Level:
 
 
 def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
-    """Force and half-widths of elastic rollers, and the force residual of a roller [N/m]."""
+    """Force [N/m] and half-widths [m] of elastic rollers, and residual of their balance."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
     return {
@@ -74,12 +74,12 @@ def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
 
 
 def peak(touch: Any) -> float:
-    """Pressure [Pa] above the middle of the flat."""
+    """Contact pressure [Pa] above the middle of the flat."""
     return float(touch.pressure[np.argmin(np.abs(touch.x[1]))])
 
 
 def supports(q: LockingInputs) -> dict[str, Array]:
-    """Half-width and efficiency of rollers of other diameters, and of bonded stretches."""
+    """Half-widths and load-transfer ratios of other rollers, and of fixed lengths, by name."""
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
         ring = locked_fem(q, DRAWN, d=d, p=q.p_t)
@@ -89,13 +89,13 @@ def supports(q: LockingInputs) -> dict[str, Array]:
 
 
 def diameters(q: LockingInputs) -> list[float]:
-    """Diameters [m] of rollers that fit side by side."""
+    """Diameters [m] of the rollers of the sweep that fit side by side."""
     sine = np.sin(q.half_angle)
     room = 0.98 * (q.d_e + q.j_D) * sine / (1 - sine)
     return [float(d) for d in q.d * np.array(SIZES) if d < room]
 
 
 def widths(q: LockingInputs) -> list[float]:
-    """Half-widths [m] of bonded supports."""
+    """Half-widths [m] of the fixed lengths of the sweep."""
     wall = min(q.d_e / 2 - q.apothem, q.half_angle * q.d_e / 2)
     return [float(w) for w in wall * np.array(STRETCHES)]

@@ -1,4 +1,4 @@
-"""The sketch of the locked ring, and of the clutch that it belongs to."""
+"""Sketch of the locked ring and of its clutch."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ MPa, mm = 1e6, 1e-3
 
 
 def sketch(q: Any, *, d: float, e: float, p_t: float) -> Sketch:
-    """The ring `q` with rollers of diameter d [m], the hub's contacts at e [m], pressure [Pa]."""
+    """Sketch of the ring `q` with rollers of diameter d [m], hub contacts at e [m], p_t [Pa]."""
     flat, at = q.apothem / (q.d_e / 2), e / (q.d_e / 2)
     arrows = {
         "R": ((flat - 0.28, at - 0.014), (flat, at)),
@@ -25,7 +25,7 @@ def sketch(q: Any, *, d: float, e: float, p_t: float) -> Sketch:
             (x, y), (u, v) = np.array([start, end]) @ np.array([[c, s], [-s, c]])
             loads.append(sketches.arrow((x, y), (u, v), "" if k else label))
     return sketches.sketch(
-        f"the ring with {q.z} flats pressed against rollers of {d / mm:.4g} mm by p_t = "
-        f"{p_t / MPa:.4g} MPa; the hub pushes on each flat with R at e = {e / mm:.4g} mm",
+        f"ring with {q.z} flats, pressed against rollers of {d / mm:.4g} mm by p_t = "
+        f"{p_t / MPa:.4g} MPa; the hub acts on each flat with R at e = {e / mm:.4g} mm",
         body(q, gap=0.0), loads,
     )  # fmt: skip

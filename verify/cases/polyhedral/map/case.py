@@ -1,4 +1,4 @@
-"""K of the polyhedral ring over number of flats, wall and fillet: range of validity of K = 1."""
+"""Case that maps K over number of flats, wall and fillet: range of validity of K = 1."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -22,17 +22,17 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, 
 ASKED = (0, 3, 9, 11)  # indices of FLATS for which the maps contain the series
 NEAR_LAME = 0.02  # tolerance of K at 48 flats
 TRUE = 1e-3  # series against finite elements, all over the map
-AS_MESH = "as much as halving the mesh may change"
-HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
+AS_MESH = "equal to the accepted change when the mesh is halved"
+HALVED = 1e-3, "accepted change when the mesh is halved: 0.1 %"
 FROM = 12  # K falls to its limit from this number of flats
 ETA = 0.01  # tolerance of the load-transfer ratio, series against finite elements
 PLANE: Assumption = "plane stress"
 
 
 class PolyhedralMap(MapInputs):
-    """K = 1 and the roller force of the paper, from 3 to 48 flats, over walls and fillets.
+    """Errors of K = 1 and of the roller force of the paper for 3 to 48 flats, walls and fillets.
 
-    Finite elements solve every cell of the maps; the series is compared with them. Sizes are
+    Finite elements solve every cell of the maps; the series is compared with them. Dimensions are
     assumed.
     """
 
@@ -43,14 +43,14 @@ class PolyhedralMap(MapInputs):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (Scan(vary=("delta_1=3mm,4mm", "rho=2mm,3mm"), star=True),)
     readings: ClassVar = (
-        "d_i is the diameter through the corners as they are: the wall in the corners stays the "
-        "same from map to map, the wall above the flats grows as flats become fewer",
+        "d_i is the diameter through the corners with fillets: the wall in the corners is equal "
+        "for all numbers of flats; the wall above the flats is thicker with fewer flats",
     )
     assumptions: ClassVar = (
-        "linear elasticity, small strain, plane stress", "half a sector of each ring",
+        "linear elasticity, small strain, plane stress", "half a sector of each ring is modelled",
     )  # fmt: skip
 
-    @Quantity("K_∞", "1", "K of ever more flats", source="Lamé", role="step",
+    @Quantity("K_∞", "1", "limit of K for many flats", source="Lamé", role="step",
               tex=r"\frac{(d_e - \delta_1)^2}{d_i d_e}")  # fmt: skip
     def K_many(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
@@ -61,12 +61,12 @@ class PolyhedralMap(MapInputs):
 
     @shared
     def flexible_middle(self) -> Array:
-        """1/K (flats, 3) with the wall and fillet of the inputs."""
+        """1/K with the wall and fillet of the inputs, by the series, shape (flats, 3)."""
         return self.flexibility(self.at_middle)
 
     @shared
     def efficiency(self) -> Array:
-        """Incremental load-transfer ratio, pressure to rollers (flats,)."""
+        """Incremental load-transfer ratios from pressure to rollers, by the series, (flats,)."""
         return np.array([
             locked(
                 sector=self.sector(size), roller=Roller(d=self.roller(size[0]), j_D=self.j_D),
@@ -76,12 +76,12 @@ class PolyhedralMap(MapInputs):
         ])  # fmt: skip
 
     def sector(self, size: Size) -> Sector:
-        """Half a sector of a ring for the series."""
+        """Geometry of half a sector of a ring of the map, for the series."""
         z, delta_1, rho = size
         return Sector(z=z, d_e=self.d_e, d_i=self.d_e - 2 * delta_1, rho=rho)
 
     def flexibility(self, rings: Sequence[Size]) -> Array:
-        """1/K (m, 3) of the middle of the flats, the mean and the corners, by the series."""
+        """1/K of middle of the flats, mean and corners for `rings`, by the series, (m, 3)."""
         found = (
             bore_pressure.stiffness_factors(sector=self.sector(size), nu=self.nu, assumption=PLANE)
             for size in rings
@@ -89,11 +89,11 @@ class PolyhedralMap(MapInputs):
         return np.array([(1 / K.mid, 1 / K.mean, 1 / K.corner) for K in found])
 
     def reference(self, level: int) -> Level:
-        """Half a sector of each ring."""
+        """Results of half a sector of each ring."""
         return fem.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """K at the middle of the map, its limits, and the whole of both maps."""
+        """Rows: K in the middle of the map, limits of K, and both whole maps."""
         case = PolyhedralMap
         for z in FLATS:
             yield identity(case.K_mid(z), symbol="K_mid", order=4, sensitivity=HALVED,
@@ -106,8 +106,8 @@ class PolyhedralMap(MapInputs):
             name="K approaches Lamé's limit steadily from 12 flats on", symbol="K - K_∞", unit="1",
             margin=falls,
         ), quantity=case.K_many, shares=PLANE)  # fmt: skip
-        yield Accepted(name="corners of three flats draw in under pressure", symbol="K_corner",
-                       unit="1", margin=draws_in)  # fmt: skip
+        yield Accepted(name="corners of a ring with three flats move inwards under pressure",
+                       symbol="K_corner", unit="1", margin=draws_in)  # fmt: skip
         more: dict[str, Any] = {"unit": "1", "everywhere": True, "shares": PLANE}
         for name, words in (("wall", "walls"), ("fillet", "fillets")):
             yield Agreement(name=f"series and FE agree to 0.1 % over flats and {words}",
@@ -115,20 +115,20 @@ class PolyhedralMap(MapInputs):
                             source=suites(AS_MESH), **more)  # fmt: skip
         yield Agreement(
             name="series and FE agree to 1 % in the load-transfer ratio", symbol="η",
-            pair=shares, accepted=ETA, source=suites("as far off as rows may be"),
+            pair=shares, accepted=ETA, source=suites("the largest error that a row may have"),
             **demanded(ETA), **more,
         )  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
-        """The maps, K and the load-transfer ratio."""
+        """Figures: maps of the error of K = 1, K over flats, load-transfer ratio over flats."""
         yield Drawn(lambda context: drawn.figures(self, context))
 
 
 def over_map(name: str) -> Callable[[Context], Pair]:
-    """Series and finite elements at their largest difference over a map, as 1/K.
+    """Function that returns 1/K by series and finite elements at their largest difference.
 
-    The series is evaluated in some of the cells: a third of the flats in every other row. The
-    effect of a finer mesh is known for the rings of the middle.
+    The series is evaluated in some cells of the map: a third of the flats in every second row. The
+    uncertainty is that of the rings with wall and fillet of the inputs.
     """
 
     def pair(context: Context) -> Pair:
@@ -145,28 +145,28 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """The load-transfer ratios at the largest difference of series and finite elements."""
+    """Load-transfer ratios by series and finite elements at their largest difference."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least step of |K_mid - K_∞| between successive numbers of flats, from 12 flats."""
+    """Least decrease of |K_mid - K_∞| between successive numbers of flats from 12, U, text."""
     limit, over = context.inputs.K_many, [z for z in FLATS if z >= FROM]
     on = [
         np.array([abs(level.values[f"K_mid_{z}"] - limit) for z in over]) for level in context.fem
     ]
     step, U = float(-np.diff(on[-1]).max()), float(6 * np.abs(on[-1] - on[-2]).max())
-    return step, U, f"{step:.2g} at least from one number of flats to the next"
+    return step, U, f"decrease of at least {step:.2g} between successive numbers of flats"
 
 
 def near_lame(context: Context) -> Pair:
-    """Lamé's limit and K of 48 flats."""
+    """Lamé's limit and K of 48 flats, as a pair."""
     limit, K = context.inputs.K_many, context.series(f"K_mid_{FLATS[-1]}")[1]
     return Pair(limit, K[-1], 3 * abs(K[-1] - K[-2]), f"{K[-1] / limit - 1:+.2%}")
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:
-    """Inward displacement of the corners of three flats: minus 1/K there."""
+    """Inward displacement of the corners of three flats, −1/K_corner, with U and a text."""
     K = context.series(f"K_corner_{FLATS[0]}")[1]
     return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2]), f"K_corner is {K[-1]:.4g}"
 

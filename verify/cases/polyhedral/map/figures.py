@@ -1,4 +1,4 @@
-"""Maps and curves of K over flats, wall and fillet."""
+"""Figures of K: maps over flats, wall and fillet, and curves over flats."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -16,12 +16,12 @@ LARGEST, LEAST = 4.0, -2.0  # limits of K in the figure: K at the corners of fou
 
 
 def on_map(context: Context, name: str) -> Array | None:
-    """1/K of finite elements on a map (m,), row by row; None without them."""
+    """1/K of finite elements on the map `name`, row by row, shape (m,); None if not solved."""
     return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
 
 
 def figures(q: Any, context: Context) -> Sequence[Figure]:
-    """Error of K = 1 over walls and fillets, by finite elements if solved; curves."""
+    """Figures: error of K = 1 over walls and fillets (by finite elements if solved); curves."""
     wall, fillet = (
         q.flexibility(rings)[:, 0] if (found := on_map(context, name)) is None else found
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet))
@@ -29,9 +29,9 @@ def figures(q: Any, context: Context) -> Sequence[Figure]:
     solved = bool(context.fem)
     return (
         _map("K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
-             f"Error of p_1r = K p_1 with K = 1, in per cent, fillets of {q.rho * 1e3:.3g} mm."),
+             f"Error [%] of p_1r = K p_1 with K = 1, for fillets of {q.rho * 1e3:.3g} mm."),
         _map("K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
-             f"The same over the fillet, walls of {q.delta_1 * 1e3:.3g} mm."),
+             f"Error [%] of p_1r = K p_1 with K = 1, for walls of {q.delta_1 * 1e3:.3g} mm."),
         _factors(q, context),
         _efficiency(q, context),
     )  # fmt: skip
@@ -49,7 +49,7 @@ def _map(
 
 
 def _factors(q: Any, context: Context) -> Curves:
-    """K by three definitions; cut off if corners hardly move."""
+    """Figure of K by three definitions; values beyond the limits are left out."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
     names = ("middle of the flats", "mean of the outside", "corners")
@@ -65,13 +65,13 @@ def _factors(q: Any, context: Context) -> Curves:
     return plot(
         "K by three definitions", "flats z", "K", curves,
         y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
-        note="Lines: series; dots: finite elements. At the corners K is beyond the figure for 3 to "
-        "5 flats, and negative for 3.",
+        note="Lines: series; dots: finite elements. At the corners, K exceeds the range of the "
+        "diagram for 3 to 5 flats and is negative for 3 flats.",
     )  # fmt: skip
 
 
 def _efficiency(q: Any, context: Context) -> Curves:
-    """The load-transfer ratio over the flats."""
+    """Figure of the load-transfer ratio over the number of flats."""
     x: Any = np.log2(np.array(FLATS, dtype=float))
     curves = [
         line("η, series", x, q.efficiency, 1),
@@ -82,5 +82,5 @@ def _efficiency(q: Any, context: Context) -> Curves:
         curves.insert(1, dots("η, FE", x, fem["efficiency"], 1))
     return plot(
         "Incremental load-transfer ratio, pressure to rollers", "flats z", "η", curves,
-        x_names=NAMES, note="Rigid rollers, 1.5 times the pressure that takes up the clearance.",
+        x_names=NAMES, note="Rigid rollers, 1.5 times the pressure that closes the clearance.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Inputs of the map of K: a ring whose flats, wall and fillet are varied."""
+"""Inputs of the map of K: rings with different numbers of flats, walls and fillets."""
 
 from typing import Self
 
@@ -17,9 +17,9 @@ Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 
 class MapInputs(RoundRing):
-    """The ring with varied flats, wall and fillet; δ_1 and ρ are the middle values."""
+    """Inputs of rings with varied flats, wall and fillet; δ_1 and ρ are fixed in one map each."""
 
-    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the corners of the bore", gt=0, le=1e4)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
 
     @model_validator(mode="after")
@@ -27,7 +27,7 @@ class MapInputs(RoundRing):
         thickest = min(THICKEST, 0.45 / (1 + max(SHARES)))
         if self.delta_1 > thickest * self.d_e:
             raise ValueError(
-                f"the map's fillets leave no flat: δ_1 must be at most {thickest:.3g} d_e = "
+                f"the fillets of the map leave no flat: δ_1 must be at most {thickest:.3g} d_e = "
                 f"{thickest * self.d_e * 1e3:.4g} mm, got {self.delta_1 * 1e3:g} mm"
             )
         largest = 0.9 * (0.5 - max(WALLS)) * self.d_e
@@ -40,31 +40,31 @@ class MapInputs(RoundRing):
 
     @property
     def by_wall(self) -> list[Size]:
-        """The first map, row by row: the fillet of the inputs."""
+        """Rings of the first map, row by row, with the fillet of the inputs."""
         return [(z, share * self.d_e, self.rho) for share in WALLS for z in FLATS]
 
     @property
     def by_fillet(self) -> list[Size]:
-        """The second map, row by row: the wall of the inputs."""
+        """Rings of the second map, row by row, with the wall of the inputs."""
         return [(z, self.delta_1, share * self.delta_1) for share in SHARES for z in FLATS]
 
     @property
     def at_middle(self) -> list[Size]:
-        """All flats with the wall and fillet of the inputs."""
+        """Rings with all numbers of flats, and with the wall and fillet of the inputs."""
         return [(z, self.delta_1, self.rho) for z in FLATS]
 
     def ring(self, size: Size) -> PolygonRing:
-        """One ring of the map."""
+        """The ring of the map with the given `size`."""
         z, delta_1, rho = size
         return PolygonRing(
             d_e=self.d_e, j_D=self.j_D, E=self.E, nu=self.nu, z=z, delta_1=delta_1, rho=rho
         )
 
     def touching(self, wall: float) -> float:
-        """Pressure [Pa] of the thin ring that takes up the clearance, as scale of the loads."""
+        """Pressure [Pa] with which a thin ring closes the clearance, as scale of the loads."""
         return 2 * wall * self.E * self.j_D / ((self.d_e - 2 * wall) * (self.d_e - wall))
 
     def roller(self, z: int) -> float:
-        """Diameter [m] of the rollers; the diameter of the inputs if that number fits."""
+        """Diameter [m] of z rollers: that of the inputs, or smaller if z of them do not fit."""
         sine = float(np.sin(np.pi / z))
         return min(self.d, 0.9 * (self.d_e + self.j_D) * sine / (1 - sine))

@@ -1,4 +1,4 @@
-"""Finite elements of the map of K: half a sector of every ring."""
+"""Finite-element results of the map of K: half a sector of every ring."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ DEFINITIONS = ("mid", "mean", "corner")
 
 
 def solve(q: MapInputs, level: int) -> Level:
-    """All numbers of flats, with wall and fillet of the inputs; on one level also the maps."""
+    """Results for all numbers of flats; on one level also both maps, on the last η."""
     arrays: dict[str, Array] = {}
     if level == MAPPED:
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet)):
@@ -32,7 +32,7 @@ def solve(q: MapInputs, level: int) -> Level:
 
 
 def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
-    """1/K in the middle, the mean and at corners, and the fillets' stress over σ_t."""
+    """1/K in the middle, by the mean and at corners, and stress of the fillets over σ_t."""
     one = q.ring(size)
     solved = pressed_fem(one, level, "plane stress")
     thin = 2 * one.delta_1 * q.E / (one.d_i * one.d_m)  # p_1 over j_D
@@ -43,7 +43,7 @@ def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
 
 
 def efficiency_fem(q: MapInputs) -> Array:
-    """Incremental load-transfer ratio to the rollers, for every number of flats (m,)."""
+    """Incremental load-transfer ratios to the rollers for all numbers of flats, shape (m,)."""
     from verify.cases.polyhedral.locking.fem import locked_fem
 
     found = []

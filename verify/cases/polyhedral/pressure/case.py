@@ -1,4 +1,4 @@
-"""The round ring behind the polyhedral ring: pressure that takes up a clearance, thin and thick."""
+"""Case of a round ring, thin and thick: pressure that closes the clearance to the rollers."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar, Self
@@ -32,32 +32,32 @@ from verify.form.figures import Overlay
 WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # δ_1/d_m: a decade
 THICK = 0.15  # δ_1/d_m above which meshes are twice as fine
 SOLID = 0.96  # δ_1/d_m at the end of figures; at 1 the bore vanishes
-ACCEPTED = 5e-4, "uniform pressure on a round ring: acceptance figure"
+ACCEPTED = 5e-4, "accepted error for uniform pressure on a round ring"
 LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
 MEAN = (
-    "derived: the mean over the wall is p d_i/(2 δ_1) whatever the pressure, so that it errs as "
-    "p_1 does"
+    "derived: the mean over the wall is p d_i/(2 δ_1) for any pressure p, so that its error is "
+    "that of p_1"
 )
 RIM = (
-    "derived: the free outside has the strain j_D/d_e; more by "
-    f"{thin_ring.CELL:g} (δ_1/d_m)² for stresses at the ends of cells"
+    "derived: the strain at the free outside is j_D/d_e; "
+    f"± {thin_ring.CELL:g} (δ_1/d_m)² for stresses at the edges of cells"
 )
 BORE = (
-    "Lamé: the bore has the stress (1 + (d_e/d_i)²)/2 E j_D/d_e; more by "
-    f"{thin_ring.CELL:g} (δ_1/d_m)² and at most twice that for stresses at the ends of cells"
+    "Lamé: the stress at the bore is (1 + (d_e/d_i)²)/2 E j_D/d_e; "
+    f"± {thin_ring.CELL:g} to twice this number × (δ_1/d_m)² for stresses at the edges of cells"
 )
 OUTSIDE = (
-    "Lamé: under the mean hoop stress σ_t of the wall the outside grows by d_i d_e/d_m² times "
-    "σ_t d_m/E"
+    "Lamé: under the mean hoop stress σ_t, the outer diameter grows by d_i d_e/d_m² times σ_t d_m/E"
 )
-MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
+MIDDLE = "Lamé: growth of the mean diameter if the outer diameter grows by j_D"
 
 
 class RingPressure(ThinRing):
-    """A round ring under pressure, the basis of the polygonal ring's theory.
+    """A round ring under pressure is the basis of the theory of the polygonal ring.
 
-    The paper's thin ring is compared with Lamé's thick one and with finite elements; a sweep shows
-    that they agree as the wall vanishes. Sizes are assumed: the paper prints none.
+    The thin ring of the paper is compared with Lamé's thick ring and with finite elements. A sweep
+    demonstrates that they agree as the wall thickness vanishes. Dimensions are assumed, as the
+    paper prints none.
     """
 
     id = "polyhedral-pressure"
@@ -68,11 +68,13 @@ class RingPressure(ThinRing):
         Scan(vary=("delta_1=1mm,2mm,4mm,6mm,7mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
     )
     readings: ClassVar = (
-        "the clearance j_D is on the diameter and closes outside, where the rollers are",
-        "free along its axis, in plane stress; held it takes 1/(1 - ν²) times the pressure",
+        "j_D is the diametral clearance between the outside of the ring and the rollers",
+        "the ring is free along its axis (plane stress); in plane strain, the pressure is "
+        "1/(1 - ν²) times as large",
     )
     assumptions: ClassVar = (
-        "linear elasticity, small strain", "a quarter with symmetry on both cuts",
+        "linear elasticity, small strain",
+        "a quarter is modelled, with symmetry on both cuts",
     )  # fmt: skip
 
     @Quantity("Δd_m", "µm", "growth of the mean diameter", equation="8",
@@ -80,7 +82,7 @@ class RingPressure(ThinRing):
     def growth(self) -> float:
         return float(expansion.growth(sigma_t=self.sigma_t, d_m=self.mean_diameter, E=self.E))
 
-    @Quantity("K", "1", "thick over thin, plane stress: K of ever more corners", role="step",
+    @Quantity("K", "1", "pressure ratio, thick to thin ring: K for many corners", role="step",
               source="Lamé", tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
     def K(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
@@ -95,18 +97,18 @@ class RingPressure(ThinRing):
     ).reads(lambda q: q.thick_ring("plane strain"))  # fmt: skip
 
     def thick_ring(self, ends: lame.Ends) -> float:
-        """Lamé's pressure [Pa]."""
+        """Pressure [Pa] that closes the clearance, by Lamé."""
         wall = {"d_i": self.d_i, "d_e": self.d_e}
         p = expansion.round_ring_pressure(j_D=self.j_D, **wall, E=self.E, nu=self.nu, ends=ends)
         return float(p)
 
     def of_wall(self, share: float) -> Self:
-        """The ring of equal mean diameter with the wall `share` times it, allowed or not."""
+        """The ring of equal mean diameter d_m with the wall `share` d_m; limits are not checked."""
         sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
         return self.model_copy(update=sizes)
 
     def reference(self, level: int) -> Level:
-        """The ring under a pressure of E/1000 in its bore, scaled to a growth of j_D."""
+        """Results of the ring under a pressure E/1000 in its bore, scaled to a growth of j_D."""
         p_0, fine = self.E / 1000, 2 if self.delta_1 > THICK * self.d_m else 1
 
         def expanded(d_i: float, d_e: float, ends: Any) -> Any:
@@ -117,7 +119,7 @@ class RingPressure(ThinRing):
             return 2 * float(along.mean(along.polar()[0]))
 
         def pressure(solution: Any) -> float:
-            """That lets the outside grow by j_D."""
+            """Pressure [Pa] with which the outer diameter grows by j_D."""
             return p_0 * self.j_D / growth(solution, "rim")
 
         def thinner(wall: float) -> float:
@@ -144,7 +146,7 @@ class RingPressure(ThinRing):
         )  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Against Lamé by finite elements, at this wall and as it vanishes."""
+        """Rows: thin ring and Lamé against finite elements, for this wall and vanishing walls."""
         ring, wall = RingPressure, {"d_e": self.d_e, "wall": self.delta_1}
         thin = thin_ring.pressure_error(**wall)
         outside = thin_ring.rim_stress_error(**wall)
@@ -156,43 +158,45 @@ class RingPressure(ThinRing):
         yield approximation(ring.p_1, "p", order=4, expected=Expected(*thin, LAME))
         yield approximation(ring.sigma_t, "mean_stress", order=4, against="the mean over the wall",
                             expected=Expected(*thin, MEAN))  # fmt: skip
-        yield approximation(ring.sigma_t, "rim_stress", order=2, against="that of the outside",
+        yield approximation(ring.sigma_t, "rim_stress", order=2,
+                            against="the hoop stress at the outside",
                             expected=Expected(*outside, RIM))  # fmt: skip
-        yield approximation(ring.sigma_t, "bore_stress", order=2, against="that of the bore",
+        yield approximation(ring.sigma_t, "bore_stress", order=2,
+                            against="the hoop stress at the bore",
                             expected=Expected(*inside, BORE))  # fmt: skip
         yield approximation(ring.growth, order=4, expected=Expected(*middle, MIDDLE))
         yield approximation(ring.growth, "growth_outside", order=4, symbol="Δd_e",
-                            against="that of the outside under its hoop stress",
+                            against="the growth of the outer diameter",
                             expected=Expected(*taken, OUTSIDE))  # fmt: skip
         yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
         yield balance("balance", "hoop force of a wall and the bore's pressure", "ΣF_x", "N/mm",
                       of={"Lamé force": self.E / 1000 * self.d_i / 2}, bound=1e-9,
-                      because="direct solve: machine epsilon times the condition of K")  # fmt: skip
+                      because="direct solution: machine epsilon × condition number")  # fmt: skip
 
     def figures(self) -> Iterator[Overlay]:
-        """Pressure over the wall."""
+        """Figure of the pressure over the wall thickness."""
         thickest = min(max(0.2, 1.2 * self.delta_1 / self.d_m), SOLID)
         yield Overlay(
-            title="Pressure that takes up the clearance", x_label="wall δ_1/d_m",
+            title="Pressure that closes the clearance", x_label="wall δ_1/d_m",
             family=self.of_wall, over=np.linspace(WALLS[0], thickest, 60).tolist(),
             quantities=(RingPressure.p_1, RingPressure.p), reference="thinner", at=WALLS,
-            note=f"A ring of {self.shown('mean_diameter')} mean diameter that takes up "
-            f"{self.shown('j_D')}; the thin ring's error grows with the square of the wall.",
+            note=f"Mean diameter {self.shown('mean_diameter')}, clearance "
+            f"{self.shown('j_D')}. The error of the thin ring grows with the square of the wall.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
-        """The stress of the quarter, all round."""
-        caption = "Von Mises stress where the clearance is taken up, plane stress"
+        """Picture of the von Mises stress of the whole ring."""
+        caption = "Von Mises stress when the clearance is closed, plane stress"
         yield picture("ring", "von_mises", caption, mirror="xy")
 
     def sketch(self) -> Sketch:
-        """Ring, rollers and pressure."""
+        """Sketch of the ring, its rollers and the pressure."""
         bore, at, r = self.d_i / self.d_e, 1.19, 0.13  # over d_e/2, clearance drawn much larger
         return sketches.sketch(
-            f"a round ring of {self.shown('d_e')} under pressure in its bore, {self.shown('j_D')} "
-            "of clearance on the diameter to its rollers (drawn much larger)",
+            f"round ring of {self.shown('d_e')} under pressure in its bore, {self.shown('j_D')} "
+            "diametral clearance to its rollers (drawn much larger)",
             sketches.ring(bore, 1.0), sketches.rollers(6, r, at), sketches.circle(at + r),
             sketches.radial_loads(6, bore - 0.22, bore, "p"),
             sketches.leader((-1.25, 0.92), (-0.383 * (1 + bore), 0.3215 * (1 + bore)),
@@ -201,18 +205,18 @@ class RingPressure(ThinRing):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the ring yields before it reaches its rollers."""
+        """Warning if the ring yields before it reaches its rollers."""
         tresca = 2 * self.d_e**2 / (self.d_e**2 - self.d_i**2) * self.p  # in the bore
         if self.R_p is not None and tresca > self.R_p:
             yield (
                 f"Tresca stress {tresca / 1e6:.4g} MPa in the bore exceeds R_p = "
-                f"{self.shown('R_p')}: the ring yields before it has taken up j_D = "
+                f"{self.shown('R_p')}: the ring yields before it closes j_D = "
                 f"{self.shown('j_D')}"
             )
         if self.R_p is None and self.straining > 3e-3:
             yield (
-                f"the ring strains by {self.straining:.2%} to take up the clearance: most steels "
-                "yield before; give R_p"
+                f"the ring strains by {self.straining:.2%} to close the clearance: most steels "
+                "yield at less; enter R_p"
             )
 
 

@@ -1,4 +1,4 @@
-"""The elastic ring with its polygonal bore: the pressure with which it reaches the rollers."""
+"""Case of a ring with polygonal bore: pressure at which it reaches the rollers."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, Self
@@ -35,20 +35,20 @@ from verify.form.adapter import adapted
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
 PEAK = 1e-4  # relative error of a largest stress by the polynomial along the fillet
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
-HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
-LARGEST = "the series' largest stress in the fillets, within half a per cent"
-FILLET = 5e-3, "a peak stress: half a per cent distinguishes fillets"
+HALVED = 1e-3, "accepted change when the mesh is halved: 0.1 %"
+LARGEST = "largest stress in the fillets by the series, ± 0.5 %"
+FILLET = 5e-3, "a peak stress: 0.5 % distinguishes different fillets"
 PLACES = {"e": "e", "corner": "the corner"}  # places of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
-HUB = "the part of the hub's force that is the same for all flats; plane stress"
-BALANCE = "acceptance figure; direct solve"
+HUB = "symmetric part of the hub force, equal for all flats; plane stress"
+BALANCE = "accepted error; direct solution"
 
 
 class PolyhedralRing(PolygonSeries, HubRing):
     """The flats of a polygonal bore bulge under pressure, and the corners restrain the ring.
 
-    The paper leaves K open and assumes 1. Here it follows from complex potentials, independent of
-    the finite elements. Sizes are assumed: the paper prints none.
+    The paper does not derive K and assumes K = 1. In this case, K follows from complex potentials,
+    independent of the finite elements. Dimensions are assumed, as the paper prints none.
     """
 
     id = "polyhedral-ring"
@@ -67,39 +67,42 @@ class PolyhedralRing(PolygonSeries, HubRing):
     scans: ClassVar = (
         Scan(
             vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
-            only=("K of the paper", "K = 1", "K in the middle of the flats", "K in the mean"),
+            only=("K of the paper", "K = 1", "K in the middle of the flats",
+                  "K by the mean growth"),
             at=("e=2mm",),
         ),
         Scan(vary=("rho=0.5mm,1mm,2mm,4mm", "delta_1=2mm,4mm,8mm"), star=True),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_i is the diameter through the corners as they are, with fillets: δ_1 is the thinnest "
-        "wall. Measured to the corners without fillets, K of three to six flats is 10 to 47 % "
+        "d_i is the diameter through the corners with fillets, so that δ_1 is the thinnest wall. "
+        "With d_i measured to corners without fillets, K of three to six flats is 10 to 47 % "
         "higher",
-        "K = 1 means that the outside has grown by j_D/2 where the rollers are, in the middle of "
-        "the flats; the mean and the corners are reported, too",
-        "the ring is narrow: plane stress; in plane strain K is 1/(1 - ν²) times as large",
+        "K refers to the pressure at which the outside has grown by j_D/2 at the rollers, in the "
+        "middle of the flats; K by the mean growth and K at the corners are also reported",
+        "the ring is narrow (plane stress); in plane strain, K is 1/(1 - ν²) times as large",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
-        "half a sector, symmetry on both cuts",
-        "the hub's force at e counts as half of it on each side of the flat's middle: the part "
-        "that is the same for all flats and their mirror images",
+        "half a sector is modelled, with symmetry on both cuts",
+        "the hub force at e is replaced by half of it on each side of the middle of the flat: its "
+        "symmetric part, equal for all flats",
     )
 
     @Quantity("K", "1", "K of the paper", source="before Eq. 11", tex="1", safe="too high")
     def K(self) -> float:
         return 1.0
 
-    K_mean = Quantity("K_mean", "1", "K in the mean", source=SERIES).reads(lambda q: q.factors.mean)
-    K_corner = Quantity("K_corner", "1", "K at the corners, negative where they draw in",
+    K_mean = Quantity("K_mean", "1", "K by the mean growth", source=SERIES).reads(
+        lambda q: q.factors.mean
+    )
+    K_corner = Quantity("K_corner", "1", "K at the corners; negative if they move inwards",
                         source=SERIES, role="step").reads(lambda q: q.factors.corner)  # fmt: skip
 
     @Quantity("1/K_corner", "1", "flexibility at the corners")
     def flexibility(self) -> float:
         return 1 / self.K_corner
 
-    @Quantity("K_∞", "1", "K of ever more corners", source="Lamé", role="step",
+    @Quantity("K_∞", "1", "limit of K for many corners", source="Lamé", role="step",
               tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
     def K_many(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
@@ -121,7 +124,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return float(printed.mean_hoop_stress(sigma_t=self.sigma_t, K=self.K_mid))
 
     growth = Quantity(
-        "u_r(0)", "µm", "growth of the outside in the middle of the flats then", role="step",
+        "u_r(0)", "µm", "growth of the outside in the middle of the flats", role="step",
         source="outside, by the complex potential",
         tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
     ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
@@ -131,18 +134,18 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet(self) -> float:
         return float(wall_stress.largest_fillet_stress(sector=self.sector)[0] * self.p_1r)
 
-    @Quantity("σ_max/σ_t", "1", "that over the hoop stress of the round ring", role="step")
+    @Quantity("σ_max/σ_t", "1", "σ_max over the hoop stress of the round ring", role="step")
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "lift of the outside by the hub's force, {0}: {1}",
+    @Quantity("u_{1}({0})", "µm", "displacement of the outside by the hub force, {0}: {1}",
               source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]
 
     @shared
     def _hubs(self) -> Mapping[str, Any]:
-        """The series under the hub's force at e, and under its normal part in the corner."""
+        """Solutions under the hub force at e, and under its normal part in the corner."""
         normal, along = self.R_b / np.hypot(1, self.tan_phi) * np.array([1, -self.tan_phi])
         places = {"e": (self.e, along), "corner": (self.sector.half_bore, 0.0)}
         return {
@@ -152,7 +155,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     @shared
     def _lifts(self) -> Mapping[tuple[str, str], float]:
-        """Displacement [m] of the outside by place of the hub's force and of the outside."""
+        """Displacements [m] of the outside, by position of the hub force and of the outside."""
         return {
             (at, where): float(u)
             for at, hub in self._hubs.items()
@@ -162,7 +165,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         }
 
     def outside(self, theta: Array) -> Array:
-        """Radial displacement (m,) [m] of the outside when it reaches the rollers."""
+        """Radial displacements [m] of the outside at angles `theta` under p_1r, shape (m,)."""
         load: dict[str, Any] = {"p": self.p_1r, "E": self.E, "nu": self.nu}
         u = bore_pressure.rim_displacement(
             theta, sector=self.sector, assumption="plane stress", **load
@@ -174,11 +177,11 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Half a sector under pressure in its bore, and under the hub's force."""
+        """Results of half a sector under pressure in its bore, and under the hub force."""
         return fem.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """The series against finite elements, and K = 1 with both."""
+        """Rows: series against finite elements, and K = 1 against finite elements."""
         ring, residual = PolyhedralRing, self.factors.residual
         left = max(residual, *(hub.correction.residual for hub in self._hubs.values()))
         same: dict[str, Any] = {"order": 4, "sensitivity": HALVED, "uncertainty": left,
@@ -194,30 +197,32 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             shares="plane stress")  # fmt: skip
         yield approximation(ring.K, "K_mean", order=4, shares="plane stress",
                             expected=of_one(self.K_mean),
-                            name="K = 1 against the growth in the mean")  # fmt: skip
+                            name="K = 1 against the mean growth")  # fmt: skip
         yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
                             expected=of_one(long.K_mid),
                             name="K = 1 against a long ring in plane strain")  # fmt: skip
         yield identity(ring.sigma_tr, **same)
-        twice = about(self.K_mid - 1, NEAR, "K_mid of the series, which enters once too often")
+        twice = about(self.K_mid - 1, NEAR, "K_mid of the series, a superfluous factor as printed")
         yield approximation(ring.sigma_tr_printed, "sigma_tr", order=4, expected=twice,
                             name="mean hoop stress in the corners, Eq. 12 as printed",
                             shares="plane stress")  # fmt: skip
         hoop = self.E * self.j_D / (self.d_e - self.delta_1)  # of a thin ring of this mean diameter
         for q, stress, name in (
-            (ring.sigma_t, hoop, "hoop stress, Eq. 9, against the largest in the fillets"),
+            (ring.sigma_t, hoop,
+             "hoop stress, Eq. 9, against the largest hoop stress in the fillets"),
             (ring.sigma_tr, self.K_mid * hoop,
-             "mean hoop stress, Eq. 12, against the largest in the fillets"),
+             "mean hoop stress, Eq. 12, against the largest hoop stress in the fillets"),
         ):  # fmt: skip
             share = stress / self.fillet
             yield approximation(q, "fillet", name=name, order=2, shares="plane stress",
                                 expected=about(share - 1, FILLET[0] * share, LARGEST))  # fmt: skip
         peak = {"order": 2, "sensitivity": FILLET, "uncertainty": max(PEAK, STRESS * residual)}
         yield identity(ring.fillet, **same | peak)
-        scale = {"hub scale": max(abs(self.hub("corner", where)) for where in WHERE)}
+        scale = {"hub force in the corner": max(abs(self.hub("corner", where)) for where in WHERE)}
         for at, place in PLACES.items():
             for where, words in WHERE.items():
-                yield identity(ring.hub(at, where), name=f"hub at {place}: {words}",
+                yield identity(ring.hub(at, where),
+                               name=f"displacement by the hub force at {place}: {words}",
                                symbol=f"u_{where}", scale=scale,
                                **same | {"order": 2, "shares": HUB})  # fmt: skip
         for x in "xy":
@@ -227,35 +232,35 @@ class PolyhedralRing(PolygonSeries, HubRing):
             )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
-        """The outside when its flats have reached the rollers."""
+        """Figure of the outside when its flats reach the rollers."""
         degree = np.degrees
         yield AlongLine(
-            title="Growth of the outside where it reaches the rollers",
+            title="Growth of the outside when it reaches the rollers",
             x=("angle from the middle of a flat [°]", "1"), y=("u_r", "µm"),
             at=degree(stations(self)), points=degree(np.linspace(0, self.half_angle, 121)),
             curve=lambda x: self.outside(np.radians(x)), reference="outside", order=3,
             scale=self.j_D / 2, scale_name="half the clearance",
-            note="The rollers sit at 0°; the corner is at the right. Line: complex potentials.",
+            note="The rollers are at 0°, the corner is at the right. Line: complex potentials.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
-        """The ring with other numbers of flats, too."""
+        """Pictures of the ring and of rings with other numbers of flats."""
         for z in dict.fromkeys((*fem.DRAWN, self.z)):
-            caption = f"{z} flats, where they have taken up the clearance: von Mises stress"
+            caption = f"Von Mises stress of a ring with {z} flats when the clearance is closed"
             yield picture(f"z = {z}", "von_mises", caption, share=0.02)
 
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the fillets yield or the corners do not follow."""
-        when = " where the ring reaches the rollers"
+        """Warnings if the fillets yield or the corners move inwards."""
+        when = " when the ring reaches the rollers"
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=when)
         if self.flexibility < 0:
-            yield "the corners draw in under pressure: only the flats reach their rollers"
+            yield "the corners move inwards under pressure: only the flats reach their rollers"
 
 
 def of_one(K: float) -> Expected:
-    """The error of K = 1 if the series has `K`."""
+    """Expected error of K = 1 if K of the series is `K`."""
     return about(1 / K - 1, NEAR, "1/K of the series (complex potentials)")
 
 

@@ -1,4 +1,4 @@
-"""Finite elements of the polyhedral ring under pressure, and under the force of its hub."""
+"""Finite-element results of the polyhedral ring under pressure and under the hub force."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ DRAWN = (3, 6, 12)  # flats of the rings in the pictures
 
 
 def solve(q: HubRing, level: int) -> Level:
-    """One level: K in plane stress and strain, stresses, and the hub at e and in the corner."""
+    """Results for `level`: K in plane stress and strain, stresses, hub at e and in the corner."""
     from fem.plane.sectors import radial
 
     ring, long = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
@@ -48,16 +48,16 @@ def solve(q: HubRing, level: int) -> Level:
 
 
 def stiffness_fem(q: HubRing, level: int) -> Level:
-    """K by its three definitions, in plane stress."""
+    """K by its three definitions, in plane stress, for `level`."""
     ring = pressed_fem(q, level, "plane stress", ARC)
     values = stiffness(q, factors_fem(q, ring))
     return Level(h=1 / level, values=values, u_it=round_off(values, ring.residual))
 
 
 def both_fem(q: HubRing, level: int) -> Level:
-    """K by its three definitions in plane stress, and in the middle of the flats in plane strain.
+    """K by its three definitions in plane stress, and K_mid in plane strain, for `level`.
 
-    The residual of each solve applies to all values.
+    The larger residual of both solutions applies to all values.
     """
     narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
     values = stiffness(q, factors_fem(q, narrow)) | {
@@ -68,22 +68,22 @@ def both_fem(q: HubRing, level: int) -> Level:
 
 
 def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
-    """K from the displacements `outward` [m] under `UNIT`; 1/K at corners, which may draw in."""
+    """K from outward displacements [m] under `UNIT`; 1/K at corners, which may move inwards."""
     thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
     per = {where: UNIT / 2 / thin / u for where, u in outward.items()}
     return {"K_mid": per["mid"], "K_mean": per["mean"], "flexibility": 1 / per["corner"]}
 
 
 def round_off(values: Values, residual: float) -> dict[str, float]:
-    """Uncertainty of values after a linear solve that left a `residual` of the energy."""
+    """Round-off error of values by key; `residual`: relative residual of the energy."""
     return {key: max(residual**0.5, 1e-11) * abs(value) for key, value in values.items()}
 
 
 def fillet_fem(q: HubRing, level: int) -> float:
     """Largest hoop stress [Pa] of the fillet when the ring reaches its rollers.
 
-    All cells are as coarse as the cells at the fillet: with finer cells only there the wall's
-    error, of the other sign, is of the same size.
+    All cells are as coarse as the cells at the fillet. With finer cells only at the fillet, the
+    error of the wall has the opposite sign and a similar size.
     """
     ring = pressed_fem(q, level, "plane stress")
     return in_fillet_fem(q, ring) * q.j_D / 2 / factors_fem(q, ring)["mid"]

@@ -1,4 +1,4 @@
-"""The sketch of the polyhedral ring."""
+"""Sketch of the polyhedral ring."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ ARC = 13  # points of a fillet
 
 
 def outline(q: Any) -> Array:
-    """The bore as points (m, 2), in units of the outer radius."""
+    """Points of the outline of the bore, in units of the outer radius, shape (m, 2)."""
     points = []
     for k in range(q.z):
         middle = 2 * np.pi * (k + 0.5) / q.z
@@ -23,7 +23,7 @@ def outline(q: Any) -> Array:
 
 
 def half(q: Any) -> Array:
-    """Half a sector as a closed outline (m, 2)."""
+    """Points of the closed outline of half a sector, in units of the outer radius, (m, 2)."""
     r = q.d_e / 2
     turn = np.linspace(0, q.half_angle, ARC)
     centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
@@ -33,7 +33,7 @@ def half(q: Any) -> Array:
 
 
 def body(q: Any, gap: float = 0.05, roller: float = 0.12) -> list[Shape]:
-    """Ring, rollers and race, the clearance drawn large; the modelled half sector shaded."""
+    """Shapes of ring, rollers, race and modelled half sector; the clearance is enlarged."""
     shapes = [
         circle(1.0, "body"),
         shape("hole", outline(q)),
@@ -49,7 +49,7 @@ def body(q: Any, gap: float = 0.05, roller: float = 0.12) -> list[Shape]:
 
 
 def sketch(q: Any) -> Sketch:
-    """The ring, its rollers and race, with the pressure on its flats."""
+    """Sketch of the ring, its rollers and race, with the pressure on its flats."""
     flat = q.apothem / (q.d_e / 2)
     loads = [
         sketches.arrow(polar(flat - 0.24, 360 * k / q.z), polar(flat, 360 * k / q.z),
@@ -60,8 +60,8 @@ def sketch(q: Any) -> Sketch:
     x, y = half(q)[ARC // 2 + 1 : ARC + 4].mean(axis=0)
     thin = polar((q.d_i + q.d_e) / 2 / q.d_e, corner)
     return sketches.sketch(
-        f"a ring with {q.z} flats in its bore, d_e = {q.shown('d_e')}, fillets of "
-        f"{q.shown('rho', 3)}; rollers and race drawn faint, the clearance much too large",
+        f"ring with {q.z} flats in its bore, d_e = {q.shown('d_e')}, fillets of "
+        f"{q.shown('rho', 3)}; rollers and race as thin lines, clearance drawn much larger",
         body(q), loads, sketches.leader((-1.3, 1.02), thin, f"δ_1 = {q.shown('delta_1')}"),
         sketches.leader((1.32, 1.05), (float(x), float(y)), "FE: half a sector"),
     )  # fmt: skip

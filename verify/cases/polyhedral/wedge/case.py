@@ -1,4 +1,4 @@
-"""A roller wedged between ring and race (Belcin et al., Eqs. 1-5) against contact with friction."""
+"""Case of a roller wedged between ring and race (Belcin et al., Eqs. 1-5)."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -18,9 +18,9 @@ from verify.form.adapter import adapted
 class WedgedRoller(WedgeFormulas):
     """A roller stays in a wedge if tan(α/2) is below μ.
 
-    Friction on the roller is then at most N tan(α/2). The printed torque μ N z D_i/2 applies to
-    rollers that a cage holds back until they slip. Finite elements of an elastic roller on an
-    elastic race with friction confirm both.
+    The friction force on a free roller is then N tan(α/2). The printed torque μ N z D_i/2 applies
+    only to rollers that a cage holds back until they slip. Finite elements of an elastic roller on
+    an elastic race with friction confirm both statements.
     """
 
     id = "polyhedral-wedge"
@@ -30,26 +30,26 @@ class WedgedRoller(WedgeFormulas):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),)
     readings: ClassVar = (
-        "α is the full angle between both tangents: each normal is α/2 off the roller's middle "
-        "plane",
+        "α is the full angle between both tangents: each contact normal is inclined by α/2 to the "
+        "plane normal to the bisector",
         "D_i is a diameter: the lever of T is D_i/2",
-        "N and T are forces at one contact of one roller, and z rollers carry the torque",
-        "a free roller is held by its contacts alone; a cage force acts along the bisector",
-        "rollers are long: plane strain, which moves Hertz's half-width alone",
+        "N and T are forces at one contact of one roller; z rollers transmit the torque",
+        "only the two contacts act on a free roller; a cage force acts along the bisector",
+        "the rollers are long: plane strain, which only affects Hertz's half-width",
     )
     assumptions: ClassVar = (
-        "α, μ, N, d and b are user inputs: the paper prints no number for them, nor an equation "
-        "for α",
-        "ring and race are equal flats about the roller: half of it is modelled, its cut on the "
-        "bisector; the race's convexity changes the contact's width, not the statics",
-        "roller and race of one material: tangential forces leave the pressure alone; on a rigid "
-        "flat pressing alone would make nearly all of the contact slip",
-        "gap and pressure act along the flat race's normal, so that a roller which slides stays "
-        "in the same wedge; along the deformed surfaces between both where the stick zone is "
-        "measured",
-        "the stick zone is measured under a separate load, small enough for Cattaneo's half "
-        f"planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
-        "roller without weight, one coefficient of friction, no rate",
+        "α, μ, N, d and b are inputs with assumed default values: the paper prints no values, and "
+        "no equation for α",
+        "ring and race are flats: half of the roller is modelled, cut along the bisector; the "
+        "curvature of ring and race changes the contact width, not the balance of forces",
+        "roller and race have the same material, so that tangential forces do not change the "
+        "pressure; on a rigid flat, nearly the whole contact would slip under N only",
+        "gap and pressure act along the normal of the flat race, so that a sliding roller stays in "
+        "the same wedge; for the stick zone, they act along the normal of the common, deformed "
+        "contact surface",
+        "the stick zone is computed under a separate load, small enough for Cattaneo's "
+        f"half-planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
+        "no weight of the roller, one coefficient of friction, no effect of speed",
     )
 
     comparisons = compared.comparisons
@@ -58,35 +58,35 @@ class WedgedRoller(WedgeFormulas):
     sketch = sketched.sketch
 
     def reference(self, level: int) -> Level:
-        """Half a roller on an inclined race."""
+        """Results of half a roller on an inclined race."""
         return fem.solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a free roller leaves its wedge or surfaces yield."""
+        """Warnings if a free roller leaves its wedge or the surfaces yield."""
         if not stays(self):
             yield (
                 f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g} (Eq. 2): a free "
-                "roller is squeezed out of the wedge and carries no torque"
+                "roller is expelled from the wedge and carries no torque"
             )
         elif self.wedged > 0.9:
             yield (
-                f"tan(α/2) = {self.wedged:.3f} μ: friction a tenth lower releases the roller "
-                "from the wedge"
+                f"tan(α/2) = {self.wedged:.3f} μ: a coefficient of friction lower by 10 % would "
+                "release the roller from the wedge"
             )
         p_0 = self.shown("p_0")
         if self.p_lim is not None and self.p_0 > self.p_lim:
             yield f"p_0 = {p_0} exceeds p_lim = {self.shown('p_lim')}: the surfaces yield"
         if self.p_lim is None and self.p_0 > 0.02 * self.E:
             share = f"{self.p_0 / self.E:.1%}"
-            yield f"p_0 = {p_0} is {share} of E: most steels yield before; give p_lim"
+            yield f"p_0 = {p_0} is {share} of E: most steels yield at less; enter p_lim"
 
     def refusal(self) -> str:
-        """A roller that is squeezed out has no equilibrium."""
+        """Reason for not solving a roller that is expelled; "" if it stays in the wedge."""
         if self.wedged < 1:
             return ""
         return (
             f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g}: the roller is "
-            "squeezed out, and there is no equilibrium to compute; check it without --fem"
+            "expelled, and no equilibrium exists; run `check` without --fem"
         )
 
 

@@ -1,4 +1,4 @@
-"""Comparisons of a wedged roller: forces in balance, the limit of friction, the stick zone."""
+"""Comparisons of a wedged roller: balance of forces, limit of friction, stick zone."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -15,20 +15,20 @@ from verify.core.case import Check, Context
 from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
-BALANCED = "forces in balance, on any mesh"
+BALANCED = "the forces are in balance on any mesh"
 REST = 1e-3  # relative to N: counts as zero
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
 L2 = 0.03  # acceptance of tractions
 EDGES = 0.01  # limit of the slipping share of N if N and T grow together
-FREE = "statics of a free roller: it uses tan(α/2)/μ of its friction"
-HALF_PLANES = "argued: (a/(μR))² of the inclined surfaces, 2 (a/R)² of half planes"
-SOLVER = "the solver's balance of a body that only contact holds"
-LIMIT = "Coulomb's law at every node, to round-off"
+FREE = "statics of a free roller: its friction force is tan(α/2)/μ of the limit"
+HALF_PLANES = "estimated: ± ((a/(μR))² for inclined surfaces + 2 (a/R)² for half-planes)"
+SOLVER = "accuracy of the solver for a body that only contacts support"
+LIMIT = "Coulomb's law at every node, except for round-off"
 COULOMB = "Coulomb's law of friction"
 
 
 def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
-    """Rows: free rollers, caged rollers, Eqs. 3 and 4 as printed, stick zones of contacts."""
+    """Rows: free rollers, caged rollers, Eqs. 3 and 4 as printed, stick zones."""
     case, scale, angle = WedgeFormulas, {"N": self.N}, {"alpha": self.alpha, "mu": self.mu}
     too_much = Expected(*bounds.torque_error(**angle), FREE)
     too_little = Expected(*bounds.normal_force_error(**angle), FREE)
@@ -43,16 +43,18 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
                         expected=too_much, **printed)  # fmt: skip
     yield identity(case.M_caged, "M_caged", name="torque of caged rollers (Eq. 3)", **caged)
     yield identity(case.C, name="cage force (Eq. 1)", scale=scale, **caged)
-    yield identity(case.N_per_M, name="normal force per torque, free (Eq. 5, corrected)", **free)
+    yield identity(
+        case.N_per_M, name="normal force per torque of free rollers (Eq. 5, corrected)", **free
+    )
     yield approximation(case.N_per_M_caged, "N_per_M", expected=too_little,
-                        name="normal force per torque, free, Eq. 4 as printed",
+                        name="normal force per torque of free rollers, Eq. 4 as printed",
                         **printed)  # fmt: skip
     yield identity(case.N_per_M_caged, "N_per_M_caged",
-                   name="normal force per torque, caged (Eq. 4)", **caged)  # fmt: skip
+                   name="normal force per torque of caged rollers (Eq. 4)", **caged)  # fmt: skip
     yield identity(case.mu_c, name="least friction of a free roller (Eq. 2)", shares=COULOMB,
                    sensitivity=(1e-4, "bisection to five digits"))  # fmt: skip
     yield fact("friction 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
-    yield fact("friction 1 % below tan(α/2) releases it (Eq. 2)", "N",
+    yield fact("friction 1 % below tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
         name="T/(μN) over wedge angles, to the limit and beyond", symbol="ΔT/(μN)", unit="1",
@@ -63,7 +65,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
                             shares=COULOMB)  # fmt: skip
     together = "N and T grow together"
     for part, (words, symbol, bound) in enumerate((
-        ("below 1 % of N slips", "N_slip", EDGES),
+        ("slipping nodes carry less than 1 % of N", "N_slip", EDGES),
         ("traction within 3 % of tan(α/2) p in L2", "q", L2),
     )):  # fmt: skip
         yield Fact(name=f"{together}: {words}", symbol=symbol, unit="1", paper_only=True,
@@ -73,24 +75,24 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
         ("cage", "balance of cage and contact"),
     ):  # fmt: skip
         yield balance(residual, name, "ΣF", "N", of=scale, bound=1e-9, because=SOLVER)
-    yield balance("unslipped", "caged: all nodes at their limit", "μp − q", "N", of=scale,
-                  bound=1e-10, because=LIMIT)  # fmt: skip
+    yield balance("unslipped", "caged roller: all nodes at the limit of friction", "μp − q", "N",
+                  of=scale, bound=1e-10, because=LIMIT)  # fmt: skip
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Nearly all of N is left with friction a per cent above tan(alpha/2)."""
+    """Margin of the remaining share of N to 0.9, with friction 1 % above tan(alpha/2)."""
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 
 def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, float]]:
-    """Margin of a member of the finest mesh's array below a bound."""
+    """Function that returns `bound` minus element `k` of `array` on the finest mesh."""
     return lambda context: (float(bound - context.fem[-1].arrays[array][k]), 0.0)
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Difference of T/(mu N) and tan(alpha/2)/mu; N is zero if the roller is squeezed out."""
+    """Largest difference of T/(mu N) and tan(alpha/2)/mu, and a text; N = 0 if expelled."""
     share, left, ratio = context.fem[-1].arrays["over angles"]
     mu = context.inputs.mu
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)
     missed = np.where(stays, np.abs(ratio - share), EXPELLED / REST * np.abs(left))
-    return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"
+    return float(missed.max()), 0.0, f"largest difference {missed.max():.1e}"

@@ -1,4 +1,4 @@
-"""Figures of the wedged roller: the limit, torques, stick zone, traction, shear."""
+"""Figures of the wedged roller: limit of friction, torques, stick zone, traction, shear."""
 
 import math
 from collections.abc import Iterator
@@ -16,22 +16,22 @@ from verify.form.plots import dashes, dots, line, plot
 
 
 def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
-    """Curves and profiles, if finite elements are solved."""
+    """Figures: limit, torques, stick zone and traction, if finite elements are solved."""
     yield converged(_limit)
     yield converged(lambda context: _torques(self, context))
     yield AlongLine(
-        title="Stick zone of a roller that is pressed and then released", x=("T/(μN)", "1"),
+        title="Stick zone of a roller pressed without friction, then released", x=("T/(μN)", "1"),
         y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k), points=np.linspace(0.0, 1.0, 201),
         at=GROWTH, reference="growth", order=1, scale=1.0, neglects=True,
-        note=f"Released, it comes to rest at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
+        note=f"The released roller is in equilibrium at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
     )  # fmt: skip
     yield AlongLine(
-        title="Traction of a roller that is wedged in: N and T grow together", x=("x/a", "1"),
+        title="Traction of a roller while N and T grow together", x=("x/a", "1"),
         y=("q/(p_0 tan(α/2))", "1"), curve=lambda x: np.sqrt(1 - x**2),
         points=np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201)), at=ACROSS, reference="grown",
         order=1, scale=1.0, neglects=True,
-        note="All of it sticks: q is tan(α/2) p everywhere, except an odd part of the order a/R "
-        "from the roller's curvature and for the steps in which the load grows.",
+        note="The whole contact sticks: q is tan(α/2) p everywhere. Deviations: an odd part of the "
+        "order a/R due to the curvature of the roller, and the finite number of load steps.",
     )  # fmt: skip
 
 
@@ -39,12 +39,12 @@ def _limit(context: Context) -> Curves:
     share, left, ratio = context.fem[-1].arrays["over angles"]
     stays, unit = left > ANY, np.array([0.0, 1.0])
     return plot(
-        "Used share of the available friction of a roller", "tan(α/2)/μ", "T/(μN)",
+        "Friction force of a roller over its limit μN", "tan(α/2)/μ", "T/(μN)",
         line("free roller, T = N tan(α/2)", unit, unit),
-        dashes("caged, at the limit; Eq. 3 as printed", 1.5 * unit, unit**0, 1),
-        dots("FE, free", share[stays], ratio[stays]),
-        dots("FE, squeezed out: N is zero", share[~stays], ratio[~stays], 2),
-        note="One wedge after the other, at given friction; beyond 1 a free roller is expelled.",
+        dashes("caged roller at the limit; Eq. 3 as printed", 1.5 * unit, unit**0, 1),
+        dots("FE, free roller", share[stays], ratio[stays]),
+        dots("FE, expelled: N is zero", share[~stays], ratio[~stays], 2),
+        note="Wedges of different angles with equal friction. Beyond 1, a free roller is expelled.",
     )  # fmt: skip
 
 
@@ -53,25 +53,25 @@ def _torques(q: WedgeFormulas, context: Context) -> Dots:
     return Dots(
         title="Torque of all rollers", label="M_t [N m]",
         items=(
-            ("Eq. 3, friction's limit", q.M_caged, None, "formula"),
+            ("Eq. 3, limit of friction", q.M_caged, None, "formula"),
             ("FE, caged, slipping", fe["M_caged"], None, "fe"),
             ("free, N tan(α/2)", q.M_free, None, "formula"),
             ("FE, free", fe["M_free"], None, "fe"),
         ),
-        note="Under the same normal force.",
+        note="All torques are for the same normal force N.",
     )  # fmt: skip
 
 
 def pictures(self: WedgeFormulas) -> Iterator[Picture]:
-    """Largest shear stress in the roller and about a contact."""
+    """Pictures of the largest shear stress in the roller and near a contact."""
     x, y, w = self.R * math.sin(self.half), self.R * math.cos(self.half), 3.0 * self.a
     yield Picture(
         field="roller", data="log_shear", symbol="τ_max/p_0", unit="1", factor=1.0, decades=True,
-        displacement="", mirror=("y",), caption="Largest shear stress in the roller, as a power of "
-        "ten of p_0: it runs from contact to contact",
+        displacement="", mirror=("y",), caption="Largest shear stress in the roller over p_0, "
+        "logarithmic: it is concentrated between both contacts",
     )  # fmt: skip
     yield Picture(
         field="roller", data="shear", symbol="τ_max/p_0", unit="1", factor=1.0, displacement="",
-        caption="The same about the upper contact",
+        caption="Largest shear stress over p_0 near the upper contact",
         window=(x - w, y - 1.5 * w, x + w, y + 0.5 * w),
     )  # fmt: skip

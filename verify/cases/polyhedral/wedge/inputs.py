@@ -12,7 +12,7 @@ WIDEST = 0.15  # a/R that the roller may reach
 
 
 class WedgeInputs(Case):
-    """z rollers, each between ring and race as between two flats at the angle alpha."""
+    """Inputs of z rollers, each in a wedge of two flats (ring and race) at the angle alpha."""
 
     alpha: float = given("6 deg", "deg", "α", "full wedge angle", ge=0.5, le=25)
     mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at both contacts",
@@ -34,14 +34,15 @@ class WedgeInputs(Case):
     def _fits(self) -> Self:
         if not self.D_i > 2 * self.d:
             raise ValueError(
-                "rollers on both sides of the ring need D_i > 2 d, got "
+                "the race must be larger than two rollers, D_i > 2 d, got "
                 f"D_i = {self.D_i * 1e3:g} mm, d = {self.d * 1e3:g} mm"
             )
         check_apart(z=self.z, D_i=self.D_i, d=self.d)
         if self.a > WIDEST * self.R:
             raise ValueError(
-                f"a line contact needs a/R of at most {WIDEST:g}, got a/R = {self.a / self.R:.3g} "
-                f"with N = {self.N:g} N on b = {self.b * 1e3:g} mm, d = {self.d * 1e3:g} mm"
+                f"a line contact requires a/R of at most {WIDEST:g}, got a/R = "
+                f"{self.a / self.R:.3g} with N = {self.N:g} N "
+                f"on b = {self.b * 1e3:g} mm, d = {self.d * 1e3:g} mm"
             )
         return self
 
@@ -52,7 +53,7 @@ class WedgeInputs(Case):
 
     @property
     def half(self) -> float:
-        """Half of the wedge angle [rad]."""
+        """Half of the wedge angle, alpha/2 [rad]."""
         return self.alpha / 2
 
     @property

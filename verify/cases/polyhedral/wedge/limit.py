@@ -1,4 +1,4 @@
-"""The limit at which friction no longer holds a roller between its contacts, by the solver."""
+"""Limit of friction at which a roller is released from its wedge, by finite elements."""
 
 import math
 
@@ -16,9 +16,9 @@ ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of 
 
 
 def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple[float, float]:
-    """N over the given N, and T/N, if a race moves `down` [m] on a roller at half an angle.
+    """N over the given N, and T/N, if the race is displaced by `down` [m] towards the roller.
 
-    Zeros if the roller has lost its contact.
+    `half` is half of the wedge angle [rad]. Both values are zero if the contact is lost.
     """
     from fem.contact.wedged import Geometry, Wedge
     from verify.cases.polyhedral.wedge.mesh import fem_mesh
@@ -31,14 +31,14 @@ def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple
 
 
 def least_fem(q: WedgeInputs, down: float, share: float) -> tuple[float, float]:
-    """The least friction that holds the roller about a T/N of `share`, and its uncertainty."""
+    """Least coefficient of friction that holds the roller, near `share`, and uncertainty."""
     from fem.contact.wedged_states import least_friction
 
     return least_friction(lambda mu: pressed_fem(q, down, half=q.half, mu=mu)[0], share)
 
 
 def around_fem(q: WedgeInputs, down: float) -> Array:
-    """Remaining share of N (2,) with friction 1 % below and above tan(alpha/2)."""
+    """Remaining shares of N with friction 1 % below and 1 % above tan(alpha/2), shape (2,)."""
     limit = math.tan(q.half)
     return np.array([
         pressed_fem(q, down, half=q.half, mu=share * limit)[0] for share in (0.99, 1.01)
@@ -46,7 +46,7 @@ def around_fem(q: WedgeInputs, down: float) -> Array:
 
 
 def over_angles_fem(q: WedgeInputs, down: float) -> Array:
-    """tan(alpha/2)/mu, remaining share of N, T/(mu N) or 0 without N (3, m)."""
+    """Rows tan(alpha/2)/mu, remaining share of N, and T/(mu N) or 0 without N; (3, m)."""
     found = []
     for share in ANGLES:
         left, ratio = pressed_fem(q, down, half=math.atan(share * q.mu), mu=q.mu)

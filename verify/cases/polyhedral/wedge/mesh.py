@@ -11,7 +11,7 @@ ZONE = 1.15  # half-width of the fine cells over Hertz's
 
 
 def fem_mesh(geometry: "Geometry", cells: int) -> "Mesh2D":
-    """Roller and race, `cells` on the half-width."""
+    """Mesh of half a roller and the race, with `cells` on the half-width."""
     from meshes.contact.block import full_block
     from meshes.contact.tilted import placed, tilted_half_disc
     from meshes.join import join

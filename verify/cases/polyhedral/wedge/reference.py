@@ -1,4 +1,4 @@
-"""Finite elements of the wedged roller: free, at the limit of friction, caged, and released."""
+"""Finite-element results of the wedged roller: free, at the limit, caged, released."""
 
 import math
 from typing import TYPE_CHECKING
@@ -27,7 +27,7 @@ ACROSS = np.linspace(-0.95, 0.95, 39)  # positions of the tractions over the hal
 
 
 def solve(q: WedgeInputs, level: int) -> Level:
-    """One level: free, caged, about the limit, released, and wedged in by steps."""
+    """Results for `level`: free, caged, near the limit, released, loaded in steps."""
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import slipping, uneven
 
@@ -61,7 +61,7 @@ def solve(q: WedgeInputs, level: int) -> Level:
 
 
 def freely(q: WedgeInputs, free: "Wedge", state: "ContactSolution") -> dict[str, float]:
-    """Loads of a free roller under N, and its balance along and across the bisector."""
+    """Forces of a free roller under N, and residuals along and across the bisector."""
     N, T = free.forces(state)
     lever = q.z * q.D_i / 2
     cut = sum(state.plane.reaction(f"roller.{part}")[1] for part in ("inner", "outer"))
@@ -73,7 +73,7 @@ def freely(q: WedgeInputs, free: "Wedge", state: "ContactSolution") -> dict[str,
 
 
 def held_back(q: WedgeInputs, cage: "Wedge") -> dict[str, float]:
-    """The race slides into the wedge under N, and a cage holds the roller back."""
+    """Forces of a roller under N that a cage holds back while the race slides into the wedge."""
     state, _ = cage.pressed(q.line_load, along=FAR * q.mu * q.a**2 / q.R)
     N, T = cage.forces(state)
     touch, lever = state.touches[0], q.z * q.D_i / 2
@@ -87,13 +87,13 @@ def held_back(q: WedgeInputs, cage: "Wedge") -> dict[str, float]:
 
 
 def across(q: WedgeInputs, touch: "Touch", s: Array) -> Array:
-    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0; s: node positions."""
+    """Tractions at `ACROSS` over tan(alpha/2) p_0, shape (m,); `s`: node positions over a."""
     order = np.argsort(s)
     return np.interp(ACROSS, s[order], touch.traction[order]) / (math.tan(q.half) * q.p_0)
 
 
 def roller(q: WedgeInputs, state: "ContactSolution") -> Field:
-    """The half roller under N with its largest shear stress over Hertz's peak pressure."""
+    """Field of half a roller under N: largest shear stress over Hertz's peak pressure."""
     from fem.plane.cell_fields import at_nodes, largest_shear
 
     cells = state.plane.cells()

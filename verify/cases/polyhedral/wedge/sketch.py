@@ -1,4 +1,4 @@
-"""The free body of a wedged roller: both contact forces on the line through both contacts."""
+"""Sketch of the free body of a wedged roller with its contact forces."""
 
 import math
 from collections.abc import Iterator
@@ -14,12 +14,12 @@ DRAWN = math.radians(12)  # half of the wedge angle in the sketch, at least
 
 
 def sketch(self: WedgeInputs) -> Sketch:
-    """Normal and friction forces on a roller in a wedge."""
+    """Sketch of the normal and friction forces on a roller in a wedge."""
     half = max(self.half, DRAWN)
     x = math.sin(half)
     return sketches.sketch(
-        "free body of a roller, wedge drawn wider than it is: normal forces push it out, "
-        "friction pulls it in; finite elements take the half above the bisector",
+        "free body of a roller (wedge drawn wider): normal forces act out of the wedge, friction "
+        "forces into it; finite elements model the half above the bisector",
         sketches.circle(1.0, "body"), arrow((-1.9, 0), (3.0, 0), style="axis"),
         _flat(half, 1), _flat(half, -1),
         arrow((x, -1.9), (x, 1.9), style="faint"),
@@ -32,7 +32,7 @@ def sketch(self: WedgeInputs) -> Sketch:
 
 
 def _flat(half: float, side: int) -> Iterator[Shape]:
-    """One flat with its forces on the roller; `side` 1 above the bisector, -1 below."""
+    """Shapes of a flat and its forces on the roller; `side`: 1 above the bisector, -1 below."""
     mirror = np.array([1, side])
     n = np.array([math.sin(half), math.cos(half)]) * mirror
     t = np.array([math.cos(half), -math.sin(half)]) * mirror

@@ -1,4 +1,4 @@
-"""A wedged roller pressed without friction and released: stick zones of its contacts."""
+"""Stick zones of a wedged roller that is pressed without friction and then released."""
 
 import math
 from typing import NamedTuple
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 class Share(float):
-    """T/(mu N), which names a number of the reference: "0_4"."""
+    """T/(mu N); its text, such as "0_4", is part of keys of results."""
 
     def __str__(self) -> str:
         return f"{self:g}".replace(".", "_")
@@ -24,16 +24,16 @@ TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 
 
 def small(q: WedgeInputs) -> float:
-    """Half-width [m], small against R and mu R: the limit of Cattaneo's half planes.
+    """Half-width [m] that is small against R and mu R, as Cattaneo's half-planes require.
 
-    Otherwise the surface on which roller and race meet is inclined by up to a/(2R) at its ends,
-    which reduces the available angle of friction.
+    For larger widths, the common contact surface is inclined by up to a/(2R) at its ends, which
+    reduces the available angle of friction.
     """
     return q.R * min(TILT * q.mu, FLATTEST)
 
 
 class Stuck(NamedTuple):
-    """Stick half-widths over a by name, their uncertainties, and the figure's."""
+    """Stick half-widths over a by key, their uncertainties, and those of the figure."""
 
     values: dict[str, float]
     u_it: dict[str, float]
@@ -41,7 +41,7 @@ class Stuck(NamedTuple):
 
 
 def fem_stuck(q: WedgeInputs, level: int) -> Stuck:
-    """The roller released under a small force, on `level` cells on its half-width."""
+    """Stick zones of the roller released under a small force, with `level` cells on a."""
     from fem.contact.partial_slip import smoothed
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import let_go

@@ -230,7 +230,7 @@ RINGS = (
         what="half a sector under pressure, plane stress", pose=partial(polyhedral, "plane stress"),
         quantities=(
             Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
-            Quantity(name="K_mean", row="K in the mean", symbol="K_mean", **K),
+            Quantity(name="K_mean", row="K by the mean growth", symbol="K_mean", **K),
             Quantity(name="flexibility", row="flexibility at the corners", symbol="1/K_corner",
                      **K),
             Quantity(name="fillet", row="largest hoop stress in the fillets", symbol="σ_max",
@@ -252,9 +252,11 @@ RINGS = (
             what=f"half a sector under the hub's force at {place}, plane stress",
             pose=partial(hub, corner),
             quantities=(
-                Quantity(name="mid", row=f"hub at {place}: middle of the flats", symbol="u_mid",
-                         **HUB),
-                Quantity(name="corner", row=f"hub at {place}: corners", symbol="u_corner", **HUB),
+                Quantity(name="mid",
+                         row=f"displacement by the hub force at {place}: middle of the flats",
+                         symbol="u_mid", **HUB),
+                Quantity(name="corner", row=f"displacement by the hub force at {place}: corners",
+                         symbol="u_corner", **HUB),
             ),
         )
         for place, corner in (("e", False), ("the corner", True))
