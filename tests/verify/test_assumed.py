@@ -101,7 +101,7 @@ def test_flats_of_both_cams_have_the_wedge_angle():
         ({"R_i": None, "T": None}, "inputs: missing R_i, T"),
         ({"R_i": "20 mm"}, "inputs: R_e > R_i > 0 is required, got R_e = 19.44 mm, R_i = 20 mm"),
         ({"z": 60}, "b = 3.9984 mm; assumed: b = 3.9984 mm (typical: 0.48 (R_e - R_i))"),
-        ({"R_ed": "19 mm"}, "the outer race needs a wall"),
+        ({"R_ed": "19 mm"}, "the bore of the outer race must be smaller"),
     ],
 )
 def test_wrong_input_gets_one_line(change, message):

@@ -45,7 +45,7 @@ def around(state):
     [
         (lambda: first_contact(Q.R_i, Q.R_e, Q.r_i, 1.4),
          r"no spiral between the races has the wedge angle 1.4 rad"),
-        (lambda: guessed(Q, 0.0), "touches no race"),  # not turned
+        (lambda: guessed(Q, 0.0), "does not touch both races"),  # not turned
         (lambda: at_force(Q, 10 * P), "flank"),  # turned off its profile
     ],
 )  # fmt: skip

@@ -9,19 +9,19 @@ LIGHTER, THICKER, LONGER, FLATTER = 4, 3, 4, 100
 
 
 def light(q: Any) -> Any:
-    """A quarter of the torque."""
+    """Inputs with a quarter of the torque."""
     return q.model_copy(update={"T": q.T / LIGHTER})
 
 
 def thick(q: Any) -> Any:
-    """Races with thicker walls."""
+    """Inputs with thicker walls of both races."""
     return q.model_copy(
         update={"R_id": q.R_i - 1.5 * (q.R_i - q.R_id), "R_ed": q.R_e + THICKER * (q.R_ed - q.R_e)}
     )
 
 
 def long(q: Any) -> Any:
-    """Longer sprags under the same load per length, their crown made for that."""
+    """Inputs with sprags four times as long, at the same load and crown load per length."""
     more = {"l": LONGER * q.l, "T": LONGER * q.T}
     if q.Q is not None:
         more["Q"] = LONGER * q.Q
@@ -29,23 +29,26 @@ def long(q: Any) -> Any:
 
 
 def long_uncrowned(q: Any) -> Any:
-    """Longer sprags with a hundredth of the crown: all slices carry equal loads."""
+    """Inputs of `long` with a hundredth of the crown: all slices carry equal loads."""
     more = long(q)
     return more.model_copy(update={"K_1": more.K_1 / FLATTER, "z_m": more.z_m / FLATTER})
 
 
 def long_half_crowned(q: Any) -> Any:
-    """Longer sprags with half the crown: with less the largest pressure would be at the ends."""
+    """Inputs of `long` with half the crown.
+
+    With a smaller crown, the largest pressure would be at the ends.
+    """
     more = long(q)
     return more.model_copy(update={"K_1": more.K_1 / 2, "z_m": more.z_m / 2})
 
 
-BOTH = Without(Cause.PLANE, "plane strain on both sides")
-LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+BOTH = Without(Cause.PLANE, "both models are in plane strain")
+LONG = Rerun(cause=Cause.GEOMETRY, what="sprags four times as long, same load per length",
              inputs=long, levels=(41, 81))  # fmt: skip
 # the deflection of a slice depends on its load only, a strip's deflection on all loads
 EVEN = Rerun(
-    cause=Cause.GEOMETRY, what="and a hundredth of the crown: an even load of the slices",
+    cause=Cause.GEOMETRY, what="and a hundredth of the crown: uniform load",
     rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 # at the larger torque, the largest pressure would then be at the ends
@@ -54,26 +57,26 @@ HALF = Rerun(
     inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 STRIPS = (
-    Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
-    Without(Cause.PLANE, "strips and slices, not plane"),
+    Without(Cause.CONTACT, "none: both models use the exact contact law"),
+    Without(Cause.PLANE, "strips and slices are not plane models"),
 )
 IN_TIME = (
-    Without(Cause.CONTACT, "rigid sprags on springs by the law of the formulas"),
-    Without(Cause.PLANE, "rigid bodies"),
-    Without(Cause.GEOMETRY, "one model on both sides"),
+    Without(Cause.CONTACT, "both models use the same deflection law"),
+    Without(Cause.PLANE, "both models consist of rigid bodies"),
+    Without(Cause.GEOMETRY, "both models have the same geometry"),
 )
 
-LAW = "slices deflect by Palmgren's law of a whole roller, which no rerun gives to strips"
+LAW = "slices deflect by Palmgren's law of a whole roller; no run of the strips uses this law"
 SLICED = (Left(("pressure at mid-length*", "largest pressure*"), LAW),)
 WEDGE = Left(
     ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
-    "a quarter of the torque and thicker races take more away than there is",
+    "a quarter of the torque and thicker races remove more than the whole difference",
 )
 STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the wind-up of rigid "
-             "races, whose row has the parts")  # fmt: skip
+             "races; the parts are listed there")  # fmt: skip
 TURNED = Left(
     ("wind-up of the races by rolling*",),
-    "neither the torque nor the races explain it, nothing else was rerun",
+    "neither the torque nor the races explain it; no other cause was varied",
 )
 
 STATEMENTS: Mapping[str, Statement] = {
@@ -85,12 +88,12 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(BOTH,), left=(WEDGE, TURNED, STIFF),
         corrected=(
-            Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha_rigid",
+            Corrected("rotation with half planes and Eq. 6 for long races, at N_0", "alpha_rigid",
                       "half planes and Eq. 6, against the deflections of elastic bodies"),
             Corrected("rotation with Eqs. 9, 10 as printed and elastic deflections, at N_0",
                       "alpha_rigid"),
             Corrected("torque with the lever arm of Eq. 16 as printed, at N_0", "torque_rigid",
-                      "half of the arms of Eq. 9"),
+                      "lever arms are half of those of Eq. 9"),
             Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
                       "Palmgren's law, against deflections of elastic bodies"),
             Corrected("rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
@@ -98,16 +101,16 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, against elastic bodies"),
             Corrected("rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, "
-                      "at T", "alpha", "both as printed, against Eqs. 9, 10 corrected with "
+                      "at T", "alpha", "both as printed, against corrected Eqs. 9, 10 with "
                       "deflections of elastic bodies"),
             *(
                 Corrected(row.format(race), f"{key}_{race[0].replace('o', 'e')}_rigid", what)
                 for race in ("inner", "outer")
                 for row, key, what in (
-                    ("mean displacement of the {} race (Eq. 6 as printed, thin), at N_0", "mean",
-                     "as printed for a thin race, against a long one's"),
-                    ("Eq. 6 alone for the {} race under a sprag, at N_0", "race",
-                     "a mean of the race, against the place under a sprag"),
+                    ("mean displacement of the {} race (Eq. 6 as printed, for thin races), at N_0",
+                     "mean", "as printed for a thin race, against a long race"),
+                    ("displacement by Eq. 6 alone of the {} race under a sprag, at N_0", "race",
+                     "mean over the race, against the point under a sprag"),
                 )
             ),
         ),

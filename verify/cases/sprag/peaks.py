@@ -1,9 +1,8 @@
-"""Largest pressures of a sprag clutch's engagements, crown by crown, for its design.
+"""Largest pressures of the engagements of a sprag clutch with different crowns, for its design.
 
-A crown changes the laws of the contacts and little else: they are solved once for all torques.
-
-Ends by slices and by strips are in `analytic.sprag.peaks`: 2946 MPa by 41 slices are
-3255 MPa by 81 strips, 3766 by 161, for the optimal crown of Eq. 19 at 25 N m.
+A crown mainly changes the laws of the contacts. These laws are solved once for all torques.
+`analytic.sprag.peaks` compares slices and strips at the ends: for the optimal crown of Eq. 19 at
+25 N m, 41 slices give 2946 MPa, 81 strips give 3255 MPa and 161 strips give 3766 MPa.
 """
 
 import math
@@ -25,21 +24,21 @@ ENGAGED = 1024  # engagements stored: two optimisations with common designs
 CHUNK = 5  # crowns per task of a process
 STRIPS = 81  # along a sprag; with unloaded ends, 161 strips change the peak by 0.1 %
 HOW = {
-    "slips": "a contact slides on",
-    "over the end": "the sprags leave their profile, or the range of the formulas",
-    "disengages": "the contacts are separated at the end",
-    "not followed": "the force still rises at the end, take a longer t_end",
+    "slips": "a contact continues to slide",
+    "over the end": "the sprags roll beyond their profile or beyond the range of the formulas",
+    "disengages": "the contacts are separated at the end of the engagement",
+    "not followed": "the force still rises at the end of the integration (increase t_end)",
 }
 
 Crown = tuple[float, float, float]  # K_1, K_2, z_m [m]
 
 
 class NoLockError(ArithmeticError):
-    """An engagement that does not lock: no largest pressure exists."""
+    """Error for an engagement that does not lock and thus has no largest pressure."""
 
 
 def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
-    """The clutch with another crown for its load, or without crown; common to all cases."""
+    """Inputs of the clutch with `crown` for the same design load; without crown if None."""
     own = {name: getattr(q, name) for name in EngagementInputs.model_fields}
     own["Q"] = crowned_for(q)
     if crown is None:
@@ -53,7 +52,7 @@ def one_fem(
 ) -> tuple[Array, Array]:
     """N_max [N], (m,), and pressures [Pa], (m, slices), with the crown of `q`.
 
-    NoLockError if an engagement does not lock; other errors if none is found.
+    Raises NoLockError if an engagement does not lock, other errors if no engagement is found.
     """
     one = built(q)
     N, R = np.array([_peak_fem(q.model_copy(update={"T": float(T)})) for T in torques]).T
@@ -70,7 +69,7 @@ def _peak_fem(q: EngagementInputs) -> tuple[float, float]:
     run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
     verdict = run.engagement.verdict
     if verdict != "locks":
-        raise NoLockError(f"under T = {q.T:g} N m {HOW[verdict]}: no crown prevents that")
+        raise NoLockError(f"under T = {q.T:g} N m {HOW[verdict]}; no crown prevents this")
     N = run.engagement.N_max
     return N, one.radii(wedged(one.clutch, N))[0]
 
@@ -79,9 +78,9 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 
 
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
-    """A chunk of crowns; the reason if an engagement does not lock.
+    """N_max [N] and pressures [Pa] of the crowns of a task, or the reason why one does not lock.
 
-    An engagement that is not solved raises another error: it is no statement on the clutch.
+    Raises another error if an engagement cannot be solved: this does not mean that it slips.
     """
     q, torques, crowns, by = task
     try:
@@ -99,11 +98,11 @@ def peaks_fem(
     jobs: int = 1,
     progress: Callable[[int], None] = lambda _done: None,
 ) -> Peaks:
-    """Engagements with the crowns (n, 3), of equal design load, under each torque [N m].
+    """Largest forces and pressures of engagements with the crowns (n, 3), under each torque [N m].
 
-    Pressures follow from the clutch's slices, or from STRIPS strips on a half-space. `progress` is
-    called with the number of crowns done. NoLockError if one does not lock, another
-    ArithmeticError if an engagement is not solved.
+    All crowns have the same design load. Pressures are computed by the slices of the clutch, or by
+    STRIPS strips on a half-space. `progress` is called with the number of crowns done.
+    Raises NoLockError if an engagement does not lock, another ArithmeticError if it is not solved.
     """
     torques, n = tuple(float(T) for T in torques), len(crowns)
     tasks = [

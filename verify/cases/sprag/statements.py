@@ -1,4 +1,4 @@
-"""Kinds of statements about sprag clutches: for the paper only, noted, against a printed number."""
+"""Checks of sprag clutches: for the paper only, contradicted statements, printed numbers."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -21,8 +21,8 @@ STRIPS = 0.003
 WIDER = 0.045  # demand of a row with that interval
 BY_STRIPS = "strips"
 PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
-FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
-UNFITTED = "the pressure printed at 25 N m does not lie between those at {:.2g} and {:.2g}°".format(
+FITTED = f"depends on {len(IDENTIFIED)} identified inputs"
+UNFITTED = "no wedge angle between {:.2g} and {:.2g}° gives the pressure printed at 25 N m".format(
     *np.degrees(ANGLES)
 )
 
@@ -30,18 +30,18 @@ Measured = Mapping[str, Array]
 
 
 def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Interval of slices over strips; none for inputs of the user, for which none was accepted."""
+    """Accepted relative differences of slices from strips; None for a user's inputs."""
     return (-SLICED - STRIPS, SLICED + STRIPS) if q == type(q)() else None
 
 
 def measured(context: Context) -> Measured:
-    """Measured values of the finest level, by name."""
+    """Arrays of the reference at the finest level, by name."""
     return context.fem[-1].arrays
 
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaper(Accepted):
-    """A statement about the paper's clutch only."""
+    """Statement about the clutch of the paper only."""
 
     paper_only: bool = True
 
@@ -51,9 +51,9 @@ class OfPaper(Accepted):
 
 @dataclass(frozen=True, kw_only=True)
 class Noted(Claim):
-    """A printed statement that the paper's equations contradict: NOTE with its ledger entry.
+    """Statement of the paper that its equations contradict: NOTE with the entry of the ledger.
 
-    `margin` is positive if they do; otherwise the ledger is wrong and the row fails.
+    `margin` is positive if the equations contradict it. Otherwise the ledger is wrong: FAIL.
     """
 
     kind = Kind.FACT
@@ -71,16 +71,17 @@ class Noted(Claim):
             reason = f"{words}; ledger {self.erratum}"
             verdict = replace(verdict, status=Status.NOTE, reason=reason)
         else:
-            reason = f"ledger {self.erratum} states otherwise: {words}"
+            reason = f"contradicts the ledger entry {self.erratum}: {words}"
             verdict = replace(verdict, reason=reason if math.isfinite(margin) else UNFITTED)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Beside(Claim):
-    """A value from identified inputs against a `figure` [SI], printed or given as input.
+    """Value computed from identified inputs, against a number `figure` [SI], printed or given.
 
-    CALIBRATED within `bound` if it was `fitted` to the figure; else a prediction, SHOWN.
+    If inputs were `fitted` to the number, the status is CALIBRATED within `bound` and FAIL beyond.
+    Otherwise the value is a prediction with the status SHOWN.
     """
 
     kind = Kind.APPROXIMATION

@@ -1,4 +1,4 @@
-"""The sector of a sprag clutch through its stroke: states at rest at rotations or forces."""
+"""Equilibrium states of a sector of a sprag clutch, for given rotations or normal forces."""
 
 import math
 from functools import lru_cache
@@ -15,23 +15,28 @@ NEAR, MOST = 1e-3, 20  # relative tolerance of the force, largest number of step
 
 
 def races(q: WedgeInputs) -> Races:
-    """The geometry of sprags and races."""
+    """Geometry of sprags and races."""
     return Races(
         R_id=q.R_id, R_i=q.R_i, R_e=q.R_e, R_ed=q.R_ed, r_i=q.r_i, nu_0=q.nu_0, z=q.z, b=q.b
     )
 
 
 def struts(q: WedgeInputs) -> Struts:
-    """The sprags as input of the finite elements."""
+    """Sprags as input of the finite elements."""
     return Struts(z=q.z, b=q.b, E=q.E, nu=q.nu)
 
 
 def guessed(q: WedgeInputs, alpha: float) -> Start[Place]:
-    """At the rotation `alpha` [rad]; ValueError if the sprag does not overlap the races."""
+    """Initial iterate at the rotation `alpha` [rad].
+
+    Raises ValueError if the sprag does not overlap both races.
+    """
     place = Place.overlapping(races(q), alpha)
     d_i, d_e = place.overlaps
     if not min(d_i, d_e) > 0:
-        raise ValueError(f"a sprag turned by {alpha:.4g} rad touches no race: it needs more")
+        raise ValueError(
+            f"a sprag rotated by {alpha:.4g} rad does not touch both races: increase the rotation"
+        )
     r_e = place.q.sprag.r_e
     bends = 1 / q.r_i + 1 / q.R_i, 1 / r_e - 1 / q.R_e
     widths = WIDE * math.sqrt(d_i / bends[0]), WIDE * math.sqrt(d_e / bends[1])
@@ -40,13 +45,16 @@ def guessed(q: WedgeInputs, alpha: float) -> Start[Place]:
 
 @lru_cache(256)
 def at_rotation(q: WedgeInputs, alpha: float) -> Start[Place]:
-    """Position of the sprag rotated by `alpha` [rad]."""
+    """Equilibrium state at the sprag rotation `alpha` [rad], on coarse meshes."""
     return guessed(q, alpha).settled()[0]
 
 
 @lru_cache(256)
 def at_force(q: WedgeInputs, P: float) -> Start[Place]:
-    """Position of the sprag with about `P` [N/m] on its inner contact on coarse meshes."""
+    """Equilibrium state with about `P` [N/m] on the inner contact, on coarse meshes.
+
+    Raises NotFoundError if the force is not reached in MOST steps.
+    """
     start = guessed(q, _rotation(q, SOFT * P * (1 - q.nu**2) / q.E))
     for _ in range(MOST):
         start, state = start.settled()
@@ -55,10 +63,12 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
             return start
         # forces grow a little faster than deflections, deflections about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
-    raise NotFoundError(f"the force {P:.4g} N/m is not reached: difference {share - 1:.1%}")
+    raise NotFoundError(
+        f"no sprag rotation gives the force {P:.4g} N/m: the last differs by {share - 1:.1%}"
+    )
 
 
 def _rotation(q: WedgeInputs, H: float) -> float:
-    """Rotation with the total deflection `H` [m], about: as in the first hundredth of a radian."""
+    """Approximate rotation [rad] at the total deflection `H` [m], extrapolated from 0.01 rad."""
     small = 0.01
     return small * H / Place.overlapping(races(q), small).H

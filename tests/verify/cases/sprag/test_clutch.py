@@ -39,8 +39,8 @@ def limit(key, **changes):
         ({"T": 115.0}, "rolls over: the sprags reach the end of their profile, α_max = 28.65°, at "
          "111.5 N m"),
         ({"T": 500.0, "alpha_max": 3.0}, "no state: no equilibrium exists at T = 500 N m"),
-        ({"T": 100.0}, "overloaded: friction holds, but the inner contacts have"),
-        ({"R_p": 2e8}, "overloaded: friction holds, but the inner race has"),
+        ({"T": 100.0}, "overloaded: friction is sufficient, but the inner contacts have"),
+        ({"R_p": 2e8}, "overloaded: friction is sufficient, but the inner race has"),
         ({"T": 100.0, "p_lim": None}, "holds"),
     ],
 )  # fmt: skip
@@ -73,16 +73,18 @@ def test_limits_come_in_their_order_and_at_each_the_clutch_is_at_it():
 def test_what_is_advised_holds():
     for changes in ({"mu_s": 0.05, "mu_c": 0.04}, {"nu_0": math.radians(7.5), "T": 40.0}):
         first, second, *rest = findings(**changes)
-        assert second.endswith("would have if it held")
-        assert not any(" grows" in x or "passed" in x or "each sprag carries" in x for x in rest)
+        assert second.endswith("assume that the clutch holds")
+        assert not any(
+            " increases" in x or "exceeded" in x or "each sprag carries" in x for x in rest
+        )
         angle, friction = number(first, "ν_0 below "), number(first, "μ_s above ")
         for advised in ({"nu_0": math.radians(angle)}, {"mu_s": friction}):
             assert verdict(SpragClutch(**changes | advised | {"p_lim": None})) == "holds"
     first, _, third, *_ = findings(T=115.0, p_lim=None)
     least = math.radians(number(first, "α_max of at least "))
     assert verdict(SpragClutch(T=115.0, p_lim=None, alpha_max=least)) == "holds"
-    assert third.startswith("passed already: the sprags reach the end of their profile")
-    times = number(findings(T=100.0)[0], "take about ")
+    assert third.startswith("already exceeded: the sprags reach the end of their profile")
+    times = number(findings(T=100.0)[0], "use about ")
     assert 1 < times < 2
     assert verdict(SpragClutch(T=100.0, l=9e-3 * times)) == "holds"
 
@@ -91,7 +93,7 @@ def test_elastic_bodies_turn_the_clutch_as_finite_elements_of_the_wedge_do():
     v = CLUTCH.analytic(PAPER)
     assert math.degrees(v["alpha_elastic"]) == pytest.approx(5.72, abs=0.03)  # of sprag-wedge's
     (words,) = (x for x in findings() if x.startswith("as elastic bodies"))
-    assert "softer and its period of oscillation about 1.13 times as long" in words
+    assert "softer and its period of oscillation is about 1.13 times as long" in words
     fast = SpragClutch(n=2000.0)  # grows the outer race, not the clutch's spring
     assert fast.theta / fast.theta_elastic == pytest.approx(
         PAPER.theta / PAPER.theta_elastic, rel=1e-3
@@ -118,7 +120,7 @@ def test_springs_whose_state_is_not_found_have_no_force(broken):
     v = CLUTCH.analytic(SpragClutch())
     assert "N_0" not in v
     warned = CLUTCH.warnings(SpragClutch(), v)
-    assert "no equilibrium under the springs alone was found: N_0 is not known" in warned
+    assert "no equilibrium under the springs alone was found: N_0 is unknown" in warned
 
 
 def test_stiffness_is_the_slope_of_the_torque_over_the_turn():

@@ -47,7 +47,7 @@ def test_nothing_fails_but_what_this_small_study_cannot_have_and_a_seed_repeats_
         row.quantity for check in SURROGATE for row in check.rows(context)
         if row.status is Status.FAIL
     }  # fmt: skip
-    assert failed <= {"leaving out a design hides nine tenths of one kriging's errors"}
+    assert failed <= {"leave-one-out estimates miss nine tenths of the error of a single kriging"}
 
 
 def test_a_surrogate_that_is_off_by_2_per_cent_finds_no_agreement(monkeypatch):

@@ -43,7 +43,7 @@ def test_processes_change_nothing(found):
 
 def test_what_does_not_lock_has_no_peak():
     slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
-    with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown prevents that"):
+    with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown prevents this"):
         peaks_fem(slippery, CROWNS[:1], [25.0])
 
 

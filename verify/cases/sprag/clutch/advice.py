@@ -1,4 +1,4 @@
-"""Advice on a sprag clutch: verdict, first limit reached, warnings, refusal."""
+"""Statements on a sprag clutch: verdict, limits, warnings, and reasons for no reference."""
 
 import math
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ REACHED = 0.5  # over z_m: a smaller drop of an end slice is reported
 DEEPER = 1.05  # ratio of the drop with twice z_m to the drop: no benefit below it
 UNEVEN = 1.5  # deflection over the uniformly loaded ring of Eq. 6
 CENTRIFUGAL = 0.1  # relative change of N_0 by centrifugal forces
-SLOWLY = "; this is of a torque that rises slowly: one that comes at once nearly doubles the " \
+SLOWLY = "; this applies to a slowly rising torque: a suddenly applied torque nearly doubles the " \
     "force (check --dynamic)"  # fmt: skip
 FINEST = 61  # slices that the reference solves at each of many loads
 LOOSE = 0.25  # rad, beyond which a sprag has turned a lot
@@ -32,8 +32,8 @@ def findings(q: ClutchFormulas) -> Sequence[str]:
     stands = state in ("holds", "overloaded")
     found = [f"{state}: {why(q)}" + (SLOWLY if state == "holds" else "")]
     if q.state and not stands:
-        found.append("forces, turns, pressures and stresses below are those it would have if it "
-                     "held")  # fmt: skip
+        found.append("the forces, rotations, pressures and stresses below assume that the clutch "
+                     "holds")  # fmt: skip
     if state != "slips":
         found += as_it_grows(q)
     if q.state:
@@ -42,14 +42,14 @@ def findings(q: ClutchFormulas) -> Sequence[str]:
 
 
 def as_it_grows(q: ClutchFormulas) -> list[str]:
-    """Limits exceeded by the torque, and the first limit as it grows."""
+    """Sentences on limits that the torque exceeds, and on the next limits if it increases."""
     known = [x for x in as_torque_grows(q) if x.key != "wide"]
     passed, ahead = [x for x in known if x.at <= q.T], [x for x in known if x.at > q.T]
     lines = []
     if passed:
-        lines.append(f"passed already: {'; '.join(map(_at, passed))}")
+        lines.append(f"already exceeded: {'; '.join(map(_at, passed))}")
     if ahead:
-        lines.append(f"as the torque grows, {'; then '.join(map(_at, ahead[:3]))}")
+        lines.append(f"if the torque increases, {'; then '.join(map(_at, ahead[:3]))}")
     return lines
 
 
@@ -62,60 +62,60 @@ def stiff(q: ClutchFormulas, stands: bool) -> str:
     has, have = ("has", "have") if stands else ("would have",) * 2
     return (
         f"each sprag {carries} {newton(q.N)} and {has} rotated by {q.alpha * DEGREE:.3g}°; the "
-        f"races {have} a wind-up of {q.theta * DEGREE:.3g}°, "
-        f"{q.stiffness:.4g} N m/rad at this torque"
+        f"races {have} a wind-up of {q.theta * DEGREE:.3g}°; the torsional stiffness at this "
+        f"torque is {q.stiffness:.4g} N m/rad"
     )
 
 
 def crowned(q: ClutchFormulas, stands: bool) -> str:
-    """Pressures of both races, the crown's peak over the middle's."""
+    """Sentence on the largest pressures of both races, relative to those at mid-length."""
     pressures = [
         f"{pascal(p)} at the {race} race ({p / mid:.3g} times that at mid-length)"
         for p, mid, race in ((q.p_i, q.p_i_mid, "inner"), (q.p_o, q.p_o_mid, "outer"))
     ]
-    largest = f"largest pressure of the contacts' slices{'' if stands else ' if it held'}"
+    largest = f"largest pressure of the slices{'' if stands else ' if the clutch held'}"
     return f"{largest}: {' and '.join(pressures)}"
 
 
 def dropped(q: ClutchFormulas) -> list[str]:
-    """Warning if the drop reaches z_m only at the outermost ends."""
+    """Warning if the drop of the crown reaches z_m only at the ends; empty otherwise."""
     if q.z_m == 0 or q.z_end > REACHED * q.z_m:
         return []
     flat = q.z_end_deeper < DEEPER * q.z_end
-    more = ", a larger one changes little" if flat else ""
+    more = "; a larger z_m changes little" if flat else ""
     return [
-        f"the crown drops by {q.z_end / UM:.3g} µm at the middle of its end slices: z_m = "
-        f"{q.z_m / UM:.3g} µm is reached at the very ends only{more}"
+        f"the drop of the crown is {q.z_end / UM:.3g} µm at the middle of its end slices: z_m = "
+        f"{q.z_m / UM:.3g} µm is reached only at the ends{more}"
     ]
 
 
 def beside(q: ClutchFormulas) -> str:
-    """Results of two other models at this torque."""
+    """Sentence on the sprag rotation at this torque by two other models."""
     return (
-        f"with rigid races (Liu) the sprags would turn by {q.alpha_Liu * DEGREE:.3g}°, by Eqs. "
-        f"9 and 10 as printed by {q.alpha_printed * DEGREE:.3g}°"
+        f"sprag rotation by other models: {q.alpha_Liu * DEGREE:.3g}° with rigid races (Liu), "
+        f"{q.alpha_printed * DEGREE:.3g}° by Eqs. 9 and 10 as printed"
     )
 
 
 def elastic(q: ClutchFormulas) -> list[str]:
-    """Effect of elastic parts on the rotation and on the duration of the engagement."""
+    """Sentence on sprag rotation and period of oscillation with elastic bodies; may be empty."""
     if not math.isfinite(q.alpha_elastic + q.theta_elastic):
         return []
     share = q.theta / q.theta_elastic
     times = math.sqrt(share)
     spring = "softer" if share > 1 else "stiffer"
     return [
-        "as elastic bodies (case sprag-wedge, checked there by finite elements) the sprags turn "
-        f"by {q.alpha_elastic * DEGREE:.3g}°: the paper's deflections, used here, make the "
-        f"clutch {spring} and its period of oscillation about {times:.3g} times as long"
+        "as elastic bodies (case sprag-wedge, verified by finite elements), the sprags rotate "
+        f"by {q.alpha_elastic * DEGREE:.3g}°; with the deflections of the paper, used here, the "
+        f"clutch is {spring} and its period of oscillation is about {times:.3g} times as long"
     ]
 
 
 def sensitive(q: ClutchFormulas) -> str:
     turn, tilt = q.dalpha_per_dR_i * 10 * UM * DEGREE, q.dnu_0_per_dR_i * 10 * UM * DEGREE
     return (
-        f"10 µm of R_i or R_e rotate the unloaded sprags by {abs(turn):.3g}°; the spiral "
-        f"maintains their wedge angle to {abs(tilt):.2g}°"
+        f"a change of R_i or R_e by 10 µm rotates the unloaded sprags by {abs(turn):.3g}°; the "
+        f"wedge angle of the spiral changes by only {abs(tilt):.2g}°"
     )
 
 
@@ -123,54 +123,54 @@ def warnings(q: ClutchFormulas) -> Sequence[str]:
     found = []
     if not STEEL[0] <= q.E <= STEEL[1]:
         found.append(
-            f"slices follow Palmgren's law, which is of steel and independent of E = "
-            f"{q.E / 1e9:.4g} GPa"
+            f"the slices use Palmgren's law, which applies to steel only and does not depend on E "
+            f"= {q.E / 1e9:.4g} GPa"
         )
     if q.state and SHORT * built(q).N_top > q.N:
-        found.append(f"N = {newton(q.N)} is below the least load for which slices were solved")
+        found.append(f"N = {newton(q.N)} is below the smallest load for which slices were solved")
     if q.alpha > LOOSE:
         found.append(
-            f"the sprags turn by {q.alpha * DEGREE:.3g}° under T: few sprags have a "
-            "profile that long"
+            f"the sprags rotate by {q.alpha * DEGREE:.3g}° under T: the profile of most sprags "
+            "ends at a smaller rotation"
         )
     if not HARD * (q.N if q.state else math.inf) >= q.N_0:
         found.append(
-            f"the springs alone press with {newton(q.N_0)}, more than a tenth of the force "
-            "under the torque"
+            f"the contact force by the springs alone is {newton(q.N_0)}, more than a tenth of the "
+            "force under the torque"
             if math.isfinite(q.N_0)
-            else "no equilibrium under the springs alone was found: N_0 is not known"
+            else "no equilibrium under the springs alone was found: N_0 is unknown"
         )
     found += [
         f"the {race} race deflects {times:.3g} times as much under each sprag as the uniformly "
-        "loaded ring of Eq. 6: few sprags or a thin wall, its shape and stress are not uniform"
+        "loaded ring of Eq. 6: because of few sprags or a thin wall, its stress is not uniform"
         for times, race in zip(q.uneven, ("inner", "outer"), strict=True)
         if times > UNEVEN
     ]
     if (F := centrifugal_force(q)) > CENTRIFUGAL * q.N_0:
         found.append(
-            f"at n the centrifugal force on a sprag is m_g ω² r = {newton(F)}, its springs press "
-            f"with {newton(q.N_0)}: here n affects the growth of the outer race only"
+            f"at n the centrifugal force on a sprag is m_g ω² r = {newton(F)}, the contact force "
+            f"by its springs is {newton(q.N_0)}: the formulas omit centrifugal forces on sprags"
         )
     if q.l < q.b:
-        found.append("sprags are shorter than wide: their contacts are hardly line contacts")
+        found.append("l < b: sprags shorter than their width do not have line contacts")
     return found
 
 
 def refusal(q: EngagementInputs) -> str:
-    """Why the drawn sprag and strips cannot solve these inputs."""
+    """Reason why the reference cannot solve these inputs; empty if it can."""
     now = under(q)
     if now is None or float(now.turned) > q.alpha_max:
-        return "no equilibrium within the profile exists at this torque; check it without --fem"
+        return "at this torque no equilibrium exists within the profile; check it without --fem"
     if float(now.N) < SHORT * built(q).N_top:
-        return "N is below the least load that slices are solved for; check it without --fem"
+        return "N is below the smallest load of the contact laws; check it without --fem"
     if q.slices > FINEST:
-        return f"{q.slices} slices are solved again at each load, more than {FINEST} are slow; "\
+        return f"the reference solves {q.slices} slices at each load; the limit is {FINEST}; "\
             "check it without --fem"  # fmt: skip
     return ""
 
 
 def summary(q: ClutchFormulas) -> dict[str, Any]:
-    """JSON; `margin` is mu_s/tan(nu), None without a state; limits of T [N m]."""
+    """Results for JSON: verdict, `margin` mu_s/tan(nu) (None without a state), limits of T."""
     return {
         "verdict": verdict(q), "margin": q.safety if q.state else None,
         "limits": [_limit(q, x) for x in as_torque_grows(q)],

@@ -1,4 +1,4 @@
-"""Stresses, deformations and forces of a sprag clutch beyond the paper's deflections."""
+"""Non-uniform deflection, centrifugal force and yield load of a sprag clutch."""
 
 import math
 
@@ -14,18 +14,18 @@ from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
-    """Deflection of a race under each sprag, indentation excluded, over that by Eq. 6."""
+    """Ratio of the deflection of a race under a sprag, without indentation, to that by Eq. 6."""
     a = sprag_wedge_model.bodies(q).half_widths(np.asarray(N))[loaded == "bore"]
     return over_smeared(parts(q), float(a), loaded)
 
 
 def centrifugal_force(q: EngagementInputs) -> float:
-    """Centrifugal force [N] of a sprag at the speed n, at the middle between the races."""
+    """Centrifugal force [N] on a sprag at the speed n, with its mass midway between the races."""
     return q.m_g * q.n**2 * (q.R_i + q.R_e) / 2
 
 
 def least_force(q: SpragInputs, contact: int) -> float:
-    """Inner normal force [N] at which the inner (0) or outer (1) race reaches R_p."""
+    """Normal force [N] on the inner race at which the inner (0) or outer (1) race reaches R_p."""
     if q.R_p is None:
         return math.inf
     N_e = 1.0

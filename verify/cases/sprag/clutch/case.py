@@ -1,4 +1,4 @@
-"""A logarithmic sprag clutch of the user: verdict, limits, engagement."""
+"""A logarithmic sprag clutch with a user's inputs: verdict, limits, engagement."""
 
 from typing import ClassVar
 
@@ -17,12 +17,13 @@ from verify.form.adapter import adapted
 class SpragClutch(ClutchFormulas):
     """Whether a logarithmic sprag clutch holds, and which limit is reached first.
 
-    With growing torque these are friction, pressure, the end of the profile; in time, the first
-    peak of an engagement. The reference is this sprag drawn point by point, and strips instead of
-    slices: they verify geometry, equilibrium and pressures with equal deflections. Case
-    sprag-wedge has finite elements of the whole clutch. The paper's figures depend on
-    5 inputs that it does not print and that are identified here (l, b, ν_0, k_out, Q), and 8 that
-    are assumed: results that depend on them are calibrated, not evidence.
+    The limits of an increasing torque are friction, pressure and the end of the profile. In an
+    engagement, the first peak of the force is critical. The reference computes the profile of the
+    sprag point by point and uses strips instead of slices. It verifies geometry, equilibrium and
+    pressures for the same deflection laws. Case sprag-wedge contains finite elements of the whole
+    clutch. The paper does not print 5 inputs, which are identified here (l, b, ν_0, k_out, Q), and
+    8 inputs, which are assumed. Results that depend on identified inputs are calibrated and are
+    not evidence.
     """
 
     id = "sprag-clutch"
@@ -36,29 +37,29 @@ class SpragClutch(ClutchFormulas):
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
         "T acts on the whole clutch, N is the normal force of one sprag",
-        "z_m is in millimetres: no unit is printed",
+        "z_m is in millimetres; the paper prints no unit",
     )
     assumptions: ClassVar = (
         *(
-            f"in the paper's clutch: {named([name])} identified, {why}"
+            f"clutch of the paper: {named([name])} is identified; {why}"
             for name, why in IDENTIFIED.items()
         ),
-        "in the paper's clutch: assumed are "
+        "clutch of the paper: the assumed inputs are "
         + "; ".join(f"{named([name])} ({why})" for name, why in ASSUMED.items()),
-        "α_max is both where the profile ends and where the springs are slack",
-        "all sprags are equal and share the load; races are uniformly loaded rings in plane "
-        "stress, the sprag is a bar, contacts are slices by Palmgren's law; elastic bodies differ "
-        "(α_el): 5.7° by finite elements of the paper's clutch, 7.2° by these deflections",
-        "n affects the growth of the outer race only: centrifugal forces on the sprags and in the "
+        "at the sprag rotation α_max the profile ends, and the springs are slack",
+        "all sprags are equal and carry equal loads; races are uniformly loaded rings in plane "
+        "stress, the sprag is a bar, contacts are slices by Palmgren's law. For the clutch of the "
+        "paper, these deflections rotate the sprags by 7.2°, elastic bodies (α_el) by 5.7°",
+        "the speed n only expands the outer race: centrifugal forces on the sprags and centrifugal "
         "stresses of the races are neglected",
-        "stresses of the races are Lamé's under uniformly distributed forces, in plane stress; R_p "
-        "limits Tresca's at both bores",
-        "a verdict without --dynamic is of a torque that rises slowly",
-        "the closure takes the deflections of the whole inner side to the unstrained spiral "
-        "(Eqs. 9 and 10, corrected), so that the torque's work is theirs",
-        "the pressures of the engagement are those of statics at its largest normal force",
-        "without a crown the largest pressure is that of the end slices: it has no limit as "
-        "their number grows",
+        "the stresses of the races are those by Lamé under uniformly distributed forces, in plane "
+        "stress; R_p limits the Tresca stress at both bores",
+        "a verdict without --dynamic applies to a slowly rising torque",
+        "the closure (Eqs. 9 and 10, corrected) uses the undeformed spiral and the deflections of "
+        "the whole inner side, so that the work of the torque equals that on the deflections",
+        "the pressures of an engagement are static pressures under its largest normal force",
+        "without a crown, the largest pressure is that of the end slices; it grows without limit "
+        "with the number of slices",
     )
 
     comparisons = compared.stated
@@ -70,7 +71,7 @@ class SpragClutch(ClutchFormulas):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """The sprag drawn point by point, strips for its slices, compiled engagements."""
+        """Reference: profile computed point by point, strips, computed engagements."""
         from verify.cases.sprag.clutch.reference import solve
 
         return solve(self, level)

@@ -1,4 +1,4 @@
-"""Rows of a sprag clutch: its state by a drawn sprag, its pressures by strips."""
+"""Rows of a sprag clutch: its state by a numerical profile, its pressures by strips."""
 
 import math
 from collections.abc import Iterator
@@ -19,8 +19,8 @@ from verify.judging.profile_checks import Estimated
 
 LAW = 2e-5  # standard relative error of N and tan(nu) by the cubic between loads of a law
 LAW_ALPHA = 1e-3  # likewise for rotations and deflections, at most 0.15 % of the contacts' share
-DRAWN = "drawn sprag, same deflections"
-FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as stated in u_ref"
+DRAWN = "numerical profile, same deflection laws"
+FROM_DRAWN = 1e-3, "cubic interpolation between the loads of the contact laws, stated in u_ref"
 SLIPS = 0.01
 SAME_CONTACT = "line contacts, radius of the inner contact under load"
 SAME_LAWS = "deflections by the laws of Eqs. 2-8"
@@ -28,7 +28,7 @@ SAME_LAWS = "deflections by the laws of Eqs. 2-8"
 
 @dataclass(frozen=True, kw_only=True)
 class ByDrawn(Identity):
-    """A value against the drawn sprag, if the clutch has it."""
+    """Row on a value against the numerical profile, if both exist."""
 
     by: str = DRAWN
 
@@ -43,7 +43,7 @@ def by_drawn(
     q: Quantity, name: str, symbol: str, law: float = LAW_ALPHA, state: State | None = None,
     **more: Any,
 ) -> Comparison:  # fmt: skip
-    """A quantity against the drawn sprag; `law` is the error of the contact law."""
+    """Row on a quantity against the numerical profile; `law` is the error of the contact law."""
     key, numbers = key_of(q, state), {f"uncertainty of {name}": law} if law else {}
     check = ByDrawn(name=name, symbol=symbol, unit=q.unit, analytic=key, fem=key, formal=2,
                     residual=next(iter(numbers), ""), **more)  # fmt: skip
@@ -53,19 +53,19 @@ def by_drawn(
 
 
 def drawn_states(clutch: Any) -> Iterator[Comparison]:
-    """Rolling, rigid races, Eqs. 9 and 10 as printed, and two variants of the paper's clutch."""
+    """Rows on rolling, rigid races, printed Eqs. 9 and 10, and two variants of the clutch."""
     c, paper = ClutchFormulas, clutch.is_default
     yield by_drawn(c.theta, "wind-up of the races, finite steps of rolling", "θ(T)")
     yield by_drawn(c.N_Liu, "normal force with rigid races (Liu)", "N_L", LAW)
     yield by_drawn(c.alpha_Liu, "rotation of the sprags with rigid races (Liu)", "α_L")
-    yield by_drawn(c.theta_Liu, "wind-up of the races, rigid (Liu), finite steps of rolling", "θ_L")
+    yield by_drawn(c.theta_Liu, "wind-up of rigid races (Liu), finite steps of rolling", "θ_L")
     yield by_drawn(c.alpha_printed, "rotation of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
     mu = low_friction(clutch) if paper else math.nan
     weak = clutch.model_copy(update={"mu_s": mu}) if paper else None
     yield by_drawn(c.T_slip, "torque at which the contacts slip at low friction", "T_μ",
                    LAW * (mu / (mu - clutch.mu_0)), State(weak, "low", "at low friction"),
                    demand=SLIPS,
-                   demand_reason="the spiral hardly changes its wedge angle")  # fmt: skip
+                   demand_reason="the wedge angle of the spiral is nearly constant")  # fmt: skip
     quick = State(fast(clutch) if paper else None, "fast", "at 20,000 r/min")
     yield by_drawn(c.d_ce, "growth of the outer race at 20,000 r/min", "δ_ce", 0.0, quick)
     yield by_drawn(c.alpha, "rotation of the sprags at 20,000 r/min", "α(n)", state=quick)
@@ -91,7 +91,7 @@ def pressures(clutch: Any) -> Iterator[Comparison]:
 
 
 def stated(clutch: Any) -> Iterator[Comparison | Check]:
-    """State under torque by the drawn sprag, pressures by strips, the paper's statements."""
+    """Rows on the state under torque, on pressures, and on statements of the paper."""
     c = ClutchFormulas
     common: dict[str, Any] = {"order": 2, "by": DRAWN, "shares": SAME_LAWS}
     yield identity(c.N, name="normal force under torque", symbol="N(T)", uncertainty=LAW,

@@ -1,4 +1,4 @@
-"""The sprag of the inputs drawn point by point: a second method for its state."""
+"""Profile of the sprag computed point by point: a second method for its state."""
 
 import math
 
@@ -10,12 +10,12 @@ from verify.core.figures import Array
 
 
 def places(q: SpragInputs, n: int) -> Array:
-    """Middles [m] of n equal parts of a sprag, from mid-length."""
+    """Centres [m] of n equal parts of a sprag, measured from mid-length."""
     return middles(q.l, n)
 
 
 def crowned(q: SpragInputs, n: int) -> Array:
-    """Drop [m] of the crown there; made for Q, or for the static load."""
+    """Drop [m] of the crown at `places`; its design load is Q or the static load."""
     if q.z_m == 0:
         return np.zeros(n)
     Q = q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
@@ -24,7 +24,10 @@ def crowned(q: SpragInputs, n: int) -> Array:
 
 
 def drawn(q: SpragInputs, points: int, *, rigid: bool = False, printed: bool = False) -> Drawn:
-    """The sprag as `points` per radian; with rigid races, or with Eqs. 9 and 10 as printed."""
+    """Numerical profile with `points` points per radian.
+
+    The races are rigid if `rigid`; Eqs. 9 and 10 apply as printed if `printed`.
+    """
     sizes = Sizes(
         R_id=q.R_id, R_i=q.R_i, R_e=q.R_e, R_ed=q.R_ed, r_i=q.r_i, m=float(np.asarray(q.sprag.m)),
         z=q.z, l=q.l, b=q.b, E=q.E, nu=q.nu, density=q.density, omega=q.n,

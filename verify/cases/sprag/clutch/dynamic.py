@@ -1,4 +1,4 @@
-"""A user's engagement in time: its first peak, and whether the clutch locks."""
+"""Engagement of a clutch in time: its first peak, and whether the clutch locks."""
 
 import math
 from collections.abc import Sequence
@@ -52,25 +52,25 @@ def output(key: str, symbol: str, unit: str, what: str) -> Output:
 
 OUTPUTS = (
     output("N_max", "N_max", "N", "largest normal force of a sprag"),
-    output("peak_factor", "N_max/N", "1", "peak factor: over N at rest (Eq. 14, no springs)"),
-    output("t_max", "t_max", "ms", "time of that peak"),
+    output("peak_factor", "N_max/N", "1", "peak factor: ratio to N at rest (Eq. 14, no springs)"),
+    output("t_max", "t_max", "ms", "time of the largest normal force"),
     output("M_max", "M_max", "N m", "largest torque that the sprags carry"),
     output("theta_max", "θ_max", "deg", "largest wind-up of the races"),
     output("p_i_max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
     output("p_o_max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
-    output("t_slip", "t_s", "ms", "time in which a contact slides"),
+    output("t_slip", "t_s", "ms", "time during which a contact slides"),
     output("slid_i", "s_i", "mm", "sliding distance of the inner contacts"),
     output("slid_o", "s_o", "mm", "sliding distance of the outer contacts"),
     output("work", "W", "J", "work of the torque"),
-    output("friction", "W_μ", "J", "of it lost in sliding"),
-    output("damping", "W_c", "J", "of it lost in damping"),
+    output("friction", "W_μ", "J", "part of W dissipated by friction"),
+    output("damping", "W_c", "J", "part of W dissipated by damping"),
     output("missing", "ΔW/W", "1", "error of the balance of energies"),
     output("D_V", "D_V", "m/s", "band of sliding speeds in which contacts may stick"),
 )
 
 
 def summary(q: ClutchFormulas, v: Values) -> dict[str, Any]:
-    """JSON; the verdict of the motion; `peak_factor` is None if the clutch does not lock."""
+    """Results for JSON: verdict of the engagement; `peak_factor`, None if it does not lock."""
     return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
 
 
@@ -92,16 +92,16 @@ def figures(q: ClutchFormulas, v: Values) -> Sequence[Figure]:
     loaded = e.N[thin] > 0.05 * e.N_max
     asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
     friction = plot(
-        "Friction that the inner contacts use", "t [ms]", "T_i/N",
+        "Friction used by the inner contacts", "t [ms]", "T_i/N",
         line("T_i/N, under more than 5 % of N_max", t[loaded], asked),
         dashes("μ_s", t[[0, -1]], q.mu_s, 2), y_bottom=0.0,
-        note="Where it reaches μ_s the contact slides.",
+        note="If T_i/N reaches μ_s, the contact slides.",
     )  # fmt: skip
     return force, along(q, found), *over_time(q, found), friction
 
 
 def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
-    """p(y, t) on both races; the contacts' radii are those under the largest force."""
+    """Figures of p(y, t) on both races; the contact radii are those under the largest force."""
     e, one = found.engagement, found.one
     every = slice(None, None, max(1, len(e.t) // ACROSS))
     planes = [
@@ -112,13 +112,13 @@ def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
     return tuple(
         pressures.over_time(
             e.t[every], p, q, top, title=f"Pressure on the {race} race",
-            note="Both races have one range of colours.",
+            note="The figures of both races have one colour scale.",
         ) for p, race in zip(planes, ("inner", "outer"), strict=True)
     )  # fmt: skip
 
 
 def along(q: ClutchFormulas, found: Run) -> Curves:
-    """Pressures along the inner contacts up to the largest force, and on both races."""
+    """Figure of the pressure along the sprags on the inner race up to N_max, outer at N_max."""
     y = pressures.centres(q) * 1e3
     curves = []
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):

@@ -1,4 +1,4 @@
-"""Statements on an engagement; common verdict of a sprag clutch at rest and in engagement."""
+"""Statements on an engagement, and the common verdict of statics and engagement."""
 
 import math
 from collections.abc import Sequence
@@ -20,19 +20,19 @@ AT_REST = {
 }
 IN_TIME = {
     "holds": "holds in the first peak",
-    "not followed": "the engagement is not followed to its peak",
+    "not followed": "the computed time ends before the peak of the engagement",
     "overloaded": "is overloaded in the first peak",
     "disengages": "its contacts are separated at the end",
-    "slips": "slides on as the torque comes",
+    "slips": "slips permanently in the engagement",
     "rolls over": "rolls over in the first peak",
     "no state": "the formulas end before the first peak",
 }
 WORDS = {
     "locks": "the clutch locks",
-    "slips": "a contact slides on: the clutch does not lock",
+    "slips": "a contact continues to slide: the clutch does not lock",
     "over the end": "the sprags roll over",
     "disengages": "the contacts are separated at the end",
-    "not followed": "not followed to its peak",
+    "not followed": "the computed time ends before the peak",
 }
 WELL = 1e-3  # relative to the work: larger energy errors are reported
 SPARE = 1.2  # over half a period: stiffness grows with the load
@@ -40,7 +40,7 @@ DECAYS = 5.0  # time constants of a force that creeps
 
 
 def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
-    """The worse verdict, and the lines that state both."""
+    """The worse of both verdicts, and sentences that state both."""
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):
@@ -48,13 +48,13 @@ def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
     else:
         head = f"{AT_REST[still]}, {IN_TIME[moving]}"
     if moving == "rolls over" and still in ("holds", "overloaded"):
-        head += "; longer, more or wider sprags, thicker races or a torque that rises more " \
-            "slowly avoid this"  # fmt: skip
+        head += "; longer, more or wider sprags, thicker races, or a slower rise of the torque " \
+            "can avoid this"  # fmt: skip
     return worst, (head, f"at rest: {still}: {why(q)}")
 
 
 def in_time(q: ClutchFormulas, v: Values) -> str:
-    """The engagement's verdict in the words of that at rest."""
+    """Verdict of the engagement, as one of the verdicts at rest."""
     run = run_fem(q)
     found = run.engagement.verdict
     if found == "over the end":
@@ -65,18 +65,18 @@ def in_time(q: ClutchFormulas, v: Values) -> str:
 
 
 def unfollowed(q: ClutchFormulas) -> str:
-    """Message on the required duration of the computed engagement."""
+    """Message that t_end is too short, with the required value if known."""
     if not q.state:
         return f"t_e = {q.t_end * 1e3:.3g} ms is too short"
-    return f"t_e = {q.t_end * 1e3:.3g} ms is too short, take t_end of at least " \
+    return f"t_e = {q.t_end * 1e3:.3g} ms is too short; increase t_end to at least " \
         f"{least_time(q) * 1e3:.4g} ms"  # fmt: skip
 
 
 def least_time(q: ClutchFormulas) -> float:
-    """Time [s] up to the first peak at most, rounded up to two digits.
+    """Upper bound [s] of the time of the first peak, rounded up to two digits.
 
-    The torque's rise, the deceleration of a race that overruns, half a period of the inner race
-    on the clutch and the support in series, and the delay by damping.
+    It is the sum of the rise time of the torque, the deceleration of an overrunning race, half a
+    period of the inner race on clutch and support in series, and the delay by damping.
     """
     k = 1 / (1 / q.T_per_theta + 1 / q.k_out)
     back = q.I_bi * max(0.0, -q.w_i) / q.T
@@ -86,7 +86,7 @@ def least_time(q: ClutchFormulas) -> float:
 
 
 def outcome(found: Run) -> str:
-    """The verdict; if the formulas end before the profile, a statement of this."""
+    """Verdict as a sentence; if the formulas end before the profile, it states this."""
     e = found.engagement
     if e.over and not found.end_of_profile:
         return "the contacts become too wide for the formulas"
@@ -103,34 +103,34 @@ def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
     ]  # fmt: skip
     if v["t_slip"] > 0:
         lines.append(
-            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones "
-            f"{distance(v['slid_i'])} and the outer ones {distance(v['slid_o'])}: "
-            f"{v['friction']:.3g} J go into friction"
+            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms; sliding distance of the inner ones "
+            f"{distance(v['slid_i'])}, of the outer ones {distance(v['slid_o'])}; work of "
+            f"friction {v['friction']:.3g} J"
         )
     if v["missing"] > WELL:
         lines.append(
-            f"careful: energies miss {v['missing']:.2%} of the work, Δt = {q.dt:g} s is too "
-            f"long; take {enough(e.table, e.motion, q.dt):g} s"
+            f"inaccurate: the energy balance has an error of {v['missing']:.2%}, because Δt = "
+            f"{q.dt:g} s is too long; use dt = {enough(e.table, e.motion, q.dt):g} s"
         )
     return lines
 
 
 def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
-    """Verdict, force and pressures of an engagement that was followed."""
+    """Sentences on verdict, force and pressures of an engagement computed up to its peak."""
     e = found.engagement
     factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
     when, reaches = (f" at {e.t[-1] * 1e3:.3g} ms", "has reached") if e.over else ("", "reaches")
     lines = [
         f"in time: {outcome(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
         f"{v['t_max'] * 1e3:.3g} ms{factor}",
-        f"then the largest pressure of the inner contacts is {pascal(v['p_i_max'])}, that of the "
-        f"outer ones {pascal(v['p_o_max'])}",
+        f"under this force the largest pressure of the inner contacts is {pascal(v['p_i_max'])}, "
+        f"that of the outer contacts {pascal(v['p_o_max'])}",
     ]
     if q.p_lim is not None and max(v["p_i_max"], v["p_o_max"]) > q.p_lim:
-        lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}")
+        lines.append(f"the largest pressure exceeds p_lim = {pascal(q.p_lim)}")
     return lines
 
 
 def distance(s: float) -> str:
-    """A distance [m] in words."""
+    """Distance `s` [m] as text with a suitable unit."""
     return f"{s * 1e6:.3g} µm" if s < 1e-3 else f"{s * 1e3:.3g} mm" if s < 1 else f"{s:.3g} m"

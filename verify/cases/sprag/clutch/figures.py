@@ -1,4 +1,4 @@
-"""Figures of a sprag clutch: its course under torque, its pressures, its limits."""
+"""Figures of a sprag clutch: results over the torque, pressures, limits."""
 
 import math
 from collections.abc import Sequence
@@ -35,7 +35,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: SpragInputs) -> float:
-    """The largest torque [N m] of figures: slightly above the first limit ahead."""
+    """Largest torque [N m] of the figures, slightly above the first limit beyond T."""
     found = as_torque_grows(q)
     ahead = [x.at for x in found if x.at > q.T and x.key != "wide"]
     wide = min((x.at for x in found if x.key == "wide"), default=math.inf)
@@ -81,7 +81,7 @@ def pressures(q: SpragInputs, context: Context) -> Curves:
                                found[f"strips, {'io'[k]}"] / 1e6, 2 * k))  # fmt: skip
     return plot(
         "Pressure along the sprags under T", "y [mm]", "p [MPa]", curves, y_bottom=0.0,
-        note="The pressure at a loaded end is unbounded: it grows with the number of parts.",
+        note="The pressure at a loaded end is unbounded: it grows with the number of slices.",
     )  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def yields(q: ClutchFormulas) -> Bars:
     return Bars(
         title="Deflections of the parts", label="deflection [µm]",
         items=tuple((name, d * 1e6, f"{d * 1e6:.3g} µm, {d / q.H:.0%}") for d, name in parts),
-        note=f"Together {q.H * 1e6:.4g} µm, which rotate the sprags by {q.alpha * DEGREE:.3g}°.",
+        note=f"The sum of {q.H * 1e6:.4g} µm rotates the sprags by {q.alpha * DEGREE:.3g}°.",
     )  # fmt: skip
 
 
@@ -115,11 +115,11 @@ def off(q: SpragInputs) -> Curves:
     found = {name: np.array([first_contact(q.sprag, **{f"d{name}": float(x)}) for x in far])
              for name in ("R_i", "R_e")}  # fmt: skip
     return plot(
-        "Sensitivity to the radii of the races", "radius off by [µm]",
+        "Sensitivity to the radii of the races", "deviation of the radius [µm]",
         "rotation of the unloaded sprags [°]",
         (line(name, far * 1e6, found[name][:, 1] * DEGREE, 2 * k) for k, name in enumerate(found)),
         y_bottom=None,
-        note="The wedge angle itself stays between "
+        note="The wedge angle remains between "
         f"{min(f[:, 0].min() for f in found.values()) * DEGREE:.4g}° and "
         f"{max(f[:, 0].max() for f in found.values()) * DEGREE:.4g}°.",
     )  # fmt: skip
@@ -129,23 +129,24 @@ def counted(context: Context) -> Curves:
     found = context.fem[-1].arrays
     n, p = found["flat, counts"], found["flat, peaks"] / 1e6
     return plot(
-        "Peak of an engagement without a crown, 25 N m", "slices", "p_max [MPa]",
+        "Peak pressure of an engagement without a crown, 25 N m", "slices", "p_max [MPa]",
         line("inner race", n, p), dots("computed", n, p),
         dashes("printed, about 3500", n[[0, -1]], 3500.0, 2), y_bottom=0.95 * float(p.min()),
-        note="It has no limit; the paper does not print its number of slices.",
+        note="The peak grows without limit; the paper does not print its number of slices.",
     )  # fmt: skip
 
 
 def pairs(context: Context) -> Curves:
-    """Computed and printed pressures of both pairs, over the torque."""
+    """Figure of computed and printed pressures, with and without crown, over the torque."""
     found = context.fem[-1].arrays
     T = np.array([25.0, 40.0])
     flat, best = np.array([found["pair 25"], found["pair 40"]]).T / 1e6
     return plot(
-        "Calibrated at 25 N m, predicted at 40 N m", "T [N m]", "p_max [MPa]",
+        "Peak pressure, calibrated at 25 N m, predicted at 40 N m", "T [N m]", "p_max [MPa]",
         line("no crown", T, flat), line("optimal crowns", T, best, 2),
         dots("printed, no crown", T, [3500.0, 4700.0]),
         dots("printed, optimal crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
-        note="The printed pairs require force ratios of 1.8 and 1.3; the clutch's is "
+        note="The printed pairs of pressures require ratios of the forces of 1.8 and 1.3. The "
+        "computed ratio is "
         f"{float(found['N_max'][1] / found['N_max'][0]):.3g}.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Formulas of a sprag clutch: its sprags, its state under torque, its limits."""
+"""Formulas of a sprag clutch: geometry of its sprags, state under torque, limits."""
 
 import math
 from functools import partial
@@ -23,12 +23,12 @@ Contacts = tuple[SlicedContact, SlicedContact]  # inner, outer
 
 
 class ClutchFormulas(EngagementInputs, Case):
-    """Without an equilibrium at its torque, or a torque that reaches a limit, a value is nan.
+    """Quantities of a sprag clutch; forces, rotations, pressures and stresses apply under T.
 
-    Forces, rotations, pressures and stresses are those under T.
+    A value is nan if no equilibrium exists at T, or if no torque reaches a limit.
     """
 
-    @Step("m", "1", "growth of the spiral")
+    @Step("m", "1", "growth rate of the spiral")
     def m(self) -> float:
         return float(np.asarray(self.sprag.m))
 
@@ -45,7 +45,7 @@ class ClutchFormulas(EngagementInputs, Case):
     def r_e(self) -> float:
         return float(self.sprag.r_e)
 
-    @Step("η_0", "deg", "angle at the pole at first contact", equation="10",
+    @Step("η_0", "deg", "angle at the pole C_e at first contact", equation="10",
           tex=r"\arcsin\left(\frac{m R_i}{OC_e \sqrt{1 + m^2}}\right)")  # fmt: skip
     def eta_0(self) -> float:
         return float(self.sprag.eta_0)
@@ -60,29 +60,29 @@ class ClutchFormulas(EngagementInputs, Case):
     def omega_0(self) -> float:
         return float(self.sprag.omega_0)
 
-    @Quantity("N_0", "N", "force of the springs alone on each contact", source="Eqs. 14, 15")
+    @Quantity("N_0", "N", "normal force by the springs alone", source="Eqs. 14, 15")
     def N_0(self) -> float:
         return model.spring_force(self)
 
     @shared
     def state(self) -> Wedged | None:
-        """State of each sprag under the torque."""
+        """Equilibrium state of each sprag under T; None if it does not exist."""
         return model.under(self)
 
     def _in_state(self, name: str) -> float:
         return math.nan if self.state is None else float(getattr(self.state, name))
 
-    @Quantity("N", "N", "inner contact's normal force, of a strut, no springs", safe="too high",
+    @Quantity("N", "N", "normal force on the inner race, without springs", safe="too high",
               source="statics of Eqs. 14 and 16", tex=r"\frac{T}{n_s \mu_{req} OA}")  # fmt: skip
     def N(self) -> float:
         return self._in_state("N")
 
-    @Step("OA", "mm", "inner contact's distance from the axis",
+    @Step("OA", "mm", "distance of the inner contact from the axis",
           tex=r"R_i - \delta_{BI} - \frac{\delta_{HI}}{2}")  # fmt: skip
     def OA(self) -> float:
         return self._in_state("OA")
 
-    @Step("OB", "mm", "outer contact's distance from the axis",
+    @Step("OB", "mm", "distance of the outer contact from the axis",
           tex=r"R_e + \delta_{BE} + \frac{\delta_{HE}}{2} + \delta_{ce}")  # fmt: skip
     def OB(self) -> float:
         return self._in_state("OB")
@@ -91,7 +91,7 @@ class ClutchFormulas(EngagementInputs, Case):
     def rho(self) -> float:
         return self._in_state("rho")
 
-    @Step("η", "deg", "angle at the pole")
+    @Step("η", "deg", "angle at the pole C_e")
     def eta(self) -> float:
         return self._in_state("eta")
 
@@ -116,12 +116,12 @@ class ClutchFormulas(EngagementInputs, Case):
     def mu_req(self) -> float:
         return float(np.tan(self.nu_T))
 
-    @Quantity("μ_s/μ_req", "1", "static friction over the required friction", safe="too low",
+    @Quantity("μ_s/μ_req", "1", "ratio of static to required friction", safe="too low",
               tex=r"\frac{\mu_s}{\mu_{req}}")  # fmt: skip
     def safety(self) -> float:
         return self.mu_s / self.mu_req
 
-    @Quantity("α(T)", "deg", "sprag rotation against the outer contact", equation="10",
+    @Quantity("α(T)", "deg", "sprag rotation relative to the outer contact", equation="10",
               form="corrected", tex=r"\frac{1}{m} \ln\left(\frac{\rho_A}{\rho_0}\right)"
               r" - (\eta - \eta_0)")  # fmt: skip
     def alpha(self) -> float:
@@ -129,13 +129,13 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @shared
     def _elastic(self) -> tuple[float, float]:
-        """Rotation of the sprags, wind-up of the clutch [rad] with elastic bodies."""
+        """Rotation of the sprags and wind-up of the clutch [rad] with elastic bodies."""
         clutch = sprag_wedge_model.bodies(self).clutch
         found = at_torque(clutch, self.T)
         turn = float(rolled(clutch, float(found.N))) if np.isfinite(found.N) else math.nan
         return float(found.alpha_b), turn
 
-    @Quantity("α_el", "deg", "the same, of elastic bodies", source="case sprag-wedge")
+    @Quantity("α_el", "deg", "sprag rotation with elastic bodies", source="case sprag-wedge")
     def alpha_elastic(self) -> float:
         return math.nan if self.state is None else self._elastic[0]
 
@@ -148,7 +148,7 @@ class ClutchFormulas(EngagementInputs, Case):
         clutch = model.built(self).clutch
         return math.nan if self.state is None else crowned.stiffness(clutch, self.N)
 
-    @Quantity("T/θ", "N m/rad", "torque over wind-up", tex=r"\frac{T}{\theta(T)}")
+    @Quantity("T/θ", "N m/rad", "secant stiffness, torque over wind-up", tex=r"\frac{T}{\theta(T)}")
     def T_per_theta(self) -> float:
         return self.T / self.theta
 
@@ -180,18 +180,18 @@ class ClutchFormulas(EngagementInputs, Case):
     def H(self) -> float:
         return self._deflection("H")
 
-    @Quantity("δ_ce", "µm", "growth of the outer race by its speed", equation="8")
+    @Quantity("δ_ce", "µm", "expansion of the outer race by its speed", equation="8")
     def d_ce(self) -> float:
         return float(np.max(model.built(self).parts.d_ce))
 
     @shared
     def _pressed(self) -> Contacts | None:
-        """Both contacts under the normal force."""
+        """Inner and outer contact under the normal force; None without equilibrium."""
         return None if self.state is None else model.built(self).pressed(self.N)
 
     @shared
     def _half_pressed(self) -> Contacts | None:
-        """The contact under half of the normal force, with unloaded ends of a crown."""
+        """Inner and outer contact under half of N, with unloaded ends of the crown."""
         return None if self.state is None else model.built(self).pressed(model.HALF * self.N)
 
     def _pressure(self, contact: int, *, mid: bool = False) -> float:
@@ -228,17 +228,17 @@ class ClutchFormulas(EngagementInputs, Case):
             return dict.fromkeys(("s_i", "s_id", "s_e"), math.nan)
         return hoop(parts(self), self.N, self._in_state("N_e"))
 
-    @Quantity("σ_θ(R_id)", "MPa", "hoop stress at the inner race's bore, uniform load",
+    @Quantity("σ_θ(R_id)", "MPa", "hoop stress at the bore of the inner race",
               source="Lamé", safe="too high")  # fmt: skip
     def s_id(self) -> float:
         return self.hoop["s_id"]
 
-    @Quantity("σ_θ(R_i)", "MPa", "hoop stress of the inner race where sprags touch",
+    @Quantity("σ_θ(R_i)", "MPa", "hoop stress of the inner race at the sprags",
               source="Lamé", safe="too high")  # fmt: skip
     def s_i(self) -> float:
         return self.hoop["s_i"]
 
-    @Quantity("σ_θ(R_e)", "MPa", "hoop stress of the outer race where sprags touch",
+    @Quantity("σ_θ(R_e)", "MPa", "hoop stress of the outer race at the sprags",
               source="Lamé", safe="too high")  # fmt: skip
     def s_e(self) -> float:
         return self.hoop["s_e"]
@@ -283,11 +283,11 @@ class ClutchFormulas(EngagementInputs, Case):
     def dnu_0_per_dR_e(self) -> float:
         return slope(self.sprag, "dR_e")[0]
 
-    @Quantity("dα_0/dR_i", "deg/mm", "sensitivity of the unloaded sprags' rotation to R_i")
+    @Quantity("dα_0/dR_i", "deg/mm", "sensitivity of the no-load sprag rotation to R_i")
     def dalpha_per_dR_i(self) -> float:
         return slope(self.sprag, "dR_i")[1]
 
-    @Quantity("dα_0/dR_e", "deg/mm", "sensitivity of the unloaded sprags' rotation to R_e")
+    @Quantity("dα_0/dR_e", "deg/mm", "sensitivity of the no-load sprag rotation to R_e")
     def dalpha_per_dR_e(self) -> float:
         return slope(self.sprag, "dR_e")[1]
 
@@ -312,17 +312,17 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @property
     def mu_0(self) -> float:
-        """Friction that first contact requires."""
+        """Required friction coefficient at first contact, tan(nu_0)."""
         return float(np.tan(self.sprag.nu_0))
 
     @property
     def turned(self) -> float:
-        """Angle [rad] of spiral from first contact to the contact under torque."""
+        """Angle [rad] of the spiral between first contact and the contact under torque."""
         return self._in_state("turned")
 
     @property
     def tresca(self) -> tuple[float, float]:
-        """Largest stresses [Pa] of the inner and the outer race."""
+        """Largest Tresca stresses [Pa] of the inner and the outer race."""
         return self.hoop["Tresca_i"], self.hoop["Tresca_e"]
 
     @property
@@ -332,12 +332,12 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @property
     def z_end_deeper(self) -> float:
-        """Drop [m] of the crown at the middle of its end slices with twice z_m."""
+        """Drop [m] of the crown at the middle of its end slices if z_m is doubled."""
         return float(gap(self.model_copy(update={"z_m": 2 * self.z_m}))[0])
 
     @property
     def uneven(self) -> tuple[float, float]:
-        """Deflection of the inner and the outer race under each sprag over Eq. 6's."""
+        """Ratios of the deflections of inner and outer race under a sprag to those by Eq. 6."""
         if self.state is None:
             return 0.0, 0.0
         N_e = self._in_state("N_e")

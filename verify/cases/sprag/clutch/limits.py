@@ -1,4 +1,4 @@
-"""First limit of a sprag clutch as the torque grows: friction, pressure, end of the profile."""
+"""Limits of the torque of a sprag clutch: friction, pressure, yield, end of the profile."""
 
 import math
 from dataclasses import dataclass
@@ -16,13 +16,13 @@ WORDS = {
     "yield_inner": "the inner race yields at its bore",
     "yield_outer": "the outer race yields at its bore",
     "end": "the sprags reach the end of their profile and roll over",
-    "wide": "contacts 0.15 of their relative radius wide, where the formulas end",
+    "wide": "the half-width of a contact reaches 0.15 of its relative radius (end of the formulas)",
 }
 
 
 @dataclass(frozen=True)
 class Limit:
-    """A limit of the torque [N m]: its key in `WORDS` and its value."""
+    """Limit of the torque: its key in `WORDS` and its value [N m]."""
 
     key: str
     at: float

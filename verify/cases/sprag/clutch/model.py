@@ -1,4 +1,4 @@
-"""Formulas of a sprag clutch: its state under torque, its pressures by slices."""
+"""States of a sprag clutch under torque, by different models, and its limits."""
 
 import math
 from functools import lru_cache
@@ -31,7 +31,7 @@ def built(q: SpragInputs) -> Crowned:
 
 @lru_cache(maxsize=16)
 def under(q: SpragInputs) -> Wedged | None:
-    """The state under the torque; None if it exceeds the loads of the contacts' laws."""
+    """Equilibrium state under T; None if its force exceeds the loads of the contact laws."""
     one = built(q)
     now = at_torque(one.clutch, q.T)
     return now if np.isfinite(now.N) and one.N_top >= now.N else None
@@ -39,13 +39,13 @@ def under(q: SpragInputs) -> Wedged | None:
 
 @lru_cache(maxsize=16)
 def rigid(q: SpragInputs) -> Wedged | None:
-    """The state under the torque with rigid races (Liu); None if `under` has none."""
+    """Equilibrium state under T with rigid races (Liu); None if `under` is None."""
     return None if under(q) is None else at_torque(built(q).clutch.rigid_races(), q.T)
 
 
 @lru_cache(maxsize=16)
 def literal(q: SpragInputs) -> Wedged | None:
-    """The state with Eqs. 9 and 10 as printed."""
+    """Equilibrium state under T with Eqs. 9 and 10 as printed; None if `under` is None."""
     if (now := under(q)) is None:
         return None
     clutch = built(q).clutch
@@ -56,13 +56,13 @@ def literal(q: SpragInputs) -> Wedged | None:
 
 
 def normal_force(state: Wedged | None) -> float:
-    """The inner contact's [N]; nan without a state."""
+    """Normal force [N] on the inner race; nan without a state."""
     return math.nan if state is None else float(state.N)
 
 
 @lru_cache(maxsize=16)
 def spring_force(q: EngagementInputs) -> float:
-    """Force N_0 [N] of the springs only; nan if no equilibrium is found."""
+    """Normal force N_0 [N] by the springs alone; nan if no equilibrium is found."""
     clutch = built(q).clutch
     if not q.alpha_max > wedged(clutch, 0.0).alpha:
         return 0.0
@@ -75,14 +75,15 @@ def spring_force(q: EngagementInputs) -> float:
 
 @lru_cache(maxsize=16)
 def grip(q: SpragInputs) -> SpragClutchLimits:
-    """Torques at which the contacts slip and at which the profile ends."""
+    """Torques [N m] at which the contacts slip and at which the profile ends."""
     return sprag_torque_limits(built(q).clutch, mu=q.mu_s, theta_max=q.alpha_max)
 
 
 def low_friction(q: SpragInputs) -> float:
-    """Friction with twice the margin over first contact that T requires: slips at about 2 T.
+    """Friction coefficient with which the contacts slip at about 2 T; nan without a state.
 
-    At the paper's friction no torque slips: the spiral maintains its wedge angle.
+    Its excess over tan(nu_0) is twice the excess that T requires. With the friction of the paper,
+    no torque makes the contacts slip, because the wedge angle of the spiral is nearly constant.
     """
     now = under(q)
     required = math.nan if now is None else float(np.tan(float(now.nu)))
@@ -90,5 +91,5 @@ def low_friction(q: SpragInputs) -> float:
 
 
 def fast(q: SpragInputs) -> SpragInputs:
-    """The clutch with its outer race at 20,000 r/min; the paper's starts at rest."""
+    """Inputs with the outer race at 20,000 r/min; in the paper it is at rest."""
     return q.model_copy(update={"n": FAST})

@@ -1,8 +1,8 @@
-"""Numbers that the paper prints of its engagements, with calibrated wedge angle and slice count.
+"""Computed values of the paper's engagements, with calibrated wedge angle and number of slices.
 
-At 25 N m the wedge angle follows from the pressure printed for the optimised crown, which hardly
-depends on the slice count. The slice count follows from the pressure without a crown. With both,
-40 N m is predicted.
+At 25 N m, the wedge angle is fitted to the pressure printed for the optimised crown, which hardly
+depends on the number of slices. The number of slices is fitted to the pressure printed without a
+crown. Both values are then used to predict the pressures at 40 N m.
 """
 
 import numpy as np
@@ -27,7 +27,7 @@ Crown = tuple[float, float, float]
 
 
 def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
-    """The paper's clutch with a crown, made for the static load at 25 N m, or none."""
+    """Inputs of the paper's clutch with `crown` for the static load at 25 N m, or without."""
     q = EngagementInputs()
     nu_0 = more.get("nu_0", q.nu_0)
     K_1, K_2, z_m = crown or (q.K_1, q.K_2, 0.0)
@@ -37,18 +37,18 @@ def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
 
 
 def peak_fem(crown: Crown | None, T: float, **more: float) -> float:
-    """Largest pressure [Pa] of the engagement, at the inner contact."""
+    """Largest pressure [Pa] of the inner contact in the engagement with `crown` under T."""
     return run_fem(designed(crown, T, **more)).peaks[0]
 
 
 def ends(run: Run) -> Array:
-    """Pressures [Pa] of an end slice and at mid-length, inner contact, under the largest force."""
+    """Pressures [Pa] of an end slice and at mid-length, inner contact, at the largest force."""
     inner, _ = run.one.pressed(run.engagement.N_max)
     return np.array([inner.peak_pressure[0], mid(inner)])
 
 
 def paper_fem() -> dict[str, Array]:
-    """Measured values of the paper's clutch, by name."""
+    """Computed values of the paper's clutch, by name."""
     q = EngagementInputs()
     runs = [run_fem(designed(BEST[T], T)).engagement for T in TORQUES]
     return {
@@ -65,10 +65,10 @@ def paper_fem() -> dict[str, Array]:
 
 
 def fitted_angle_fem() -> float | None:
-    """Wedge angle [rad] with the pressure printed at 25 N m, optimal crown.
+    """Wedge angle [rad] that gives the pressure printed at 25 N m with the optimal crown.
 
-    None if the pressures at both ends of ANGLES are larger, or both smaller. An engagement that is
-    not found raises an error.
+    It is None if no angle within ANGLES gives this pressure. Raises an error if an engagement has
+    no solution.
     """
     T = TORQUES[0]
 
@@ -82,7 +82,7 @@ def fitted_angle_fem() -> float | None:
 
 
 def calibrated_fem() -> dict[str, Array]:
-    """The wedge angle and the slices from 25 N m, and their predictions; nan if none fit."""
+    """Wedge angle and number of slices fitted at 25 N m, and predicted pressures; may be nan."""
     counts = np.array(COUNTS, dtype=np.float64)
     nu_0 = fitted_angle_fem()
     if nu_0 is None:

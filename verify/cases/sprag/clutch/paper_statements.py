@@ -21,22 +21,23 @@ ON_FIT: dict[str, Any] = {"bound": 0.02, "fitted": FITTED}  # for rows of fitted
 
 
 def rectangle(q: EngagementInputs) -> tuple[float, float]:
-    """Width and length [m] of a rectangle between the races with the mass and inertia given."""
+    """Width and length [m] of a rectangle between the races with the given mass and inertia."""
     h = q.R_e - q.R_i
     w = math.sqrt(12 * q.I_g / q.m_g - h**2)
     return w, q.m_g / (q.density * h * w)
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Margin of the length inside the interval that rounded m_g and I_g permit, over the length."""
+    """Relative margin of the length within the interval given by rounded m_g and I_g."""
     q = context.inputs
     w, l = rectangle(q)  # noqa: E741
     (_, low), (_, high) = corners(q)
     mass = q.m_g / (q.density * (q.R_e - q.R_i) * q.b)
     words = (
-        f"a rectangle {w * 1e3:.3g} mm wide has l = {l * 1e3:.4g} mm, {low * 1e3:.1f} to "
-        f"{high * 1e3:.1f} mm by their rounding (U = {max(high - l, l - low) / l:.2f}); with "
-        f"b = {q.b * 1e3:g} mm the mass alone gives {mass * 1e3:.2g} mm"
+        f"a rectangle of the width {w * 1e3:.3g} mm has l = {l * 1e3:.4g} mm; rounding of m_g and "
+        f"I_g permits {low * 1e3:.1f} to {high * 1e3:.1f} mm (U = "
+        f"{max(high - l, l - low) / l:.2f}); with b = {q.b * 1e3:g} mm, the mass alone gives "
+        f"l = {mass * 1e3:.2g} mm"
     )
     return min(q.l - low, high - q.l) / q.l, 0.0, words
 
@@ -53,14 +54,14 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """Effect of the sprag's width: N_max with the width of the rectangle instead."""
+    """Margin of the change of N_max below 0.5 %, with the width of the rectangle instead of b."""
     narrow = float(measured(context)["narrow"][0])
     change = narrow / float(measured(context)["N_max"][0]) - 1
     w, _ = rectangle(context.inputs)
     (high, _), (low, _) = corners(context.inputs)
     words = (
-        f"that rectangle is {w * 1e3:.3g} mm wide ({low * 1e3:.1f} to {high * 1e3:.1f} mm by "
-        f"rounding): N_max {change:+.2%}"
+        f"with the width {w * 1e3:.3g} mm of a rectangle ({low * 1e3:.1f} to {high * 1e3:.1f} mm "
+        f"by rounding of m_g and I_g), N_max changes by {change:+.2%}"
     )
     return 0.005 - abs(change), 0.0, words
 
@@ -72,33 +73,37 @@ def preload(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(context: Context) -> Pair:
-    """An engagement that damping brings to rest ends at the static force of strut and springs."""
+    """Static force [N] with springs, and final force [N] of a strongly damped engagement."""
     found, N = measured(context), context.analytic["N"]
     clutch, damped = wedge(context.inputs), float(found["damped"][0])
     sprung = float(clutch.force()(static_turn(clutch, context.inputs.T)))
     words = (
-        f"{damped:.1f} N, {damped / sprung - 1:+.3%} by N_e = N_i beside {sprung:.1f} N of a strut "
-        f"with springs, which make {sprung / N - 1:+.2%} over {N:.1f} N without"
+        f"{damped:.1f} N, {damped / sprung - 1:+.3%} from {sprung:.1f} N by statics, because "
+        f"N_e = N_i; the springs contribute {sprung / N - 1:+.2%} of {N:.1f} N"
     )
     return Pair(sprung, damped, 0.0, words)
 
 
 def first_is_largest(context: Context) -> tuple[float, float, str]:
-    """Excess of the first peak of the force over the later peaks, beyond round-off."""
+    """Margin of the second peak below the first, relative to it, uncertainty, text."""
     found = measured(context)
     share = found["second peak"] / found["first peak"]
-    words = f"the second is {share[0]:.3f} of it at 25 N m, {share[1]:.3f} at 40 N m"
+    words = f"second peak over first peak: {share[0]:.3f} at 25 N m, {share[1]:.3f} at 40 N m"
     return float(1 - share.max()), 1e-3, words
 
 
 def deeper_is_lower(context: Context) -> tuple[float, float, str]:
-    """K_1 from 1 to 3 lowers the peak of the engagement (Fig. 13)."""
+    """Relative reduction of p_max from K_1 = 1 to K_1 = 3 (Fig. 13), uncertainty, text."""
     shallow, deep = measured(context)["Fig. 13"] / 1e6
-    return float(1 - deep / shallow), 1e-3, f"{shallow:.0f} MPa, {deep:.0f} MPa"
+    return (
+        float(1 - deep / shallow),
+        1e-3,
+        f"{shallow:.0f} MPa with K_1 = 1, {deep:.0f} MPa with K_1 = 3",
+    )
 
 
 def ends_carry(context: Context) -> tuple[float, float, str]:
-    """Without a crown the pressure at the ends exceeds that in the middle in the largest peak."""
+    """Relative excess of end over middle pressure at the peak without a crown, with text."""
     end, middle = measured(context)["flat, ends"] / 1e6
     return (
         float(end / middle - 1),
@@ -108,29 +113,32 @@ def ends_carry(context: Context) -> tuple[float, float, str]:
 
 
 def grows(context: Context) -> tuple[float, float, str]:
-    """Every doubling of the slices raises the uncrowned peak, and each by more than the last."""
+    """Smallest increase, from one doubling of the slices to the next, of the rise of the peak.
+
+    The peak is that without a crown. The text states pressures and slope.
+    """
     found = measured(context)
     n, p = found["flat, counts"], found["flat, peaks"]
     rise = [float(np.interp(2 * k, n, p) / np.interp(k, n, p) - 1) for k in (11, 20.5, 40.5, 80.5)]
     slope = math.log(p[-1] / p[-2]) / math.log(n[-1] / n[-2])
     words = (
         f"{p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices, {p[-1] / 1e6:.0f} MPa with {n[-1]:.0f}, "
-        f"last slope {slope:.2f}"
+        f"final slope {slope:.2f} in logarithmic scales"
     )
     return min(b - a for a, b in pairwise(rise)), 0.0, words
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Ratio of forces that both printed pairs imply, against this clutch."""
+    """Margin of the computed ratio of forces between the ratios that the printed pairs require."""
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
-    words = f"{flat:.2f} without crown, {best:.2f} with the optimal ones; computed {computed:.3f}"
+    words = f"required: {flat:.2f} without, {best:.2f} with optimal crowns; computed {computed:.3f}"
     return min(flat - computed, computed - best), 0.02, words
 
 
 def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:
-    """The largest pressure without (0) and with (1) the optimal crown, calibrated at 25 N m."""
+    """Row on p_max without (0) or with (1) the optimal crown, calibrated at 25 N m."""
     kind = ("unmodified", "optimised")[crown]
     return Beside(name=name, symbol="p_max", unit="MPa", words=words,
                   value=lambda c: float(measured(c)[f"pair {T}"][crown]),
@@ -139,7 +147,7 @@ def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:
 
 
 LITTLE_SPRUNG = OfPaper(
-    name="the springs press with less than 1 % of the static force",
+    name="the force of the springs is less than 1 % of the static force",
     symbol="N_0/N",
     unit="1",
     margin=preload,
@@ -147,25 +155,26 @@ LITTLE_SPRUNG = OfPaper(
     fitted=FITTED,
 )
 OF_THE_PAPER: tuple[Check, ...] = (
-    Agreement(name="an engagement that is damped ends at the static force within 0.1 %",
+    Agreement(name="damped engagement: the final force is the static force within 0.1 %",
               paper_only=True, symbol="N", unit="N", pair=at_rest, accepted=RESTS,
-              source=suites("a tenth of the 1 % that the subject accepts of the static limit"),
-              by="Runge-Kutta steps, compiled"),
-    OfPaper(name="length of the sprags within what m_g and I_g of Table 1 allow", symbol="l",
+              source=suites("one tenth of the accepted 1 % for the static limit"),
+              by="Runge-Kutta steps"),
+    OfPaper(name="length of the sprags is consistent with m_g and I_g of Table 1", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),
     OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="1",
              margin=width, fitted=FITTED),
     Beside(name="wedge angle required by the optimum at 25 N m", symbol="ν_0", unit="deg",
            value=lambda c: float(measured(c)["fitted"][0]), figure=EngagementInputs().nu_0,
-           figure_is="input", bound=0.03, words="against the input's angle", fitted=FITTED),
-    _peak(25, 1, "25 N m, optimal crown, angle fitted", "the angle is fitted to it", **ON_FIT),
-    _peak(25, 0, "25 N m, no crown, slices fitted", "the number of slices is fitted to it",
-          **ON_FIT),
-    _peak(40, 1, "40 N m, optimal crown, predicted from 25 N m",
-          "predicted, not judged: the printed pairs contradict each other"),
-    _peak(40, 0, "40 N m, no crown, predicted from 25 N m",
-          "predicted with the slices fitted at 25 N m, not judged"),
-    Noted(name="both printed pairs have no common ratio of forces", symbol="p_max", unit="MPa",
+           figure_is="input", bound=0.03, words="against the angle of the inputs", fitted=FITTED),
+    _peak(25, 1, "p_max at 25 N m with the optimal crown, angle fitted",
+          "the wedge angle is fitted to this pressure", **ON_FIT),
+    _peak(25, 0, "p_max at 25 N m without crown, slices fitted",
+          "the number of slices is fitted to this pressure", **ON_FIT),
+    _peak(40, 1, "p_max at 40 N m with the optimal crown, predicted from 25 N m",
+          "a prediction, not judged: the printed pairs contradict each other"),
+    _peak(40, 0, "p_max at 40 N m without crown, predicted from 25 N m",
+          "a prediction with the slices fitted at 25 N m, not judged"),
+    Noted(name="printed pairs require different ratios of forces", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
     Noted(name="the peak without a crown grows with the number of slices",
@@ -175,11 +184,12 @@ OF_THE_PAPER: tuple[Check, ...] = (
          unit="1", margin=first_is_largest, fitted=FITTED),
     OfPaper(name="without a crown the largest pressure is at the ends (Fig. 16)", symbol="p_max",
          unit="1", margin=ends_carry, fitted=FITTED),
-    OfPaper(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
+    OfPaper(name="p_max is lower with K_1 = 3 than with K_1 = 1 (Fig. 13)", symbol="p_max",
+         unit="1",
          margin=deeper_is_lower, fitted=FITTED,
          printed=("huang2018:fig13a-k1", "huang2018:fig13b-k1")),
     Adopted(name="I_1 of Table 1", symbol="I_1", unit="kg m^2", reference="huang2018:table1-i-1",
-            why="in no equation and not explained: not used"),
+            why="the paper neither uses it in an equation nor explains it: not used"),
     Adopted(name="C_f of Table 1", symbol="C_f", unit="N m", reference="huang2018:table1-c-f",
-            why="in no equation and not explained: not used"),
+            why="the paper neither uses it in an equation nor explains it: not used"),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Reference of a sprag clutch: strips, drawn sprags, compiled engagements."""
+"""Reference of a sprag clutch: strips, numerical profiles, computed engagements."""
 
 import math
 from typing import Any
@@ -29,7 +29,7 @@ POINTS = 2  # points of the drawn spiral per radian, over the number of strips
 
 
 def solve(q: Any, level: int) -> Level:
-    """One level: so many strips, twice as many points on a radian of the drawn spiral."""
+    """Results of one level: `level` strips, and 2 `level` points per radian of the profile."""
     now = under(q)
     assert now is not None  # refused without an equilibrium
     one = drawn(q, POINTS * level)
@@ -51,9 +51,9 @@ def solve(q: Any, level: int) -> Level:
 
 
 def others(q: Any, level: int, found: Touching) -> dict[str, float]:
-    """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and two variants.
+    """Values by numerical profiles: rolling, rigid races, printed Eqs. 9 and 10, two variants.
 
-    Formulas supply the search intervals; the roots do not depend on them.
+    The formulas supply the search intervals; the roots do not depend on these intervals.
     """
     points, steps = POINTS * level, level // 2
     one = drawn(q, points)
@@ -80,7 +80,7 @@ def others(q: Any, level: int, found: Touching) -> dict[str, float]:
 
 
 def by_strips(q: Any, n: int, N: float, contact: int) -> Strips:
-    """The inner (0) or outer (1) contact by n strips under its share of N [N]."""
+    """Inner (0) or outer (1) contact by n strips, under its normal force if the inner one is N."""
     one = built(q)
     now = wedged(one.clutch, N)
     load = N if contact == 0 else float(now.N_e)

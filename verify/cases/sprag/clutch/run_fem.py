@@ -1,4 +1,4 @@
-"""Engagements of a sprag clutch by the compiled equations of motion, with their pressures."""
+"""Engagements of a sprag clutch by the equations of motion, with their pressures."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,7 +19,7 @@ INSIDE = 1 - 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """An engagement with the clutch that it was of."""
+    """Engagement, with the clutch for which it was computed."""
 
     one: Crowned
     engagement: Engagement
@@ -27,20 +27,23 @@ class Run:
 
     @property
     def peaks(self) -> tuple[float, float]:
-        """Largest pressures [Pa] of the inner and the outer contacts in all the time."""
+        """Largest pressures [Pa] of inner and outer contacts over the whole engagement."""
         return self.one.peaks(self.engagement.N_max)
 
 
 @lru_cache(maxsize=32)
 def run_fem(q: EngagementInputs) -> Run:
-    """The engagement; ArithmeticError or ValueError in a line if none is found."""
+    """Engagement of the clutch. Raises ArithmeticError or ValueError if none is found."""
     one, now = built(q), under(q)
     least = np.nanmax([spring_force(q), float(now.N) if now else one.N_top])
     return engaged_fem(one, q, AHEAD * float(least))
 
 
 def engaged_fem(one: Crowned, q: EngagementInputs, N_end: float) -> Run:
-    """The engagement of a clutch with solved contacts, with a table up to N_end [N] at first."""
+    """Engagement of a clutch with solved contacts.
+
+    The table of forces ends at N_end [N]; if the engagement exceeds it, the table is extended.
+    """
     from analytic.sprag.transient import engage
 
     N_end = min(N_end, INSIDE * one.N_top)

@@ -1,4 +1,4 @@
-"""Sketch of a sprag between its races, with enlarged angles."""
+"""Sketch of a sprag between its races, with an enlarged wedge angle."""
 
 import math
 
@@ -19,7 +19,7 @@ WALL = 0.4  # over the sprag's height: largest drawn wall of a race
 
 
 def drawn(q: SpragInputs) -> LogSprag:
-    """The sprag with a larger wedge angle."""
+    """The sprag with an enlarged wedge angle, for the sketch."""
     most = math.asin(STEEP / (2 * q.R_i / q.r_i + 1))
 
     def over(nu: float) -> float:
@@ -31,13 +31,13 @@ def drawn(q: SpragInputs) -> LogSprag:
 
 
 def arc(centre: Array, r: float, low: float, high: float, n: int = 41) -> Array:
-    """Points of an arc; angles from up, clockwise [rad]."""
+    """Points of an arc, shape (n, 2); angles [rad] clockwise from the upward direction."""
     t = np.linspace(low, high, n)
     return np.asarray(centre + r * np.column_stack([np.sin(t), np.cos(t)]))
 
 
 def sketch(q: SpragInputs) -> Sketch:
-    """The first contact, O below, C_e and B straight above it, A to the right."""
+    """Sketch at first contact: axis O below, pole C_e and B above it, A to the right."""
     sprag, height = drawn(q), q.R_e - q.R_i
     low, high = max(q.R_id, q.R_i - WALL * height), min(q.R_ed, q.R_e + WALL * height)
     beta, eta = float(sprag.beta_0), float(sprag.eta_0)
@@ -65,8 +65,8 @@ def sketch(q: SpragInputs) -> Sketch:
     )  # fmt: skip
     times = float(sprag.nu_0) / q.nu_0
     return sketches.sketch(
-        f"one of {q.z} sprags at first contact, wedge angle drawn {times:.2g} times as "
-        "large; it carries along AB, and an inner race that drives to the left draws A under B",
+        f"one of {q.z} sprags at first contact; the wedge angle is drawn {times:.2g} times as "
+        "large. The force acts along AB. If the inner race drives to the left, A moves under B",
         (shape(s.style, s.points / q.R_e, s.label) for s in shapes),
     )  # fmt: skip
 
@@ -76,7 +76,7 @@ def ring(low: float, high: float, side: float) -> Array:
 
 
 def outline(q: SpragInputs, sprag: LogSprag) -> Array:
-    """Spiral below and circle above the pole, joined by flanks at a distance b [m]."""
+    """Outline [m] of the sprag: spiral below and circle above the pole, flanks at a distance b."""
     C, half = np.array([0.0, float(sprag.OC_e)]), q.b / 2
     theta = np.linspace(-1.4, 1.4, 201)
     phi = float(sprag.eta_0) + theta
@@ -89,7 +89,7 @@ def outline(q: SpragInputs, sprag: LogSprag) -> Array:
 
 
 def marked(found: Array, label: str, away: float) -> tuple[Shape, ...]:
-    """An angle with its label."""
+    """Shapes of an angle and its label."""
     return (shape("angle", found), *named(label, found[len(found) // 2], away))
 
 

@@ -1,4 +1,4 @@
-"""Advice on a crown: the load that it suits, and its pressure in the first peak."""
+"""Statements on a crown: its design load, and its pressure at the first peak force."""
 
 import math
 from collections.abc import Sequence
@@ -26,31 +26,32 @@ def verdict(q: Any) -> str:
 def findings(q: Any) -> Sequence[str]:
     state = verdict(q)
     if state == "no state":
-        return ("no state: no equilibrium within the profile exists at this torque",)
+        return ("no state: at this torque, no equilibrium exists within the sprag profile",)
     if state == "rolls over":
-        return ("rolls over: the sprags rotate past their profile before the first swing ends",)
+        return ("rolls over: the sprags rotate beyond their profile during the first oscillation",)
     over = q.p_peak / q.p_even_peak
     first = {
-        "no crown": "no crown: the largest pressure is at the ends and has no limit",
-        "suits": "suits the first peak: its pressure is nearly even",
-        "too shallow": "too shallow for the first peak: the ends carry most",
-        "uneven": "uneven at the first peak: the middle carries most",
+        "no crown": "no crown: the largest pressure is at the ends and grows with refinement",
+        "suits": "suits the first peak: the pressure is nearly uniform",
+        "too shallow": "too shallow for the first peak: the largest pressure is at the ends",
+        "uneven": "uneven at the first peak: the largest pressure is at mid-length",
     }[state]
     found = [
-        f"{first}; {pascal(q.p_peak)} under {newton(q.N_max)}, {over:.3g} times that of an "
-        f"even load; at rest {pascal(q.p_rest)} under {newton(q.N)}"
+        f"{first}; largest pressure at the first peak {pascal(q.p_peak)} under "
+        f"{newton(q.N_max)}, {over:.3g} times that of a uniform load; at rest "
+        f"{pascal(q.p_rest)} under {newton(q.N)}"
     ]
     if q.z_m == 0:
         return found
     found.append(
-        f"the crown is made for K_1 Q = {newton(q.suits)}; the first peak requires K_1 = "
-        f"{q.K_1_suits:.3g} with this Q"
+        f"the crown gives a uniform load under K_1 Q = {newton(q.suits)}; with this Q, a uniform "
+        f"load at the first peak requires K_1 = {q.K_1_suits:.3g}"
     )
     found.append(
-        f"it begins {q.straight / 2 * 1e3:.3g} mm from mid-length and drops by "
-        f"{q.end_slice / UM:.3g} µm at the middle of its end slices, {q.z_m / UM:.3g} µm at the "
-        f"very ends; 1 % more z_m deepens it by {q.share:.2g} % on average, 1 % more K_1 "
-        f"by {1 - q.share:.2g} %"
+        f"the crown begins {q.straight / 2 * 1e3:.3g} mm from mid-length; its drop is "
+        f"{q.end_slice / UM:.3g} µm at the middle of the end slices and {q.z_m / UM:.3g} µm at the "
+        f"ends; 1 % more z_m increases the mean drop by {q.share:.2g} %, 1 % more K_1 by "
+        f"{1 - q.share:.2g} %"
     )
     return found
 
@@ -59,19 +60,19 @@ def warnings(q: Any) -> Sequence[str]:
     found = []
     if q.z_m > 0 and q.end_slice < REACHED * q.z_m:
         found.append(
-            f"z_m = {q.z_m / UM:.3g} µm is reached at the very ends alone: the end slices drop by "
-            f"{q.end_slice / UM:.3g} µm"
+            f"the drop z_m = {q.z_m / UM:.3g} µm is reached only at the ends; the drop of the end "
+            f"slices is {q.end_slice / UM:.3g} µm"
         )
     if q.p_end_peak > 0:
         found.append(
-            "the ends carry at the first peak: the largest pressure grows with the number of "
-            "slices where it is theirs"
+            "the ends are loaded at the first peak: if the largest pressure is at the ends, it "
+            "grows with the number of slices"
         )
     return found
 
 
 def summary(q: Any) -> dict[str, Any]:
-    """JSON; `over_even` is the largest pressure over an even load's at the first peak."""
+    """Results for JSON; `over_even` is the ratio of p_max to the pressure of a uniform load."""
     known = math.isfinite(q.p_peak)
     return {
         "verdict": verdict(q), "over_even": q.p_peak / q.p_even_peak if known else None,

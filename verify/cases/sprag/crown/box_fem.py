@@ -1,7 +1,7 @@
-"""Largest pressures of an engagement over Eq. 19's crowns: some by engagements, all by contacts.
+"""Largest pressures of an engagement, for all crowns of Eq. 19.
 
-A crown changes the largest force by a per cent, smoothly: a quadratic through the forces of 27
-engagements interpolates it for every other crown; only its contact is then solved.
+A crown changes the largest force by about 1 %. Only 27 engagements are computed. A quadratic
+through their forces gives the force for every other crown, whose contact is then solved.
 """
 
 import numpy as np
@@ -19,20 +19,20 @@ FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # over the largest, for comparing both
 
 
 def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:
-    """N_max [N] of the crowns (n, 3) under each torque, (n, m)."""
+    """Largest forces N_max [N] of the crowns (n, 3) under each torque, shape (n, m)."""
     low, high = box(q)
     known, asked = (trend_terms((x - low) / (high - low)) for x in (engaged.crowns, crowns))
     return np.asarray(asked @ np.linalg.lstsq(known, engaged.N_max, rcond=None)[0])
 
 
 def largest(q: EngagementInputs, crowns: Array, N: Array) -> Array:
-    """Largest pressures [Pa] of the crowns (n, 3) under forces N [N] (n, m), inner race, (n, m)."""
+    """Largest pressures [Pa] on the inner race, (n, m), of crowns (n, 3) under N [N], (n, m)."""
     R = np.array([radius(q, float(x)) for x in N.mean(axis=0)])
     return np.asarray(in_slices(q, gaps(q, crowns)[:, None], R, N).peak_pressure.max(axis=-1))
 
 
 def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
-    """Ratio of the largest pressures of inner and outer contact, (n, forces)."""
+    """Ratio of the largest pressure of the inner contact to that of the outer, (n, forces)."""
     whole, N = parts(q), N_max * np.array(FORCES)
     inner, outer = (
         in_slices(q, gaps(q, crowns)[:, None], float(R), N).peak_pressure.max(axis=-1)
@@ -42,7 +42,7 @@ def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
 
 
 def box_fem(q: EngagementInputs, engaged: Peaks) -> dict[str, Array]:
-    """Largest pressures under T over Eq. 19's crowns; `engaged`: 27 engagements under T."""
+    """Largest forces and pressures under T of the crowns of Eq. 19; `engaged`: 27 engagements."""
     many = factorial(q, MANY)
     N = forces(q, engaged, many)
     return {

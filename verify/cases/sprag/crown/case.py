@@ -1,4 +1,4 @@
-"""Effect of the crown's three parameters on pressures of a sprag clutch (Secs. 4.1 and 4.2)."""
+"""Effect of the three crown parameters on the pressures of a sprag clutch (Secs. 4.1, 4.2)."""
 
 import math
 from collections.abc import Iterator
@@ -39,10 +39,11 @@ ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # 2 artanh(√c)
 
 
 class SpragCrown(EngagementInputs, Case):
-    """Suitable load of a crown, and its effect on the largest pressure of an engagement.
+    """Design load of a crown, and the effect of the crown on the largest pressure of an engagement.
 
-    Statements of the paper's figures on its crowns are verified under the forces of compiled
-    engagements; if they hold only under another force, that force is stated.
+    The figures of the paper state which of its crowns have low or high pressures. The case
+    verifies these statements under the contact forces of computed engagements. If a statement is
+    true only under another force, the row states this force.
     """
 
     id = "sprag-crown"
@@ -53,35 +54,36 @@ class SpragCrown(EngagementInputs, Case):
     levels: ClassVar = (41, 81, 161)  # strips along a sprag
     scans: ClassVar = (Scan(vary=("T=20N m,25N m,30N m",), star=True),)
     readings: ClassVar = (
-        "Eq. 1 is clipped and symmetric, its A is the factor before the logarithm (ledger: "
+        "Eq. 1 is clipped and symmetric; A is the factor before the logarithm (ledger: "
         "eq-1-a-undefined, eq-1-clipping)",
-        "z_m is in millimetres: no unit is printed",
-        "Q of Eq. 1 is one load for all torques, 3407 N: the static one at 25 N m of rigid "
-        "parts; with deflections it is 3388 N. With another Q at each torque the optimal K_1 would "
-        "not grow with the torque",
-        "Fig. 12 is under a force of 2 to 4 kN, such as the static load, not under the first peak "
-        "at 25 N m; which crowns it has is not printed: the eight that the paper prints "
-        "anywhere are compared (ledger: fig-12-load)",
+        "z_m is in millimetres; the paper prints no unit",
+        "Q of Eq. 1 is the same load for all torques, 3407 N: the static load of rigid parts at "
+        "25 N m (3388 N with deflections). If Q depended on the torque, the optimal K_1 would not "
+        "increase with the torque",
+        "Fig. 12 applies under a force of 2 to 4 kN, such as the static load, not at the first "
+        "peak at 25 N m (ledger: fig-12-load). The paper does not print which crowns Fig. 12 "
+        "contains: all eight printed crowns are compared",
     )
     assumptions: ClassVar = (
         "length, width, wedge angle, support and Q are identified, not printed: results that "
         "depend on them are calibrated",
-        "N_max of Eq. 19's crowns is a quadratic through 27 engagements: it changes by 2 % over "
-        "all crowns, its residual moves p_max by less than 0.1 %",
-        "for a user's clutch z_m of Eq. 19 is scaled by 2Q/(π l E') of that clutch",
-        "pressures by slices (Palmgren's law): at loaded ends they are lower than on a half-space",
+        "N_max of the crowns of Eq. 19 is a quadratic through 27 engagements: N_max changes by 2 % "
+        "over all crowns, and the residual of the fit changes p_max by less than 0.1 %",
+        "for a user's clutch, z_m of Eq. 19 is scaled by 2Q/(π l E') of that clutch",
+        "pressures are computed by slices (Palmgren's law): at loaded ends, they are lower than on "
+        "a half-space",
     )
 
-    @Drop("A", "µm", "depth of the logarithm", equation="1", form="corrected",
+    @Drop("A", "µm", "factor of the logarithm", equation="1", form="corrected",
           tex=r"\frac{2 K_1 Q (1 - \nu^2)}{\pi l E}")  # fmt: skip
     def A(self) -> float:
         return self.K_1 * formulas.unit(self)
 
-    @Drop("l_0", "mm", "straight middle", equation="1", tex="(1 - K_2) l")
+    @Drop("l_0", "mm", "length of the straight middle part", equation="1", tex="(1 - K_2) l")
     def straight(self) -> float:
         return float(straight_length(K_2=self.K_2, length=self.l))
 
-    @Drop("c", "1", "how far the logarithm is followed", role="step", equation="1",
+    @Drop("c", "1", "relative end point of the logarithm", role="step", equation="1",
           tex=r"1 - \exp\left(-\frac{z_m}{A}\right)")  # fmt: skip
     def c(self) -> float:
         return float(-np.expm1(-self.z_m / self.A))
@@ -91,14 +93,14 @@ class SpragCrown(EngagementInputs, Case):
     def mean(self) -> float:
         return crown_mean.mean_drop(self.A, self.K_2, self.z_m)
 
-    @Drop("e_z", "1", "% more mean drop by 1 % more z_m; K_1 the rest of 1 %",
+    @Drop("e_z", "1", "increase of the mean drop in % for 1 % more z_m",
           source="mean of Eq. 1 over the length",
           tex=rf"\frac{{z_m K_2}}{{z_{{mean}}}} (1 - \frac{{1}}{{c}} + "
           rf"\frac{{(1 - c) {ARTANH}}}{{2 c \sqrt{{c}}}})")  # fmt: skip
     def share(self) -> float:
         return crown_mean.z_m_share(self.A, self.z_m)
 
-    @Drop("t", "1", "place of the end slices on the crown", role="step", equation="1")
+    @Drop("t", "1", "relative position of the end slices", role="step", equation="1")
     def end_place(self) -> float:
         return max(0.0, 1 - 1 / (self.slices * self.K_2))
 
@@ -107,34 +109,34 @@ class SpragCrown(EngagementInputs, Case):
     def end_slice(self) -> float:
         return float(gap(self)[0])
 
-    @Drop("Q_even", "N", "load that a crown of this depth makes even", source="Lundberg",
+    @Drop("Q_even", "N", "load under which this crown is uniformly loaded", source="Lundberg",
           tex="K_1 Q")  # fmt: skip
     def suits(self) -> float:
         return self.K_1 * crowned_for(self)
 
-    @Quantity("N", "N", "normal force at rest with the deflections, no springs", safe="too high")
+    @Quantity("N", "N", "normal force at rest, with deflections, no springs", safe="too high")
     def N(self) -> float:
         return normal_force(under(self))
 
-    @Quantity("N_max", "N", "force of the first peak: two races on a spring", safe="too high")
+    @Quantity("N_max", "N", "first peak force of two races on a spring", safe="too high")
     def N_max(self) -> float:
         if under(self) is None or (swung := swing(self)).over:
             return math.nan
         return float(swung.peak[1])
 
-    @Quantity("N_max/Q", "1", "K_1 that suits the first peak", source="Lundberg",
+    @Quantity("N_max/Q", "1", "K_1 for a uniform load at the first peak", source="Lundberg",
               tex=r"\frac{N_{max}}{Q}")  # fmt: skip
     def K_1_suits(self) -> float:
         return self.N_max / crowned_for(self)
 
     @shared
     def _rest(self) -> SlicedContact | None:
-        """The inner contact at rest."""
+        """Inner contact under the normal force at rest; None without equilibrium."""
         return formulas.pressed(self, self.N) if math.isfinite(self.N) else None
 
     @shared
     def _peak(self) -> SlicedContact | None:
-        """The inner contact at the first peak."""
+        """Inner contact under the first peak force; None if the sprags roll over."""
         return formulas.pressed(self, self.N_max) if math.isfinite(self.N_max) else None
 
     @Quantity("p", "MPa", "largest pressure at rest, inner race, by slices", safe="too high")
@@ -145,7 +147,7 @@ class SpragCrown(EngagementInputs, Case):
     def p_peak(self) -> float:
         return _largest(self._peak)
 
-    @Quantity("p_mid", "MPa", "the same at mid-length", safe="too high")
+    @Quantity("p_mid", "MPa", "pressure at mid-length at the first peak", safe="too high")
     def p_mid_peak(self) -> float:
         return mid(self._peak) if self._peak else math.nan
 
@@ -157,33 +159,33 @@ class SpragCrown(EngagementInputs, Case):
     def R_rest(self) -> float:
         return formulas.radius(self, self.N) if math.isfinite(self.N) else math.nan
 
-    @Quantity("R_max", "mm", "the same at the first peak", role="step")
+    @Quantity("R_max", "mm", "relative radius of the inner contact at the first peak", role="step")
     def R_peak(self) -> float:
         return formulas.radius(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 
-    @Quantity("p_e", "MPa", "pressure at rest if the load were even", source="Hertz",
+    @Quantity("p_e", "MPa", "pressure of a uniform load at rest", source="Hertz",
               tex=r"\sqrt{\frac{N E}{2 (1 - \nu^2) \pi l R}}")  # fmt: skip
     def p_even_rest(self) -> float:
         return formulas.even(self, self.N) if math.isfinite(self.N) else math.nan
 
-    @Quantity("p_even", "MPa", "pressure at the first peak if the load were even", source="Hertz",
+    @Quantity("p_even", "MPa", "pressure of a uniform load at the first peak", source="Hertz",
               tex=r"\sqrt{\frac{N_{max} E}{2 (1 - \nu^2) \pi l R_{max}}}")  # fmt: skip
     def p_even_peak(self) -> float:
         return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 
     def peak_of(self, crown: Crown) -> float:
-        """Largest pressure [Pa] of another crown under the first peak force of this crown."""
+        """Largest pressure [Pa] of `crown` under the first peak force of the given crown."""
         return _largest(formulas.pressed(self, self.N_max, crown))
 
     @property
     def unequal(self) -> float:
-        """Excess of the outer contact's force over the inner's at the first peak."""
+        """Ratio of outer to inner normal force at the first peak, minus 1."""
         states = wedge(self).states
         return float(np.interp(self.N_max, states.N[1:], states.N_e[1:] / states.N[1:])) - 1
 
     @property
     def inertia(self) -> float:
-        """Inertia of the sprags over that of the inner race."""
+        """Ratio of the inertia of the sprags to that of the inner race."""
         w = wedge(self)
         return float(sprags_inertia(w, at_rest(w, self.T), motion(self)) / self.I_bi)
 
@@ -195,22 +197,22 @@ class SpragCrown(EngagementInputs, Case):
     summary = advised.summary
 
     def reference(self, level: int) -> Level:
-        """Drawn profiles, strips under the forces of compiled engagements."""
+        """Reference: numerical profiles, and strips under the forces of computed engagements."""
         from verify.cases.sprag.crown.reference import solve
 
         return solve(self, level)
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Table 2, recomputed."""
+        """Table 2 of the paper with recomputed errors."""
         if context.is_paper:
             yield table_2()
 
     def refusal(self) -> str:
-        """Reason to refuse: no crown, no peak, or no solution of the clutch at rest."""
+        """Reason why no reference exists: no crown, no peak, or no solution at rest; else empty."""
         if self.z_m == 0:
             return "without a crown there is nothing to compare; check it without --fem"
         if not math.isfinite(self.N_max):
-            return "the sprags roll over: no peak is left to compare; check it without --fem"
+            return "the sprags roll over: no peak exists to compare; check it without --fem"
         return refusal_at_rest(self)
 
 

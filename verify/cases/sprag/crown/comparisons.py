@@ -1,4 +1,4 @@
-"""Rows of a crown: its profile, its pressures, and statements of the figures of crowns."""
+"""Rows of a crown: its profile, its pressures, and statements of the paper on its crowns."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -41,9 +41,9 @@ from verify.form.comparisons import key_of
 from verify.judging.checks import Accepted, Fact
 from verify.judging.profile_checks import Estimated
 
-DRAWN = "drawn profile"
-BOTH = "strips, at the force of compiled engagements"
-UNEQUAL = "N_e = N_i in Eqs. 14-16 and sprags without mass, half of what they do to N"
+DRAWN = "numerical profile"
+BOTH = "strips, at the force of computed engagements"
+UNEQUAL = "half of the effects of N_e = N_i in Eqs. 14-16 and of massless sprags on N"
 HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
@@ -51,9 +51,10 @@ MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 
 
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Slices over strips, and two races on a spring over the compiled sprags, by p ~ √N.
+    """Interval of the relative difference, for p ~ √N; None for a user's inputs.
 
-    None at user inputs, for which no acceptance figure was given.
+    It contains the difference of slices from strips, and that of two races on a spring from the
+    equations of motion of all sprags. No tolerance is stated for a user's inputs.
     """
     if not q.is_default:
         return None
@@ -63,7 +64,7 @@ def near(q: Any, _values: Any) -> tuple[float, float] | None:
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaperEstimated(Estimated):
-    """An estimate for the paper's clutch only."""
+    """Estimate for the clutch of the paper only."""
 
     paper_only: bool = True
 
@@ -72,14 +73,16 @@ class OfPaperEstimated(Estimated):
 
 
 def drops(q: EngagementInputs, crowns: Array) -> Array:
-    """Drawn profiles [m] of the crowns (n, 3), (n, MEAN_OF)."""
+    """Drops [m] of the crowns (n, 3) at MEAN_OF positions, shape (n, MEAN_OF)."""
     return np.array([crowned(with_crown(q, crown), MEAN_OF) for crown in crowns])
 
 
 def straight_and_ends(context: Context) -> tuple[float, float]:
-    """Margin of the straight middle's deviation from (1 - K_2) l below two of MEAN_OF points.
+    """Smallest of three margins for the crowns of Eq. 19, and its uncertainty.
 
-    The drop never exceeds z_m, and no smaller K_1 or K_2 makes it deeper.
+    1. The straight length differs from (1 - K_2) l by less than 2.5 of MEAN_OF points.
+    2. The drop does not exceed z_m.
+    3. The drop does not decrease if K_1, K_2 or z_m increases.
     """
     q = context.inputs
     crowns = factorial(q, 5)
@@ -92,40 +95,40 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """One half minus the largest share of z_m in the mean drop, over the printed crowns."""
+    """0.5 minus the largest share of z_m in the mean drop of the printed crowns, 0, text."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
     most = max(printed, key=lambda c: printed[c])
     words = (
-        f"1 % more z_m adds {printed[most]:.2f} % to the mean drop of {label(most)} at the most, "
-        f"{printed[(1.0, 0.7, 1e-5)]:.3f} % to that of (1, 0.7, 10 µm), K_1 the rest of 1 %; of "
-        f"Eq. 19's factorial z_m does more than K_1 in {int((box > MOST).sum())} of {len(box)}"
+        f"1 % more z_m increases the mean drop by at most {printed[most]:.2f} % ({label(most)}) "
+        f"and by {printed[(1.0, 0.7, 1e-5)]:.3f} % for (1, 0.7, 10 µm), K_1 by the rest of 1 %; "
+        f"z_m has the larger effect for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
     )
     return MOST - printed[most], 0.0, words
 
 
 def inner_above(context: Context) -> tuple[float, float]:
-    """Least ratio of the largest pressures, inner over outer contact, minus one, of all crowns."""
+    """Smallest ratio of inner to outer largest pressure of all crowns, minus 1; uncertainty."""
     return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Reduction of the pressure from the given crown to the best of Eq. 19's factorial."""
+    """Relative reduction of p_max from the given to the optimal crown of Eq. 19, with text."""
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
     p, given = float(found["box p"][k]), q.p_peak
     off = float(np.abs(found["by contacts"] / found["engaged p"] - 1).max())
     words = (
         f"{label(tuple(found['box'][k]))} has {p / 1e6:.0f} MPa, {p / given - 1:+.1%} against "
-        f"this crown's {given / 1e6:.0f} MPa; {len(found['box p'])} crowns up to "
+        f"{given / 1e6:.0f} MPa of this crown; the largest of {len(found['box p'])} crowns is "
         f"{found['box p'].max() / 1e6:.0f} MPa"
     )
     return 1 - p / given, off + 0.01, words
 
 
 def stated(crown: Any) -> Iterator[Comparison | Check]:
-    """Profile by drawing, pressures by strips, the paper's figures and its Table 2."""
+    """Rows on the profile, the pressures, and the paper's figures and Table 2."""
     c = type(crown)
     drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
     yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
@@ -141,7 +144,7 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
         state = State(None, f"deep_{k}", f"of {label(other)}")
         key = key_of(c.p_peak, state)
         largest = OfPaperEstimated(
-            name=f"largest pressure of {label(other)} under that force", symbol="p_max",
+            name=f"largest pressure of {label(other)} under the largest force", symbol="p_max",
             analytic=key, fem=key, by=BY_STRIPS, **estimate,
         )  # fmt: skip
         numbers = {key: crown.peak_of(other)} if crown.is_default else {}
@@ -153,11 +156,11 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
 
 
 OF_FIGURES: tuple[Check, ...] = (
-    Fact(name="Fig. 11: (1 - K_2) l stay straight, z_m is the deepest, all three deepen",
+    Fact(name="Fig. 11: straight length (1 - K_2) l, largest drop z_m, all parameters deepen it",
          symbol="z", unit="1", margin=straight_and_ends, fem_needed=False),
     Noted(name="Fig. 11: K_1, not z_m, sets the mean drop", symbol="e_z", unit="1",
           erratum="huang2018:sec-4-1-overall-drop", margin=z_m_is_not_the_mean),
-    Fact(name="inner contact above the outer with all of Eq. 19's crowns, any force",
+    Fact(name="pressure at the inner contact exceeds that at the outer, all crowns of Eq. 19",
          symbol="p_i/p_o", unit="1", margin=inner_above),
     OfPaper(name="Fig. 12: best and worst of the printed crowns, under the static load",
             symbol="p_max", unit="1", margin=highest_and_lowest, fitted=FITTED,
@@ -166,29 +169,29 @@ OF_FIGURES: tuple[Check, ...] = (
                      "huang2018:fig12-worst-k2", "huang2018:fig12-worst-zm")),
     Noted(name="Fig. 12: reversed order at the first peak under 25 N m", symbol="p_max",
           unit="1", erratum="huang2018:fig-12-load", margin=in_other_order),
-    OfPaper(name="Fig. 13: high at both ends at the first peak, low there at the trough",
+    OfPaper(name="Fig. 13: pressure at both ends is high at the first peak, low at the trough",
             symbol="p", unit="1", margin=first_and_trough, fitted=FITTED,
             printed=("huang2018:fig13a-k2", "huang2018:fig13a-zm")),
     OfPaper(name="Fig. 13: K_1 = 3 spreads the first peak's load more evenly", symbol="q", unit="1",
             margin=more_even, fitted=FITTED,
             printed=("huang2018:fig13b-k2", "huang2018:fig13b-zm")),
     *(
-        OfPaper(name=f"Fig. 14: {words} is the lower of its two crowns at {T} N m", symbol="p_max",
-                unit="1", margin=order_at(k), fitted=FITTED,
+        OfPaper(name=f"Fig. 14: {words} has the lower pressure of both crowns at {T} N m",
+                symbol="p_max", unit="1", margin=order_at(k), fitted=FITTED,
                 printed=(f"huang2018:fig14-torque-{T}",
                          *(f"huang2018:fig14-{T}nm-{x}" for x in ("k1", "k2", "zm"))))
         for k, T, words in ((0, 10, "(1, 0.5, 8 µm)"), (1, 30, "(5, 0.5, 15 µm)"))
     ),
-    OfPaper(name="Fig. 14: its crown at 10 N m is within 1 % of Eq. 19's lowest", symbol="p_max",
-            unit="1", margin=lowest_at_10, fitted=FITTED),
-    Noted(name="Fig. 14: K_1 = 5 is not the lowest at 30 N m", symbol="p_max", unit="1",
-          erratum="huang2018:fig-14-k1", margin=not_lowest_at_30),
-    OfPaper(name="Fig. 14: K_1 of the lowest crown grows with the torque", symbol="K_1", unit="1",
-            margin=grows_with_torque, fitted=FITTED),
+    OfPaper(name="Fig. 14: pressure of its crown at 10 N m is within 1 % of the lowest of Eq. 19",
+            symbol="p_max", unit="1", margin=lowest_at_10, fitted=FITTED),
+    Noted(name="Fig. 14: K_1 = 5 does not give the lowest pressure at 30 N m", symbol="p_max",
+          unit="1", erratum="huang2018:fig-14-k1", margin=not_lowest_at_30),
+    OfPaper(name="Fig. 14: K_1 of the crown with the lowest pressure increases with the torque",
+            symbol="K_1", unit="1", margin=grows_with_torque, fitted=FITTED),
     OfPaper(name="Eq. 21's crown: p_max by 21 to 161 slices within 0.5 %", symbol="p_max", unit="1",
             margin=hardly_by_slices, fitted=FITTED),
 )  # fmt: skip
 LOWER = Accepted(
-    name="the lowest of Eq. 19's factorial is below this crown's p_max", symbol="p_max", unit="1",
+    name="a crown of Eq. 19 has a lower p_max than the given crown", symbol="p_max", unit="1",
     margin=in_the_box, fitted=FITTED,
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Figures of crowns: profiles, pressures over force and torque, slices."""
+"""Figures of crowns: profile, pressures over force and torque, number of slices."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -26,7 +26,7 @@ DEEPER = 0.3  # drop of the sketched crown over the length
 
 
 def sketch(q: EngagementInputs) -> Sketch | None:
-    """The sprag's outline along its axis, with a strongly enlarged drop."""
+    """Sketch of the sprag profile along its axis, with an enlarged drop; None without crown."""
     if q.z_m == 0:
         return None
     y, z = places(q, 401), gap(q.model_copy(update={"slices": 401}))
@@ -44,7 +44,7 @@ def sketch(q: EngagementInputs) -> Sketch | None:
         ),
         shape("dimension", np.array([[-q.l / 2, low * 1.1], [q.l / 2, low * 1.1]]) / mm, "l"),
     )  # fmt: skip
-    return sketches.sketch("the sprag's profile along its axis, the drop drawn much larger", shapes)
+    return sketches.sketch("profile of the sprag along its axis; the drop is enlarged", shapes)
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -64,24 +64,25 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def shares(q: EngagementInputs) -> Curves:
-    """Share of z_m in the mean drop, over z_m in units of A."""
+    """Figure of the share of z_m in the mean drop, over z_m/A."""
     m = np.geomspace(0.05, 30.0, 121)
     printed = np.array([(c[2] / (c[0] * unit(q)), z_m_share(c[0] * unit(q), c[2]))
                         for c in DESIGNS])  # fmt: skip
     own = q.z_m / (q.K_1 * unit(q))
     return plot(
         "Shares of z_m and K_1 in the mean drop", "z_m/A",
-        "% more mean drop by 1 % more z_m", line("Eq. 1", m, [z_m_share(1.0, x) for x in m]),
+        "increase of mean drop for 1 % more z_m [%]",
+        line("Eq. 1", m, [z_m_share(1.0, x) for x in m]),
         dots("crowns that the paper prints", printed[:, 0], printed[:, 1], 2),
         dots("this crown", own, z_m_share(1.0, own), 4), y_bottom=0.0,
-        note="A is the depth of Eq. 1's logarithm, in proportion to K_1. At 0.25 on the axis 1 % "
-        "more z_m deepens the crown by 0.25 % on average, 1 % more K_1 by the other 0.75 %. Where "
-        "z_m is many times A the profile reaches it at the very ends alone, and K_1 sets the mean.",
+        note="A is the factor of the logarithm in Eq. 1 and proportional to K_1. A value of 0.25 "
+        "means: 1 % more z_m increases the mean drop by 0.25 %, 1 % more K_1 by 0.75 %. If z_m is "
+        "many times A, the profile reaches z_m only at the ends, and K_1 determines the mean drop.",
     )  # fmt: skip
 
 
 def along(context: Context) -> Curves:
-    """p(y) at rest and at the first peak."""
+    """Figure of the pressure p(y) at rest and at the first peak."""
     q = context.inputs
     both = (q.N, q.p_even_rest, "at rest"), (q.N_max, q.p_even_peak, "at the first peak")
     states = [state for state in both if math.isfinite(state[0])]
@@ -94,19 +95,19 @@ def along(context: Context) -> Curves:
         p = context.fem[-1].arrays["strips"]
         curves.append(dashes("at the first peak, strips", places(q, p.size) / mm, p / MPa, 2))
     curves += [
-        dashes(f"if even, {words}", y[[0, -1]], p / MPa, 2 * k + 1)
+        dashes(f"uniform load, {words}", y[[0, -1]], p / MPa, 2 * k + 1)
         for k, (_, p, words) in enumerate(states)
     ]  # fmt: skip
     return plot(
         "Pressure along the sprag, inner race", "y [mm]", "p [MPa]", curves, y_bottom=0.0,
         y_top=1.5 * states[-1][1] / MPa,
-        note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Loaded ends have no largest "
-        "pressure: it grows with the number of parts.",
+        note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. At loaded ends the "
+        "largest pressure is unbounded: it grows with the number of slices or strips.",
     )  # fmt: skip
 
 
 def by_force(context: Context) -> Curves:
-    """Fig. 12's two crowns over the force: which is the lower."""
+    """Figure of the largest pressures of both crowns of Fig. 12 over the force."""
     q, found = context.inputs, context.fem[-1].arrays
     N = found["swept"]
     base = np.array([even(q, float(x)) for x in N])
@@ -117,24 +118,25 @@ def by_force(context: Context) -> Curves:
         for by, style in (("slices", "line"), ("strips", "dashes"))
     ]  # fmt: skip
     highest = max(float(np.max(curve.y)) for curve in curves)
-    marks = (("upright: static load, 25 N m", q.N),
-             ("upright: first peak, 25 N m", q.N_max))  # fmt: skip
+    marks = (("vertical: static load, 25 N m", q.N),
+             ("vertical: first peak, 25 N m", q.N_max))  # fmt: skip
     curves += [dashes(name, at / kN, [1.0, highest], 4 + k) for k, (name, at) in enumerate(marks)]
     return plot(
-        "Fig. 12's best and worst crown over the force", "N [kN]", "p_max over an even load's",
-        curves, y_bottom=1.0,
-        note="Of all crowns that the paper prints they are the lowest and the highest "
-        f"{window(found, 'slices')}, where the static load is; at the first peak under 25 N m the "
-        "order is reversed. Strips are of a half-space, where loaded ends have higher pressures.",
+        "Best and worst crown of Fig. 12 over the force", "N [kN]",
+        "p_max / pressure of uniform load", curves, y_bottom=1.0,
+        note="Of all printed crowns, these two have the lowest and the highest pressure "
+        f"{window(found, 'slices')}; the static load lies in this range. At the first peak under "
+        "25 N m the order is reversed. Strips model a half-space, on which pressures at loaded "
+        "ends are higher.",
     )  # fmt: skip
 
 
 def by_torque(found: Mapping[str, Array]) -> Curves:
-    """Fig. 14: the band of Eq. 19's crowns, and the two named."""
+    """Figure of p_max over the torque: range of the crowns of Eq. 19, and both of Fig. 14."""
     T = found["band T"]
     curves = [
-        line("lowest of Eq. 19's factorial", T, found["band low"] / MPa, 1),
-        dashes("highest", T, found["band high"] / MPa, 1),
+        line("lowest of 125 crowns of Eq. 19", T, found["band low"] / MPa, 1),
+        dashes("highest of 125 crowns", T, found["band high"] / MPa, 1),
     ]  # fmt: skip
     for k, crown in enumerate(FIG_14):
         n = number(crown)
@@ -142,45 +144,46 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
         curves.append(dots("", found["torques"], found["named p"][n] / MPa, 2 * k + 2))
     return plot(
         "Largest pressure over the torque (Fig. 14)", "T [N m]", "p_max [MPa]", curves,
-        y_bottom=0.0, note="Dots: engagements; lines: contacts under forces between them.",
+        y_bottom=0.0, note="Dots: engagements; lines: contacts under interpolated forces.",
     )  # fmt: skip
 
 
 def above(found: Mapping[str, Array]) -> Curves:
-    """Excess of the printed crowns over the lowest crown at each torque."""
+    """Figure of the excess of p_max of the printed crowns over the lowest p_max at each torque."""
     T, low = found["band T"], found["band low"]
     names = (*FIG_14, EQ_21, EQ_22)
     return plot(
-        "How far printed crowns are above the lowest", "T [N m]",
-        "p_max above the lowest of 125 [%]",
+        "Excess of p_max of printed crowns over the lowest p_max", "T [N m]",
+        "p_max above the lowest of 125 crowns [%]",
         (
             line(label(c), T, 100 * (found["band p"][number(c)] / low - 1), k)
             for k, c in enumerate(names)
         ),
         y_bottom=-1.0,
-        note="K_1 = 1 suits light torques, K_1 = 5 heavy ones beyond this range; at 30 N m it is "
+        note="K_1 = 1 suits low torques, K_1 = 5 suits torques above this range; at 30 N m, p_max "
+        "with K_1 = 5 is "
         f"{found['named p'][number(FIG_14[1]), AT[30]] / found['many p'][:, AT[30]].min() - 1:.1%} "
-        "above.",
+        "above the lowest.",
     )  # fmt: skip
 
 
 def suits(context: Context) -> Curves:
-    """K_1 of the lowest crown over the torque, with N_max/Q and the printed values."""
+    """Figure of K_1 of the crown with the lowest pressure over the torque, with printed values."""
     found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
     return plot(
-        "K_1 of the lowest crown", "T [N m]", "K_1",
+        "K_1 of the crown with the lowest pressure", "T [N m]", "K_1",
         line("lowest with K_2 = 0.7, z_m = 10 µm", T, found["band K_1"]),
         dashes("N_max/Q", T, found["band N"] / Q, 4),
         dots("printed, Eqs. 21 and 22", [25.0, 40.0], [EQ_21[0], EQ_22[0]], 2),
         dots("printed, Fig. 14", [10.0, 30.0], [c[0] for c in FIG_14], 1), y_bottom=0.0,
-        note="Lundberg's crown makes the load even that it is cut for: K_1 Q. Of the printed ones "
-        "5 at 30 N m is out of line with 2.15 at 25 and 2.80 at 40 N m.",
+        note="Lundberg's crown gives a uniform load under its design load K_1 Q. The printed value "
+        "5 at 30 N m does not fit the printed values 2.15 at 25 N m and 2.80 at 40 N m.",
     )  # fmt: skip
 
 
 def ratios(found: Mapping[str, Array]) -> Dots:
-    """p_max(40 N m)/p_max(25 N m): printed, and computed from force, crowns and slices."""
+    """Figure of the ratio of p_max at 40 N m to p_max at 25 N m, printed and computed."""
     N_25, N_40 = found["counted N"]
     flat = found["counted, 40"][0] / found["counted, slices"][0]
     best = found["named p"][number(EQ_22), AT[40]] / found["named p"][number(EQ_21), AT[25]]
@@ -189,13 +192,15 @@ def ratios(found: Mapping[str, Array]) -> Dots:
         ("printed, no crown: 4700/3500", 4700 / 3500, None, "paper"),
         *((f"no crown, {n:.0f} slices", float(r), None, "formula")
           for n, r in zip(found["counts"], flat, strict=True) if n in (11, 41, 161)),
-        ("even load: √(N_40/N_25)", float(np.sqrt(N_40 / N_25)), None, "formula"),
-        ("Eq. 22's crown over Eq. 21's", float(best), None, "formula"),
-        ("Eq. 21's crown at both", float(kept[AT[40]] / kept[AT[25]]), None, "formula"),
+        ("uniform load: √(N_40/N_25)", float(np.sqrt(N_40 / N_25)), None, "formula"),
+        ("crown of Eq. 22 at 40, of Eq. 21 at 25 N m", float(best), None, "formula"),
+        ("crown of Eq. 21 at both torques", float(kept[AT[40]] / kept[AT[25]]), None, "formula"),
         ("printed, optimal crowns: 3400/2980", 3400 / 2980, None, "paper"),
     ]  # fmt: skip
     return Dots(
-        title="From 25 to 40 N m", label="p_max at 40 N m over that at 25 N m", items=tuple(items),
-        note=f"The forces have the ratio {N_40 / N_25:.3f}. No crown can lower the ratio below an "
-        "even load's unless it is uneven at 25 N m; by the paper the printed optima are even.",
+        title="Increase of p_max from 25 to 40 N m", label="p_max(40 N m) / p_max(25 N m)",
+        items=tuple(items),
+        note=f"The ratio of the forces is {N_40 / N_25:.3f}. The ratio of p_max can be below that "
+        "of a uniform load only if the load at 25 N m is not uniform. According to the paper, the "
+        "loads of the printed optima are uniform.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Effect of the crown's three parameters on its profile and on the pressure under a force."""
+"""Profile of a crown with given parameters, and pressures under a given force."""
 
 from itertools import product
 
@@ -23,39 +23,42 @@ def label(crown: Crown) -> str:
 
 
 def unit(q: EngagementInputs) -> float:
-    """2 Q/(π l E'), which K_1 multiplies in Eq. 1 [m]."""
+    """Factor 2 Q/(π l E') [m] of K_1 in Eq. 1."""
     return crowned_for(q) / (np.pi * q.l * float(parts(q).E_star))
 
 
 def box(q: EngagementInputs) -> tuple[Array, Array]:
-    """Bounds of Eq. 19; z_m in unit(q) of the clutch, which is the paper's for its clutch."""
+    """Lower and upper bounds of (K_1, K_2, z_m) by Eq. 19, each of shape (3,).
+
+    The bounds of z_m are scaled by the ratio of unit(q) to that of the clutch of the paper.
+    """
     scale = np.array([1.0, 1.0, unit(q) / unit(EngagementInputs())])
     return np.array(LOW) * scale, np.array(HIGH) * scale
 
 
 def factorial(q: EngagementInputs, levels: int) -> Array:
-    """All crowns of so many levels within `box`, (levels³, 3)."""
+    """Full factorial of crowns with `levels` values per parameter in `box`, (levels³, 3)."""
     axes = [np.linspace(low, high, levels) for low, high in zip(*box(q), strict=True)]
     return np.array(list(product(*axes)))
 
 
 def gaps(q: EngagementInputs, crowns: Array) -> Array:
-    """Drop [m] of each of the crowns (n, 3) at the slices, (n, slices)."""
+    """Drops [m] of the crowns (n, 3) at the slices, shape (n, slices)."""
     return np.array([gap(with_crown(q, crown)) for crown in crowns])
 
 
 def radius(q: EngagementInputs, N: float) -> float:
-    """The inner contact's relative radius [m] under N [N]."""
+    """Relative radius [m] of the inner contact under N [N]."""
     one = built(q)
     return one.radii(wedged(one.clutch, N))[0]
 
 
 def pressed(q: EngagementInputs, N: float, crown: Crown | None = None) -> SlicedContact:
-    """The inner contact under N [N], with the clutch's crown or another crown for its load."""
+    """Inner contact under N [N], with the crown of the clutch or with `crown` if given."""
     z = gap(with_crown(q, crown)) if crown else gap(q)
     return in_slices(q, z, radius(q, N), N)
 
 
 def even(q: EngagementInputs, N: float) -> float:
-    """Hertz's pressure [Pa] of N [N] spread evenly over the length."""
+    """Hertz's pressure [Pa] under N [N], uniformly distributed over the length."""
     return float(np.sqrt(N * float(parts(q).E_star) / (np.pi * q.l * radius(q, N))))

@@ -1,4 +1,4 @@
-"""Statements of Figs. 12 to 14 on crowns, verified on this clutch: force and margin."""
+"""Statements of Figs. 12 to 14 on crowns, verified on this clutch: margins and texts."""
 
 from collections.abc import Mapping
 
@@ -28,29 +28,30 @@ def number(crown: tuple[float, float, float]) -> int:
 
 
 def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """At each force, whether Fig. 12's optimal crown is the lowest and its worst the highest."""
+    """Whether Fig. 12's optimal and worst crown have lowest and highest p_max, (forces,)."""
     p = found[f"swept, {by}"]
     best, worst = map(number, FIG_12)
     return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
 
 
 def window(found: Mapping[str, Array], by: str) -> str:
-    """Least and largest force of the sweep with that order, in words."""
+    """Range of forces of the sweep with the order of Fig. 12, as text."""
     N = found["swept"][ordered(found, by)] / 1e3
-    return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"nowhere by {by}"
+    return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"at no force by {by}"
 
 
 def first_peaks(found: Mapping[str, Array]) -> str:
-    """Torques whose first peaks have that order by slices, in words."""
+    """Range of torques whose first peaks have the order of Fig. 12 by slices, as text."""
     N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
     T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
     return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
 
 
 def highest_and_lowest(context: Context) -> tuple[float, float, str]:
-    """Under the static load the optimal crown is the lowest and the worst the highest, by a share.
+    """Smallest margin of the order of Fig. 12 under the static load, uncertainty, text.
 
-    By slices and by strips.
+    The optimal crown must have the lowest pressure of all printed crowns and the worst crown the
+    highest, both by slices and by strips.
     """
     found, N = arrays(context), context.inputs.N
     best, worst = map(number, FIG_12)
@@ -61,15 +62,15 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
         margins.append(min(others.min() / p[best], p[worst] / others.max()) - 1)
     forces = ", ".join(window(found, by) for by in ("slices", "strips"))
     words = (
-        f"of {len(DESIGNS)} printed crowns, by {margins[0]:.1%} (slices) and {margins[1]:.1%} "
-        f"(strips) at {N:.0f} N; the order holds {forces}, so that any such force shows it: the "
-        f"static load at 25 N m, or a first peak {first_peaks(found)} (slices)"
+        f"{len(DESIGNS)} printed crowns; margin {margins[0]:.1%} (slices) and {margins[1]:.1%} "
+        f"(strips) at {N:.0f} N; the order is that of Fig. 12 {forces}, for example under the "
+        f"static load at 25 N m or at a first peak {first_peaks(found)} (slices)"
     )
     return float(min(margins)), 0.0, words
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """Excess of Fig. 12's optimal crown over its worst crown at the first peak under 25 N m."""
+    """Relative excess of p_max of Fig. 12's optimal over its worst crown at 25 N m, first peak."""
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
     N = float(found["named N"][number(FIG_12[0]), AT[25]])
@@ -81,11 +82,14 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
 
 
 def first_and_trough(context: Context) -> tuple[float, float, str]:
-    """With K_1 = 1 the ends have more pressure than mid-length at the peak, less at the trough."""
+    """Smaller of two margins for K_1 = 1, uncertainty, text.
+
+    At the peak, the pressure is higher at the ends than at mid-length; at the trough it is lower.
+    """
     peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
     words = (
-        f"end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa at the peak; "
-        f"{trough[0]:.0f} and {trough[1]:.0f} MPa at the trough"
+        f"at the peak: end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa; "
+        f"at the trough: end {trough[0]:.0f} MPa, middle {trough[1]:.0f} MPa"
     )
     return float(min(peak[0] / peak[1], trough[1] / trough[0])) - 1, STEP, words
 
@@ -98,32 +102,32 @@ def uneven(p: Array) -> float:
 def more_even(context: Context) -> tuple[float, float, str]:
     """Relative reduction of the uneven load share from K_1 = 1 to K_1 = 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
-    words = f"{shallow:.1%} of the load would have to move with K_1 = 1, {deep:.1%} with 3"
+    words = f"share of load above the mean: {shallow:.1%} with K_1 = 1, {deep:.1%} with K_1 = 3"
     return 1 - deep / shallow, STEP, words
 
 
 def order_at(which: int) -> Margin:
-    """Margin of Fig. 14's crown number `which` below the other crown at its torque."""
+    """Function that returns the margin of Fig. 14's crown `which` below the other crown."""
     T = (10, 30)[which]
 
     def margin(context: Context) -> tuple[float, float, str]:
         p = arrays(context)["named p"][:, AT[T]]
         named, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
-        words = f"{named / MPa:.0f} MPa, {label(FIG_14[1 - which])} {other / MPa:.0f} MPa"
+        words = f"{named / MPa:.0f} MPa; {label(FIG_14[1 - which])} has {other / MPa:.0f} MPa"
         return other / named - 1, STEP, words
 
     return margin
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """Excess of Fig. 14's crown over the lowest of the factorial at its torque, with text."""
+    """Relative excess of p_max of Fig. 14's crown `which` over the lowest of Eq. 19, with text."""
     T, found = (10, 30)[which], arrays(context)
     p = found["many p"][:, AT[T]]
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
     lower = int((p < named).sum())
     words = (
-        f"{named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, the "
-        f"lowest of {p.size} crowns, {lower} of which are lower"
+        f"{named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, "
+        f"the lowest of {p.size} crowns; {lower} crowns have a lower pressure"
     )
     return named / float(p[k]) - 1, words
 
@@ -134,20 +138,23 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 
 
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """How far above the lowest crown at 30 N m; and printed is a K_1 between them at 25 and 40."""
+    """Relative excess of p_max of Fig. 14's crown over the lowest at 30 N m, uncertainty, text."""
     above, words = above_lowest(context, 1)
     N = arrays(context)["many N"][:, AT[30]].mean() / crowned_for(context.inputs)
     return above, STEP, f"{words}; N_max/Q = {N:.2f}"
 
 
 def lowest(context: Context) -> Array:
-    """The lowest crown of the factorial at each torque, (torques, 3)."""
+    """Crown of Eq. 19 with the lowest pressure at each torque, shape (torques, 3)."""
     found = arrays(context)
     return np.asarray(found["box"][found["many p"].argmin(axis=0)])
 
 
 def grows_with_torque(context: Context) -> tuple[float, float, str]:
-    """K_1 of the lowest crown never falls and is larger by some levels at the largest torque."""
+    """Increase of K_1 of the lowest crown from the smallest to the largest torque, with text.
+
+    If K_1 decreases between two torques, the largest decrease is returned instead.
+    """
     found, best = arrays(context), lowest(context)
     ratio = found["many N"].mean(axis=0) / crowned_for(context.inputs)
     words = "; ".join(

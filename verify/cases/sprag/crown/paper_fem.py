@@ -1,4 +1,4 @@
-"""Measured values of the paper's crowns: Figs. 12 to 14 and Table 2's level."""
+"""Computed pressures of the paper's crowns, for Figs. 12 to 14 and Table 2."""
 
 import numpy as np
 
@@ -26,7 +26,7 @@ ALONG = np.linspace(1.0, 5.0, 41)  # K_1
 
 
 def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
-    """All that Figs. 12 to 14 and Table 2 need; `few` are 27 crowns under the shares of T."""
+    """Arrays for Figs. 12 to 14 and Table 2, from engagements `few` of 27 crowns."""
     T = q.T * np.array(SHARES)
     named = peaks_fem(q, np.array(DESIGNS), T)
     many = factorial(q, MANY)
@@ -57,7 +57,7 @@ def swept(q: EngagementInputs) -> dict[str, Array]:
 
 
 def moments_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Pressures [Pa] of Fig. 13's crowns at the first peak and at the trough behind it."""
+    """Pressures [Pa] of the crowns of Fig. 13 at the first peak and at the trough after it."""
     found = []
     for crown in FIG_13:
         run = run_fem(with_crown(q, crown))
@@ -67,9 +67,9 @@ def moments_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def counted(q: EngagementInputs, named: Peaks) -> dict[str, Array]:
-    """Largest pressures [Pa] by ever more slices and strips, (3 crowns, counts), first peak.
+    """Largest pressures [Pa] with increasing numbers of slices and strips, (3 crowns, counts).
 
-    At 25 N m; without a crown by slices at 40 N m too.
+    They apply at the first peak under 25 N m; without a crown, also under 40 N m by slices.
     """
     at_25, at_40 = float(named.N_max[0, 1]), float(named.N_max[0, 3])
     R_25 = radius(q, at_25)
@@ -87,10 +87,11 @@ def counted(q: EngagementInputs, named: Peaks) -> dict[str, Array]:
 
 
 def over_torque(q: EngagementInputs, many: Array, few: Peaks, T: Array) -> dict[str, Array]:
-    """Fig. 14: p_max [Pa] over the torque, least and largest of `many`, of the printed crowns.
+    """Arrays for Fig. 14: p_max [Pa] over the torque, of `many` crowns and of the printed crowns.
 
-    And the lowest K_1 with K_2 and z_m of Fig. 12's best. N_max/T is nearly constant: a parabola
-    interpolates its values at the torques engaged.
+    Lowest and highest p_max of `many` are given, and the K_1 that has the lowest p_max with K_2
+    and z_m of the optimal crown of Fig. 12. N_max/T is nearly constant; a parabola interpolates
+    between the computed torques.
     """
     deeper = np.array([(K_1, FIG_12[0][1], FIG_12[0][2]) for K_1 in ALONG])
     crowns = np.concatenate([many, np.array(DESIGNS), deeper])

@@ -1,4 +1,4 @@
-"""Reference of a crown: drawn profiles, strips, compiled engagements."""
+"""Reference of a crown: numerical profiles, strips, computed engagements."""
 
 from typing import Any
 
@@ -19,7 +19,7 @@ ROUNDED = {"mean": 1e-12, "share": 1e-9}  # relative round-off by the number of 
 
 
 def solve(q: Any, level: int) -> Level:
-    """One level: so many strips, a profile drawn at 1200 points for each."""
+    """Results of one level: `level` strips, and a profile with 1200 points per strip."""
     run = run_fem(q)
     N = run.engagement.N_max
     own = by_strips(q, level, N, 0)
@@ -39,7 +39,7 @@ def solve(q: Any, level: int) -> Level:
 
 
 def drawn(q: Any, n: int) -> dict[str, float]:
-    """Mean of the drop [m] at n positions; its increase in per cent for 1 % of z_m."""
+    """Mean drop [m] of a profile of n points, and its increase in per cent for 1 % more z_m."""
 
     def mean(step: float) -> float:
         return float(crowned(q.model_copy(update={"z_m": q.z_m * (1 + step)}), n).mean())

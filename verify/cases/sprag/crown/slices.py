@@ -13,22 +13,22 @@ WITHIN = 5e-3
 
 
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
-    """Margin of the spread by slices below WITHIN; strips, with loaded ends, in text."""
+    """Margin of the relative spread of p_max by slices below WITHIN; the text states strips."""
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM
     by_slices = found["counted, slices"][1][enough] / MPa
     strips = found["counted, strips"][1] / MPa
     spread = float(np.ptp(by_slices) / by_slices.mean())
     words = (
-        f"{by_slices.min():.0f} to {by_slices.max():.0f} MPa; by strips on a half-space the "
-        f"loaded ends govern: {strips[0]:.0f} MPa by {found['counts'][0]:.0f}, {strips[-1]:.0f} "
-        f"MPa by {found['counts'][-1]:.0f}"
+        f"{by_slices.min():.0f} to {by_slices.max():.0f} MPa; with strips on a half-space, the "
+        f"largest pressure is at the loaded ends: {strips[0]:.0f} MPa with "
+        f"{found['counts'][0]:.0f} strips, {strips[-1]:.0f} MPa with {found['counts'][-1]:.0f}"
     )
     return WITHIN - spread, 0.0, words
 
 
 def by_number(context: Context) -> Curves:
-    """p_max against the number of slices and of strips, with and without a crown."""
+    """Figure of p_max over the number of slices or strips, with and without a crown."""
     found = context.fem[-1].arrays
     n = found["counts"]
     curves = [
@@ -47,7 +47,7 @@ def by_number(context: Context) -> Curves:
     return plot(
         "p_max over the number of slices", "slices or strips", "p_max [MPa]", curves,
         y_bottom=2500.0,
-        note=f"Under {N:.0f} N, the first peak at 25 N m. At loaded ends there is no limit: "
-        "without a crown by either model, with Eq. 21's crown by strips, whose half-space does "
-        "not end with the sprag. Level lines are what the paper prints.",
+        note=f"The force is {N:.0f} N, the first peak at 25 N m. At loaded ends, p_max has no "
+        "limit: without a crown in both models, with the crown of Eq. 21 in the strip model, whose "
+        "half-space continues beyond the end of the sprag. Horizontal lines: printed values.",
     )  # fmt: skip

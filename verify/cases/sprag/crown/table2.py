@@ -1,4 +1,4 @@
-"""Table 2: consistency of its numbers, and its level of pressure against this clutch."""
+"""Table 2 of the paper: consistency of its numbers, and its pressures against this clutch."""
 
 import math
 from dataclasses import dataclass
@@ -29,13 +29,13 @@ def cell(row: int, column: str) -> float:
 
 
 def relative_error(row: int) -> float:
-    """|actual - predicted|/predicted of the printed pair."""
+    """Relative error |actual - predicted|/predicted of the values printed in a row."""
     actual, predicted = cell(row, "actual"), cell(row, "predicted")
     return abs(actual - predicted) / predicted
 
 
 def standardised(row: int) -> float:
-    """The printed difference over the root of the printed MSE, read as MPa²; nan if MSE is 0.
+    """Ratio of the printed difference to the root of the printed MSE [MPa²]; nan if MSE is 0.
 
     >>> round(standardised(1), 1)
     11.6
@@ -46,7 +46,7 @@ def standardised(row: int) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Recomputed(PrintedClaim):
-    """A row's relative error from its printed pair, against the printed error `reference`."""
+    """Row that compares the error of two printed values with the printed error `reference`."""
 
     kind = Kind.IDENTITY
 
@@ -66,15 +66,15 @@ class Recomputed(PrintedClaim):
 
 
 def cut_off(_context: Context) -> tuple[float, float, str]:
-    """Excess of the last row's error over the interval that rounds to the printed error."""
+    """Excess of the error of the last row over the largest value that rounds to the printed one."""
     entry = published(f"huang2018:table2-row{CUT}-error")
     v = relative_error(CUT)
     rounds = (entry.value + half_last_digit(entry.printed)) / 100
-    return v - rounds, 0.0, f"{v:.4%} by the printed pair, printed {entry.printed}"
+    return v - rounds, 0.0, f"{v:.4%} from the printed values, printed {entry.printed}"
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Excess of the mean square of differences over SURE deviations of the mean MSE [Pa²]."""
+    """Mean square of the differences minus SURE² times the mean MSE [Pa²], uncertainty, text."""
     d = np.array([cell(k, "actual") - cell(k, "predicted") for k in ROWS if k != SAMPLE])
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
@@ -87,19 +87,20 @@ def too_small(_context: Context) -> tuple[float, float, str]:
 
 
 def is_a_sample(_context: Context) -> tuple[float, float, str]:
-    """Row 4 has MSE 0 and its difference is 0; the least of the other MSE [Pa²]."""
+    """Smallest MSE [Pa²] of the other rows, negative if row 4 has an error or an MSE; with text."""
     others = min(cell(k, "mse") for k in ROWS if k != SAMPLE)
     same = cell(SAMPLE, "mse") == 0 and relative_error(SAMPLE) == 0
     words = (
-        f"error and MSE are 0, else MSE is {others:g} at least: kriging interpolates its samples"
+        f"error and MSE are 0; in all other rows MSE is at least {others:g}: kriging interpolates "
+        "its sample points"
     )
     return (others if same else -others) * 1e12, 0.0, words
 
 
 def between(column: str) -> Margin:
-    """Margin [Pa] of a column's values inside the range of Eq. 19's crowns at 25 N m.
+    """Function that returns the margin [Pa] of a column's values to the ranges of Eq. 19.
 
-    Also the margin of all values below the lowest crown at 40 N m.
+    All values must lie inside the range at 25 N m and below the range at 40 N m.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -107,8 +108,9 @@ def between(column: str) -> Margin:
         its = np.array([cell(k, column) for k in ROWS]) * 1e6
         low, high, at_40 = p[:, AT[25]].min(), p[:, AT[25]].max(), p[:, AT[40]].min()
         words = (
-            f"{its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa of {low / 1e6:.0f} to "
-            f"{high / 1e6:.0f} MPa at 25 N m; at 40 N m the lowest is {at_40 / 1e6:.0f} MPa"
+            f"{its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa, within {low / 1e6:.0f} to "
+            f"{high / 1e6:.0f} MPa at 25 N m; the lowest pressure at 40 N m is "
+            f"{at_40 / 1e6:.0f} MPa"
         )
         return float(min(its.min() - low, high - its.max(), at_40 - its.max())), 0.0, words
 
@@ -123,7 +125,7 @@ MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
 
 def demanded(row: int) -> dict[str, Any]:
-    """Uncertainty by the digits of a row's printed error: U of rounding, and half a digit."""
+    """Required sensitivity if the printed digits of a row's error do not allow the default."""
     entry = published(f"huang2018:table2-row{row}-error")
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:
@@ -143,24 +145,24 @@ TABLE_2 = (
     Noted(name="Table 2: MSE is far too small for the differences", symbol="MSE", unit="MPa^2",
           erratum="huang2018:table-2-mse", margin=too_small,
           printed=tuple(f"huang2018:table2-row{k}-mse" for k in ROWS if k != SAMPLE)),
-    Noted(name="Table 2: row 4 is one of the points fitted", symbol="MSE", unit="MPa^2",
+    Noted(name="Table 2: row 4 is a sample point of kriging", symbol="MSE", unit="MPa^2",
           erratum="huang2018:table-2-row-4", margin=is_a_sample,
           printed=("huang2018:table2-row4-mse", "huang2018:table2-row4-error")),
     *(
-        OfPaper(name=f"Table 2: its {words} values are of 25 N m", symbol="p_max", unit="MPa",
-                margin=between(column), fitted=FITTED,
+        OfPaper(name=f"Table 2: {words} values lie in the range at 25 N m", symbol="p_max",
+                unit="MPa", margin=between(column), fitted=FITTED,
                 printed=tuple(f"huang2018:table2-row{k}-{column}" for k in ROWS))
         for column, words in (("actual", "actual"), ("predicted", "predictive"))
     ),
-    Beside(name="Table 2: median of the actual values, crowns at random", symbol="p_max",
+    Beside(name="Table 2: median of the actual values, against random crowns", symbol="p_max",
            unit="MPa", value=median_25, figure=MEDIAN, bound=MEAN_LEVEL,
-           words="its designs are not printed: 400 crowns at random within Eq. 19",
-           fitted=f"the wedge angle is fitted to Eq. 21's pressure; {FITTED}"),
+           words="its crowns are not printed; median of 400 random crowns within Eq. 19",
+           fitted=f"the wedge angle is fitted to the pressure of Eq. 21; {FITTED}"),
 )  # fmt: skip
 
 
 def table_2() -> Table:
-    """Table 2 with results derived from its numbers."""
+    """Table 2 with errors and standardised differences computed from its numbers."""
     rows = [
         (
             float(k), *(published(f"huang2018:table2-row{k}-{name}").printed
@@ -174,6 +176,7 @@ def table_2() -> Table:
         header=("Row", "Actual [MPa]", "Predicted [MPa]", "Error, printed [%]", "MSE, printed",
                 "Error over predicted [%]", "Difference over √MSE"),
         rows=tuple(rows),
-        note="The printed error is of the predicted value; the last does not round to it. If MSE "
-        "were the kriging variance in MPa², nearly all differences would exceed three deviations.",
+        note="The printed error is relative to the predicted value; the recomputed error of the "
+        "last row does not round to the printed one. If MSE were the kriging variance in MPa², "
+        "nearly all differences would exceed three standard deviations.",
     )  # fmt: skip

@@ -16,11 +16,11 @@ SURE = 1.05  # over the required friction
 
 
 class SpragEngagement(EngagementFormulas):
-    """A suddenly applied torque makes the races oscillate on the sprags.
+    """Oscillation of the races on the sprags after a torque is suddenly applied.
 
-    The paper's equations of motion in its Runge-Kutta steps are refined in time and compared with
-    LSODA with events, which shares only the closure, and with energy, statics and two races
-    on a spring.
+    The equations of motion of the paper are solved by its Runge-Kutta steps, with refined time
+    steps. The results are compared with LSODA with events, which has only the geometric closure in
+    common with them, and with an energy balance, statics and two races on a spring.
     """
 
     id = "sprag-engagement"
@@ -33,21 +33,26 @@ class SpragEngagement(EngagementFormulas):
         Scan(vary=("T=15N m,25N m,32N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
     )
     readings: ClassVar = (
-        "driving is positive and locks at α > 0: the mirror image of Eq. 11, with the sign of the "
-        "springs that closes (ledger: eq-11-14-spring-sign)",
-        "forces of the races act at OA and OB of Eq. 9, not at half of them (eq-16-lever-arms)",
-        "C_be is the moment of the support, −k_out θ_e (eq-16-outer-spring)",
-        "N_be = N_bi in Eqs. 14 and 16; a strut in balance has N_e = N_i cos ω/cos ν",
-        "the torque is a step on a clutch at rest under its springs",
+        "the driving direction is positive and the clutch locks at α > 0, the mirror image of "
+        "Eq. 11; the springs have the sign that closes the contacts (ledger: "
+        "eq-11-14-spring-sign)",
+        "the forces on the races act at OA and OB of Eq. 9, not at half of these radii (ledger: "
+        "eq-16-lever-arms)",
+        "C_be is the moment of the support, −k_out θ_e (ledger: eq-16-outer-spring)",
+        "N_be = N_bi in Eqs. 14 and 16; for a sprag loaded by two forces in equilibrium, "
+        "N_e = N_i cos ω/cos ν",
+        "the torque is a step; before it, the clutch is at rest under its springs",
     )
     assumptions: ClassVar = (
-        "length, width, wedge angle, support and the crown's load are identified, not printed; "
-        "friction, α_max and the centroid's place are assumed",
-        "N follows from the rotation as at rest, by the closure that balances work: the iteration "
-        "of the paper is explicit in N here",
-        "all sprags are equal; races rotate, but neither bend nor move; no oil",
-        "the centroid is at the distance OC_g(α): its radial motion is neglected, as in Eq. 14",
-        "a contact sticks within a band of speeds; the band follows from the time step",
+        "length, width, wedge angle, support and the design load of the crown are identified, not "
+        "printed; friction, α_max and the position of the centroid are assumed",
+        "N is the static function of the rotation, by the closure that satisfies the work balance; "
+        "the iteration of the paper is not necessary",
+        "all sprags are equal; the races rotate, but their axes do not move or bend; no oil",
+        "the centroid is at the distance OC_g(α) from the axis; its radial motion is neglected, as "
+        "in Eq. 14",
+        "a contact sticks within a band of sliding speeds; the width of the band follows from the "
+        "time step",
     )
 
     comparisons = compared.comparisons
@@ -56,65 +61,67 @@ class SpragEngagement(EngagementFormulas):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """The paper's steps, and LSODA with events."""
+        """Reference: Runge-Kutta steps of the paper, and LSODA with events."""
         from verify.cases.sprag.engagement.reference import solve
 
         return solve(self, level)
 
     def refusal(self) -> str:
-        """Too many steps, sprags that roll over or slide."""
+        """Reason why no engagement is computed: too many steps, rollover or slip; else empty."""
         if LEVELS[-1] * self.t_end / self.dt > MOST_STEPS:
             return (
-                f"t_end/dt = {self.t_end / self.dt:.4g} is above {MOST_STEPS // LEVELS[-1]} steps"
+                f"t_end/dt = {self.t_end / self.dt:.4g} exceeds the limit of "
+                f"{MOST_STEPS // LEVELS[-1]} time steps"
             )
         if self.rolls_over:
-            return "the sprags roll over: nothing is left to compare; check it without --fem"
+            return "the sprags roll over: nothing can be compared; check it without --fem"
         if "N_max more" not in self.numbers or self.number("over more"):
             return (
-                "under 1.6 T, to which it is compared, the sprags roll over; check it without --fem"
+                "the comparison also needs an engagement under 1.6 T, in which the sprags roll "
+                "over; check it without --fem"
             )
         start = self.number("start")
         if self.mu_s < start:
             return (
-                f"the sprags slide at the start, where rolling requires μ = {start:.3g}: the "
-                "formulas are those of rolling; see sprag-friction"
+                f"the sprags slip at the start, because rolling requires μ = {start:.3g}; the "
+                "formulas assume rolling; see case sprag-friction"
             )
         if self.mu_s < SURE * self.mu_asked:
             return (
-                f"mu_s = {self.mu_s:g} is not above tan ν = {self.mu_asked:.4g} by {SURE - 1:.0%}: "
-                "the sprags slip, or nearly so; see sprag-friction"
+                f"mu_s = {self.mu_s:g} must exceed tan ν = {self.mu_asked:.4g} by "
+                f"{SURE - 1:.0%}: the sprags slip or almost slip; see case sprag-friction"
             )
         return ""
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the sprags leave their profile, slide at the start or slip."""
+        """Warnings if the sprags roll beyond their profile, slip at the start, or slip under T."""
         start = self.number("start")
         if self.rolls_over:
-            yield (f"the profile ends at α_max = {self.alpha_max:.4g} rad before the first swing")
+            yield (f"the profile ends at {self.alpha_max:.4g} rad, within the first oscillation")
         if start > self.mu_s > self.mu_asked:
             yield (
-                f"the springs press so little that the sprags slide at the start (μ = {start:.3g} "
-                f"is required{', above μ_c' if self.mu_c < self.mu_asked else ''}): the "
-                "forces here are those of rolling; see sprag-friction"
+                f"the springs are so weak that the sprags slip at the start (required: μ = "
+                f"{start:.3g}{', and μ_c is below tan ν' if self.mu_c < self.mu_asked else ''}); "
+                "the forces here assume rolling; see case sprag-friction"
             )
         if self.mu_s < self.mu_asked:
             yield (
                 f"friction μ_s = {self.mu_s:g} is below tan ν = {self.mu_asked:.4g}: the sprags "
-                "slip, the forces here are those of rolling"
+                "slip; the forces here assume rolling"
             )
 
     def advice(self) -> Iterator[str]:
         """Whether the clutch locks, and the effect of rigid races."""
         if self.rolls_over:
-            yield "rolls over: the sprags rotate past their profile"
+            yield "rolls over: the sprags rotate beyond their profile"
         elif self.mu_s < self.mu_asked:
             yield "slips: the friction coefficient is below the required one, tan ν"
         else:
             yield (
-                f"locks: N swings to {self.N_max:.4g} N, {self.factor:.3g} times that at rest, "
-                f"after {self.t_max * 1e3:.3g} ms"
+                f"locks: the largest normal force is {self.N_max:.4g} N, {self.factor:.3g} times "
+                f"that at rest, after {self.t_max * 1e3:.3g} ms"
             )
-            yield f"with rigid races (Liu) {self.number('rigid') - 1:+.1%}"
+            yield f"effect of rigid races (Liu) on this force: {self.number('rigid') - 1:+.1%}"
 
 
 ENGAGEMENT = adapted(SpragEngagement)

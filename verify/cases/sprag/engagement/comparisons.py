@@ -1,4 +1,4 @@
-"""Rows of an engagement: steps against LSODA, energy, limits, and conclusions."""
+"""Rows of an engagement: Runge-Kutta steps against LSODA, energies, simple models, statements."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -20,19 +20,19 @@ from verify.judging.checks import Accepted, Approximation, Fact, Identity
 from verify.judging.convergence import fit_order
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
-BY = "Runge-Kutta steps, compiled"
-CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
+BY = "Runge-Kutta steps"
+CLOSURE = "closure of Eqs. 9 and 10, static normal force"
 LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted
 ROLLED = 1e-4  # relative to the work, with cubics of the deflections
 LOADS = 13  # number of loads at which the contacts' pressures are compared
 NEAR = 0.5  # tolerance of the order, which is then closest to 4
 FITTED = "length, width, wedge angle and support are identified, not printed"
-UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Partnered(Identity):
-    """The steps against LSODA, whose values are stored with the finest level."""
+    """Row on Runge-Kutta steps against LSODA, whose values are stored with the finest level."""
 
     by: str = BY
 
@@ -42,7 +42,7 @@ class Partnered(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class AtPeak(Approximation):
-    """Work of the forces on the deflections, at the peak force of the steps, against input work."""
+    """Row on the work of the forces on the deflections, up to the peak, against the input work."""
 
     def rows(self, context: Context) -> list[Row]:
         N = context.fem[-1].values["N_1 strut"]
@@ -51,13 +51,13 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Work by rolling against work by deflections; only the closure is common to both."""
+    """Ratio of work by rolling to work on the deflections, and 1; both use the same closure."""
     turning = context.inputs.number("by turning")
-    return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
+    return Pair(turning, 1.0, 0.0, f"relative difference of the work {turning - 1:+.1e}")
 
 
 def bounds(q: EngagementFormulas) -> Bounds:
-    """The intervals of the rows, read when these are judged."""
+    """Intervals of the expected errors of the rows."""
     return Bounds(
         unequal=q.number("unequal"), passed_on=q.number("passed on"), inertia=q.number("inertia"),
         left_out=q.number("left out"), turns=bool(q.w_i),
@@ -71,29 +71,32 @@ def expected(
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """N(t) of the steps against LSODA over the whole engagement."""
+    """Largest difference of N(t) from LSODA relative to N_max, uncertainty, text."""
     last = context.fem[-1]
     d = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
     worst = float(np.abs(d).max() / last.values["N_max"])
     squares = (np.trapezoid(x**2, last.arrays["LSODA t"]) for x in (d, last.arrays["LSODA N"]))
     mean = float(np.sqrt(np.divide(*squares)))
-    return worst, 0.0, f"off by {worst:.1e} of N_max at most, {mean:.1e} in L2"
+    return worst, 0.0, f"largest difference {worst:.1e} of N_max, {mean:.1e} in the L2 norm"
 
 
 def halving(context: Context) -> Pair:
-    """Effect of half the time step."""
+    """Largest forces [N] with the given and with half the time step."""
     whole, half = (r.values["N_max"] for r in context.fem[:2])
     return Pair(whole, half, 0.0, f"N_max changes by {abs(half / whole - 1):.1e}")
 
 
 def order(context: Context) -> tuple[float, float, str]:
-    """Margin of the order of N(t) about 4; cubics of the table have a discontinuous curvature."""
+    """Margin of the convergence order of N(t) about 4, uncertainty, text.
+
+    The cubics of the force table have a discontinuous curvature, which changes the order.
+    """
     fit = fit_order(list(ORDER), context.fem[-1].arrays["order"].tolist())
     return NEAR - abs(fit.order - 4), 2 * fit.u, f"order {fit.order:.2f}, theory 4"
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
-    """Effect of the paper's crowns on the largest force."""
+    """Margin of the effect of the paper's crowns on the largest force below CROWN, with text."""
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
     words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
@@ -101,52 +104,52 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """Effect of the centroid's position, which is not printed, on the largest force."""
+    """Margin of the effect of the centroid's position on the largest force below CENTROID."""
     v = context.fem[-1]
     worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
-    return CENTROID - worst, 0.0, f"at the pole or beside it: {worst:.1e} of N_max"
+    return CENTROID - worst, 0.0, f"N_max changes by {worst:.1e} with two other centroids"
 
 
 def balanced(context: Context) -> Pair:
-    """First peak without damping against energy, with N_e/N_i of a strut."""
+    """First peak [N] without damping by energy and by steps, with N_e/N_i by statics."""
     v, last = context.analytic, context.fem[-1]
     N_max, free = last.arrays["balanced"]
     off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
-    words = f"off by {off:+.1e}; N_max changes by {change:+.1e} with it"
+    words = f"difference {off:+.1e}; this ratio N_e/N_i changes N_max by {change:+.1e}"
     return Pair(v["N_undamped"], float(free), 0.0, words)
 
 
 def sliced(context: Context) -> Pair:
-    """Change by twice as many slices."""
+    """Largest forces [N] with half of the slices and with all slices."""
     half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
     change = abs(whole / half - 1)
-    words = f"N_max changes by {change:.1e} from half of the slices on"
+    words = f"N_max changes by {change:.1e} from half of the slices to all slices"
     return Pair(half, whole, 0.0, words)
 
 
 def liu(context: Context) -> tuple[float, float, str]:
-    """Increase of the force with races that do not deflect as rings."""
+    """Relative increase of the largest force with rigid races, uncertainty, text."""
     q, v, w = context.inputs, context.fem[-1].values, wedge(context.inputs)
     now = w.states.yields
     share = float((now.race_i + now.race_e)[-1] / now.H[-1])
     stiff = wedge(q, rigid=True)
     free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
     words = (
-        f"{v['rigid'] - 1:+.1%}, of which {free:+.1%} without damping, the rest by its shorter "
-        f"time; the races have {share:.0%} of the deflection"
+        f"{v['rigid'] - 1:+.1%}; without damping {free:+.1%}, the rest because the shorter "
+        f"oscillation is damped less; the races account for {share:.0%} of the deflection"
     )
     return v["rigid"] - 1, LSODA, words
 
 
 def first(context: Context) -> tuple[float, float, str]:
-    """First peak over the highest later one."""
+    """Margin of the highest later peak below the first peak, relative to it, uncertainty, text."""
     v = context.fem[-1].values
     share = v["later peak"] / v["first peak"]
-    return 1 - share, LSODA, f"the highest later one is {share:.3f} of it"
+    return 1 - share, LSODA, f"the highest later peak is {share:.3f} of the first"
 
 
 def inner(context: Context) -> tuple[float, float]:
-    """Least ratio of the inner contact's largest pressure to the outer's, minus one."""
+    """Smallest ratio of inner to outer largest pressure over the force, minus 1; uncertainty."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
     both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]
@@ -155,22 +158,22 @@ def inner(context: Context) -> tuple[float, float]:
 
 
 def rolling(context: Context) -> Pair:
-    """Contacts that always roll against contacts that may slide."""
+    """Largest forces [N] with contacts that always roll and with contacts that may slip."""
     last = context.fem[-1]
     always = float(last.arrays["rolling"][0])
     off = last.values["N_max"] / always - 1
-    words = f"N_max off by {off:.1e}; {last.values['slides']:.1%} of the time a contact slides"
+    words = f"difference of N_max {off:.1e}; slip during {last.values['slides']:.1%} of the time"
     return Pair(always, last.values["N_max"], 0.0, words)
 
 
 def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
     return Partnered(name=f"{name}: steps and LSODA", symbol=symbol, unit=unit, fem=key,
                      analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
-                     demand=LSODA, demand_reason="acceptance of the subject", **more)  # fmt: skip
+                     demand=LSODA, demand_reason="tolerance of the subject", **more)  # fmt: skip
 
 
 def comparisons(q: EngagementFormulas) -> Iterator[Comparison | Check]:
-    """All rows, in the order of the page."""
+    """All rows of the case, in the order of the page."""
     yield from _partners()
     yield from _energies(q)
     yield from _models(q)
@@ -188,36 +191,37 @@ def _partners() -> Iterator[Check]:
                     size=along, accepted=LSODA, source=SUBJECT, whole="N_max", by=BY)  # fmt: skip
     yield Agreement(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max",
                     unit="N", pair=halving, accepted=HALVING, source=SUBJECT,
-                    by=f"{BY}, half as long")  # fmt: skip
+                    by=f"{BY}, half the step")  # fmt: skip
     yield Accepted(name=f"order of N(t) in the time step: 4 within {NEAR:g}", symbol="p", unit="1",
                    margin=order, printed=("huang2018:runge-kutta-order",))  # fmt: skip
 
 
 def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     cubics: dict[str, Any] = {"of": {"work": q.number("work")}, "bound": ENERGY,
-                              "because": "cubics of the table"}  # fmt: skip
+                              "because": "cubics of the force table"}  # fmt: skip
     yield balance("missing", "balance of energies, including damping and friction", "ΔE", "J",
                   **cubics)  # fmt: skip
     yield balance("missing undamped", "balance of energies without damping", "ΔE", "J", **cubics)
     yield approximation(
-        Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; work passes it on"),
+        Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; effect on the work"),
         order=4, by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
     )  # fmt: skip
-    name = f"first peak without damping with N_e/N_i of a strut, within {HALVING:.2%}"
+    name = f"first peak without damping with N_e/N_i by statics, within {HALVING:.2%}"
     strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
-                      source=suites("as half the time step"), by=BY)  # fmt: skip
+                      source=suites("same as for half the time step"), by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(
-        name="work up to that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
+        name="work up to the first peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
         fem="W_1 strut", analytic="stored", formal=2, by=BY,
         interval=lambda *_: bounds(q).radially(),
-        demand=1e-3, demand_reason="errors of a closure without work balance are far larger",
-        source="the centroid's radial motion, neglected by Eq. 14; cubics of the table",
+        demand=1e-3, demand_reason="closures that violate the work balance have far larger errors",
+        source="radial motion of the centroid, neglected by Eq. 14; cubics of the force table",
     )  # fmt: skip
     yield Comparison(check=work, quantity=Of.W_1, shares=CLOSURE)
     turning = Agreement(
-        name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
-        unit="1", pair=conjugate, accepted=ROLLED, source=suites("cubics through the states"),
+        name=f"work ∫T dθ by rolling and n_s ∫(N dH_i + N_e dH_e) agree within {ROLLED:.2%}",
+        symbol="W", unit="1", pair=conjugate, accepted=ROLLED,
+        source=suites("cubics through the states"),
         by="work on the deflections", fem_needed=False,
     )  # fmt: skip
     yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)
@@ -228,18 +232,19 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
     yield approximation(Of.N, expected=expected(q, Bounds.statics, UNEQUAL), order=4,
                         name="force at rest after a slow rise", **more)  # fmt: skip
     yield approximation(
-        Of.f, expected=expected(q, lambda b: b.either_way(1), f"{UNEQUAL}; a root of slopes of T"),
+        Of.f,
+        expected=expected(q, lambda b: b.either_way(1), f"{UNEQUAL}; effect on root of dT/dθ"),
         order=2, name="frequency of small oscillations, √(k/I)", **more,
     )  # fmt: skip
     yield approximation(
-        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; sprags without mass"), order=4,
+        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; massless sprags"), order=4,
         name="largest force, two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
         Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}, at both torques"), order=4,
-        name="ratio under 1.6 T and T, two races on a spring", **more,
+        name="ratio of largest forces, 1.6 T to T, two races on a spring", **more,
     )  # fmt: skip
-    asked = f"{UNEQUAL}; either contact's share"
+    asked = f"{UNEQUAL}; effect on either contact"
     yield approximation(
         Of.mu_asked, "asked", expected=expected(q, lambda b: b.either_way(2), asked), order=4,
         name="required friction coefficient of rolling, tan ν", symbol="μ", **more,
@@ -248,19 +253,19 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
 
 def _findings() -> Iterator[Check]:
     force: dict[str, Any] = {"symbol": "N_max", "unit": "1", "fitted": FITTED}
-    yield Agreement(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
+    yield Agreement(name=f"N_max of rolling contacts (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
                     unit="N", pair=rolling, accepted=LSODA,
-                    source=suites("as the steps beside LSODA"),
-                    by=f"{BY}, contacts that may slide")  # fmt: skip
+                    source=suites("same as for steps and LSODA"),
+                    by=f"{BY}, contacts may slip")  # fmt: skip
     yield Accepted(name="rigid races (Liu) make the force larger", margin=liu, **force)
     yield Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
                    fitted=FITTED)  # fmt: skip
-    yield Fact(name="inner contact's pressure above the outer's, at any force", symbol="p_i/p_o",
-               unit="1", margin=inner, fem_needed=False)  # fmt: skip
+    yield Fact(name="pressure at the inner contact exceeds that at the outer, at any force",
+               symbol="p_i/p_o", unit="1", margin=inner, fem_needed=False)  # fmt: skip
     yield Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", margin=crowns, **force)
-    yield Agreement(name=f"slices: N_max within {SLICES:.1%} of that with half of them",
+    yield Agreement(name=f"half the number of slices: N_max within {SLICES:.1%}",
                     symbol="N_max", unit="N", pair=sliced, accepted=SLICES,
-                    source=suites("a fifth of the required sensitivity, 1 %"),
+                    source=suites("one fifth of the required sensitivity, 1 %"),
                     by="all slices")  # fmt: skip
-    yield Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max",
+    yield Accepted(name=f"position of the centroid changes N_max by {CENTROID:.1%} at most",
                    margin=centroids, **force)  # fmt: skip

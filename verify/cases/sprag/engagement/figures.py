@@ -19,16 +19,16 @@ from verify.form.sketches import arrow, shape, text
 ms, kN, mm = 1e-3, 1e3, 1e-3
 FEW = 45  # dots of a curve
 ENERGIES = {
-    "elastic": "contacts, races and sprags", "kinetic": "in motion", "damping": "damped",
+    "elastic": "contacts, races and sprags", "kinetic": "kinetic energy", "damping": "damping",
     "support": "support", "friction": "friction",
 }  # fmt: skip
 
 
 def motion() -> Iterator[Equation]:
-    """The equations of motion, which the steps solve."""
+    """Equations of motion, which the Runge-Kutta steps solve."""
     yield Equation(
         tex=r"I_{bi}\ddot\theta_i = T - n_s OA\,T_i - C_{rl}(\dot\theta_i - \dot\theta_e)",
-        place="Eq. 16, its lever arms corrected",
+        place="Eq. 16, lever arms corrected",
     )  # fmt: skip
     yield Equation(
         tex=r"I_{be}\ddot\theta_e = n_s OB\,T_e - k_{out}\theta_e "
@@ -40,12 +40,12 @@ def motion() -> Iterator[Equation]:
     )  # fmt: skip
     yield Equation(
         tex=r"I_g(\ddot\alpha - \ddot\varphi) = b_i T_i + b_e T_e - (h_i - h_e) N "
-        r"+ K_r(\alpha_{max} - \alpha)", place="Eq. 14, the springs' sign corrected",
+        r"+ K_r(\alpha_{max} - \alpha)", place="Eq. 14, sign of the springs corrected",
     )  # fmt: skip
 
 
 def sketch(_q: EngagementInputs) -> Sketch:
-    """Two races, the sprags as a spring and a damper between them, the support."""
+    """Sketch of two races, with the sprags as a spring and a damper, and of the support."""
     turn = np.linspace(0, 2 * math.pi, 61)
 
     def disc(x: float) -> Array:
@@ -73,8 +73,8 @@ def sketch(_q: EngagementInputs) -> Sketch:
         text((4.1, 0.4), "k_out"),
     )  # fmt: skip
     return sketches.sketch(
-        "both races, between them the sprags, whose force grows with the wind-up, "
-        "and the support of the outer race",
+        "model of the engagement: two races, the sprags between them as a spring and a damper, "
+        "and the support of the outer race. The force of the sprags grows with the wind-up",
         shapes,
     )  # fmt: skip
 
@@ -90,7 +90,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def forces(context: Context) -> Figure:
-    """Fig. 8: N(t) of all models."""
+    """Figure of N(t) by all models (Fig. 8)."""
     q, last = context.inputs, context.fem[-1].arrays
     every = max(len(last["LSODA t"]) // FEW, 1)
     races = swing(q)
@@ -99,16 +99,16 @@ def forces(context: Context) -> Figure:
         line("Runge-Kutta steps, Eqs. 11-16", last["t"] / ms, last["N"] / kN),
         dots("LSODA, contacts that always roll", last["LSODA t"][::every] / ms,
              last["LSODA N"][::every] / kN),
-        dashes("at rest, of a strut with springs", races.t / ms, context.analytic["N"] / kN, 2),
-        dashes("without damping, outer race held", last["undamped t"] / ms, last["undamped N"] / kN,
-               3),
+        dashes("at rest, with springs", races.t / ms, context.analytic["N"] / kN, 2),
+        dashes("without damping, outer race fixed", last["undamped t"] / ms,
+               last["undamped N"] / kN, 3),
         dashes("rigid races (Liu)", last["rigid t"] / ms, last["rigid N"] / kN, 1),
         note="The LS/DYNA results of the paper are not available.",
     )  # fmt: skip
 
 
 def apart(context: Context) -> Figure:
-    """Difference of the models over the engagement."""
+    """Figure of the differences between the models over time."""
     q, last = context.inputs, context.fem[-1]
     top, races = last.values["N_max"], swing(q)
     t = last.arrays["t"]
@@ -123,12 +123,12 @@ def apart(context: Context) -> Figure:
         "Difference between the steps and other models", "t [ms]", "lg(|ΔN|/N_max)",
         line("from LSODA with events", last.arrays["LSODA t"] / ms, share(lsoda)),
         line("from two races on a spring", t / ms, share(spring), 1), y_bottom=-10.0, y_top=0.0,
-        note="Two races on a spring have N_e/N_i of a strut and sprags without mass.",
+        note="The model of two races on a spring uses N_e/N_i by statics and massless sprags.",
     )  # fmt: skip
 
 
 def energies(context: Context) -> Figure:
-    """Energies into which the work is converted, stacked."""
+    """Figure of the energies into which the work is converted, stacked."""
     last = context.fem[-1].arrays
     t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
     for colour, (key, words) in enumerate(ENERGIES.items()):
@@ -136,9 +136,9 @@ def energies(context: Context) -> Figure:
         curves.append(line(f"+ {words}" if colour else words, t, below, colour))
     put_in = last["torque"] + last["blades"]
     every = max(len(t) // FEW, 1)
-    curves.append(dots("put in by torque and springs", t[::every], put_in[::every], 5))
+    curves.append(dots("work of torque and springs", t[::every], put_in[::every], 5))
     return plot("Energies, stacked", "t [ms]", "E [J]", curves,
-                note="The crosses are on the uppermost line: energy is balanced.")  # fmt: skip
+                note="The crosses lie on the uppermost line: the energies balance.")  # fmt: skip
 
 
 def turns(context: Context) -> Figure:
@@ -158,21 +158,21 @@ def turns(context: Context) -> Figure:
 
 def refined(context: Context) -> Figure:
     return Refinement(
-        title="Error of N(t) over the time step", x_label="steps in 10 µs",
+        title="Error of N(t) over the time step", x_label="steps per 10 µs",
         y_label="largest |ΔN|/N_max", cells=1 / np.array(ORDER),
         errors=(("N(t)", context.fem[-1].arrays["order"]),), order=4,
-        note="Against steps of 1/16.",
+        note="The reference has steps of 1/16 of the given time step.",
     )  # fmt: skip
 
 
 def crowns(context: Context) -> Figure:
     none, *found = context.fem[-1].arrays["crowns"]
     return Bars(
-        title="Largest force by crown", label="N_max over that without crown "
-        "− 1 [%]",
+        title="Largest force by crown", label="increase of N_max by the "
+        "crown [%]",
         items=tuple(
             (f"({K_1:.3g}, {K_2:.3g}, {z_m / mm:.3g} mm)", 100 * (N / none - 1), f"{N:.0f} N")
             for (K_1, K_2, z_m), N in zip(DESIGNS, found, strict=True)
         ),
-        note=f"(K_1, K_2, z_m); without a crown {none:.0f} N.",
+        note=f"Crowns are denoted by (K_1, K_2, z_m). N_max without a crown is {none:.0f} N.",
     )  # fmt: skip

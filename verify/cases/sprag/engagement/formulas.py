@@ -1,8 +1,8 @@
-"""Values of an engagement's formulas: statics, energy, small oscillation, two races on a spring.
+"""Formulas of an engagement: statics, energy, small oscillations, two races on a spring.
 
-Rolling contacts couple the sprags' motion to the relative rotation theta of the races. Without
-the mass of the sprags the clutch is a spring T(theta), N(theta), whose statics balance work, and
-the two races oscillate on it.
+Rolling contacts couple the motion of the sprags to the relative rotation theta of the races. With
+massless sprags, the clutch is a spring T(theta) with the normal force N(theta). Its statics satisfy
+the work balance. The two races oscillate on this spring.
 """
 
 import math
@@ -32,13 +32,13 @@ MORE = 1.6  # torque of the second engagement: 40 N m for the paper's 25
 
 @lru_cache(maxsize=64)
 def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
-    """Two races on the clutch as a spring; `rigid` races are Liu's."""
+    """Oscillation of two races on the clutch as a spring; with rigid races (Liu) if `rigid`."""
     driven = Driven(T=q.T, t_ramp=q.t_ramp, w_i=q.w_i, t_end=q.t_end)
     return swinging.swing(wedge(q, rigid=rigid), driven, motion(q))
 
 
 def analytic(q: EngagementInputs) -> Mapping[str, float]:
-    """Values in SI units; values without a solution are omitted."""
+    """Values of all formulas in SI units by name; values without a solution are omitted."""
     w = wedge(q)
     first, found, force = w.states, swing(q), w.force()
     rest, peak = at_rest(w, q.T), undamped(w, q.T)
@@ -63,5 +63,5 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
 
 
 def with_torque(q: EngagementInputs, factor: float = MORE) -> EngagementInputs:
-    """The clutch under `factor` times the torque, with unchanged crown."""
+    """Inputs of the clutch under `factor` times the torque, with unchanged crown."""
     return q.model_copy(update={"T": factor * q.T, "Q": crowned_for(q)})

@@ -1,6 +1,6 @@
-"""A sprag clutch of the inputs for an engagement: its contacts, its spring, its moving parts.
+"""Model of a sprag clutch for an engagement: contacts, spring, moving parts.
 
-These are formulas only; no compiled code.
+This module contains formulas only, no compiled code.
 """
 
 import math
@@ -26,7 +26,7 @@ HEADROOM = 2.5  # over the static load: a sudden load reaches nearly twice the s
 
 
 def parts(q: SpragInputs) -> SpragClutchParts:
-    """Dimensions and material."""
+    """Dimensions and material of the clutch."""
     return SpragClutchParts(
         sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu,
         rho=q.density, omega=q.n,
@@ -34,12 +34,12 @@ def parts(q: SpragInputs) -> SpragClutchParts:
 
 
 def crowned_for(q: SpragInputs) -> float:
-    """Load [N] that the crown is made for: Q, or the static load without deflections."""
+    """Design load [N] of the crown: Q, or the static load without deflections."""
     return q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
 
 
 def gap(q: SpragInputs) -> Array:
-    """Drop [m] of the crown at the slices' centres, (slices,)."""
+    """Drop [m] of the crown at the centres of the slices, shape (slices,)."""
     y = crown.slice_centres(length=q.l, slices=q.slices)
     if q.z_m == 0:
         return np.zeros_like(y)
@@ -50,23 +50,23 @@ def gap(q: SpragInputs) -> Array:
 
 
 def in_slices(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> SlicedContact:
-    """A contact of relative radius R [m] with the drop `gap` [m] at its slices, under N [N]."""
+    """Contact by slices with the relative radius R [m] and the drop `gap` [m], under N [N]."""
     return slices.press_slices(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
 def in_strips(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> Strips:
-    """The same in strips on a half-space, `gap` at their centres."""
+    """Contact by strips on a half-space, with the drop `gap` [m] at their centres, under N [N]."""
     return strips.press_strips(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
 @lru_cache(maxsize=LAWS)
 def _law(gap: tuple[float, ...], **contact: Any) -> Law:
-    """`sliced_law`, once for all torques and motions of a clutch."""
+    """Law of a contact by `sliced_law`, computed once for all torques and motions of a clutch."""
     return sliced_law(gap, **contact)
 
 
 def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> SpragClutch:
-    """The clutch with contacts in slices, solved at some loads up to N_end [N]."""
+    """The clutch with contacts by slices, solved at `loads` loads up to N_end [N]."""
     whole, drop = parts(q), tuple(gap(q).tolist())
     E_star = float(whole.E_star)
     inner, outer = (
@@ -80,9 +80,9 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> SpragClutch:
 
 @lru_cache(maxsize=CACHE_SIZE)
 def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
-    """The clutch up to the largest state of an engagement, or the end of the profile.
+    """The clutch as a spring, up to the largest force of an engagement or the end of the profile.
 
-    `rigid` races are Liu's.
+    The races are rigid (Liu) if `rigid`.
     """
 
     def made(N: float) -> SpragClutch:
@@ -96,7 +96,7 @@ def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
 
 
 def motion(q: EngagementInputs) -> Motion:
-    """Inertias, springs, damping, friction."""
+    """Inertias, springs, damping and friction of the clutch."""
     return Motion(
         m_g=q.m_g, I_g=q.I_g, I_bi=q.I_bi, I_be=q.I_be, K_r=q.K_r, alpha_max=q.alpha_max,
         C_rl=q.C_rl, k_out=q.k_out, mu_s=q.mu_s, mu_c=q.mu_c, gamma_b=q.gamma_b,

@@ -1,4 +1,4 @@
-"""Pressures of an engagement over time and along the sprag, as figures."""
+"""Figures of the pressures of an engagement, over time and along the sprag."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ ms, MPa, mm = 1e-3, 1e6, 1e-3
 
 
 def pressures(context: Context) -> Sequence[Figure]:
-    """Figures of each drawn design: some moments, and p(y, t) on both races."""
+    """Figures of each drawn crown: pressures at three instants, and p(y, t) on both races."""
     found: list[Figure] = []
     last = context.fem[-1].arrays
     planes = {
@@ -31,7 +31,7 @@ def pressures(context: Context) -> Sequence[Figure]:
             over_time(
                 last["drawn t"], planes[name, race], q, top,
                 title=f"Pressure on the {race} race{_part(name)}",
-                note=f"(K_1, K_2, z_m) = {_crown(q)}. All these figures have one range of colours.",
+                note=f"(K_1, K_2, z_m) = {_crown(q)}. All these figures have one colour scale.",
             ) for race, _ in radii(q)
         ]  # fmt: skip
     return found
@@ -40,7 +40,7 @@ def pressures(context: Context) -> Sequence[Figure]:
 def over_time(
     t: Array, p: Array, q: EngagementInputs, top: float, *, title: str, note: str
 ) -> Density:
-    """Pressures p [Pa], (times, slices), over the times t [s], in colours from 0 to `top` [Pa]."""
+    """Figure of the pressures p [Pa], (times, slices), over t [s], coloured from 0 to `top`."""
     return Density(
         title=title, x_label="t [ms]", y_label="y [mm]", z_label="p [MPa]", x=t / ms,
         y=centres(q) / mm, z=p.T / MPa, range=(0.0, top / MPa), note=note,
@@ -53,13 +53,13 @@ def centres(q: EngagementInputs) -> Array:
 
 
 def radii(q: EngagementInputs) -> tuple[tuple[str, Array], ...]:
-    """Both races and the relative radii [m] of their contacts."""
+    """Names of both races and relative radii [m] of their contacts."""
     whole = parts(q)
     return ("inner", whole.R_contact_i), ("outer", whole.R_contact_e)
 
 
 def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
-    """Pressure along the sprag on both races at the start, at the first peak and at the trough."""
+    """Figure of the pressure along the sprag at the start, at the first peak and at the trough."""
     top = int(np.argmax(N[: len(N) // 2]))
     trough = top + int(np.argmin(N[top : top + max(len(N) // 4, 2)]))
     loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])
@@ -67,13 +67,13 @@ def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
     for (race, R), style in zip(radii(q), ("line", "dashes"), strict=True):
         p = in_slices(q, gap(q), float(R), loads).peak_pressure
         for colour, (words, one) in enumerate(
-            zip(("a 50th of the peak", "first peak", "first trough"), p, strict=True)
+            zip(("2 % of the peak force", "first peak", "first trough"), p, strict=True)
         ):
             curves.append(curve(f"{words}, {race}", centres(q) / mm, one / MPa, style, colour))
     return plot(
-        f"Pressure at some moments{_part(name)}", "y [mm]", "p [MPa]", curves,
-        note=f"{q.slices} slices, (K_1, K_2, z_m) = {_crown(q)}. At first the straight middle "
-        "is loaded; according to the paper the ends are.",
+        f"Pressure at three instants{_part(name)}", "y [mm]", "p [MPa]", curves,
+        note=f"{q.slices} slices, (K_1, K_2, z_m) = {_crown(q)}. Under a small force the "
+        "straight middle is loaded; according to the paper, the ends are loaded first.",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Quantities of an engagement: the numbers of `formulas` with symbol, unit and source."""
+"""Quantities of an engagement: the values of `formulas` with symbol, unit and source."""
 
 import math
 from collections.abc import Mapping
@@ -14,53 +14,56 @@ SPRING = "two races on the clutch as a spring"
 
 
 class EngagementFormulas(EngagementInputs, Case):
-    """Statics, energy, small oscillation and two races on a spring; nan without a solution."""
+    """Quantities of an engagement; a quantity without a solution is nan.
+
+    They follow from statics, energy, small oscillations and two races on a spring.
+    """
 
     @shared
     def numbers(self) -> Mapping[str, float]:
-        """All numbers of the formulas, but for those that the part does not have."""
+        """Values of all formulas by name; values without a solution are omitted."""
         return analytic(self)
 
     def number(self, name: str) -> float:
-        """A value by name; nan if the part does not have it."""
+        """Value of the formula `name`; nan if it has no solution."""
         return self.numbers.get(name, math.nan)
 
     @shared
     def wedge(self) -> RaceSpring:
-        """The clutch at all turns of its races."""
+        """The clutch as a spring over the wind-up of its races."""
         return wedge(self)
 
     @property
     def rolls_over(self) -> bool:
-        """Whether the profile ends before the swing does."""
+        """Whether the sprags rotate beyond their profile during the first oscillation."""
         return not math.isfinite(self.N_undamped) or bool(self.number("over"))
 
     @Quantity("N_max", "N", f"largest normal force: {SPRING}", source=SPRING, safe="too high")
     def N_max(self) -> float:
         return self.number("N_max")
 
-    @Quantity("t_max", "ms", "its time", source=SPRING, role="step")
+    @Quantity("t_max", "ms", "time of the largest normal force", source=SPRING, role="step")
     def t_max(self) -> float:
         return self.number("t_max")
 
-    @Quantity("N_max/N", "1", "over N, that at rest with springs", role="step",
+    @Quantity("N_max/N", "1", "ratio of largest normal force to that at rest", role="step",
               tex=r"\frac{N_{max}}{N}")  # fmt: skip
     def factor(self) -> float:
         return self.number("factor")
 
-    @Quantity("N", "N", "normal force at rest, of a strut with springs", equation="10")
+    @Quantity("N", "N", "normal force at rest, with springs", equation="10")
     def N(self) -> float:
         return self.number("N")
 
-    @Quantity("N_1", "N", "first peak without damping, outer race held", safe="too high",
-              source="first peak without damping, outer race held",
+    @Quantity("N_1", "N", "first peak without damping, outer race fixed", safe="too high",
+              source="first peak without damping, outer race fixed",
               tex=r"N(\theta_1), \quad T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,"
               r"\mathrm{d}\theta")  # fmt: skip
     def N_undamped(self) -> float:
         return self.number("N_undamped")
 
-    @Quantity("W_1", "J", "work of the forces on all deflections, up to that peak",
-              source="work balances",
+    @Quantity("W_1", "J", "work of the forces on all deflections up to N_1",
+              source="work balance",
               tex=r"n_s \int (N\,\mathrm{d}H_i + N_e\,\mathrm{d}H_e)")  # fmt: skip
     def W_1(self) -> float:
         return stored(self.wedge, self.N_undamped)
@@ -74,7 +77,7 @@ class EngagementFormulas(EngagementInputs, Case):
     def N_max_more(self) -> float:
         return self.number("N_max more")
 
-    @Quantity("r", "1", "N_max under 1.6 T over that under T", source=SPRING,
+    @Quantity("r", "1", "ratio of N_max under 1.6 T to N_max under T", source=SPRING,
               tex=r"\frac{N_m}{N_{max}}")  # fmt: skip
     def ratio(self) -> float:
         return self.number("ratio")
@@ -89,8 +92,8 @@ class EngagementFormulas(EngagementInputs, Case):
     def mu_asked(self) -> float:
         return self.number("mu_asked")
 
-    @Quantity("f", "Hz", "small oscillations, outer race held",
-              source="about rest, the sprags' inertia added",
+    @Quantity("f", "Hz", "frequency of small oscillations, outer race fixed",
+              source="linearised at rest, with the inertia of the sprags",
               tex=r"\frac{1}{2 \pi} \sqrt{\frac{k}{I_{bi} + I_s}}")  # fmt: skip
     def f(self) -> float:
         return self.number("f")
@@ -99,7 +102,7 @@ class EngagementFormulas(EngagementInputs, Case):
     def k(self) -> float:
         return self.number("k")
 
-    @Quantity("I_s", "kg m^2", "inertia of the sprags about the inner race's rotation", role="step")
+    @Quantity("I_s", "kg m^2", "inertia of the sprags, reduced to the inner race", role="step")
     def I_s(self) -> float:
         return self.number("inertia") * self.I_bi
 

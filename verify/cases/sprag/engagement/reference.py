@@ -1,4 +1,4 @@
-"""The compiled Runge-Kutta steps of an engagement, refined like a mesh, and their LSODA partner.
+"""Runge-Kutta steps of an engagement with refined time steps, and LSODA for comparison.
 
 A level halves the time step of the inputs. Compiled code is imported inside functions.
 """
@@ -45,7 +45,7 @@ ACROSS = 240  # moments in figures of pressure
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """One level: the engagements in steps, statics and oscillation; on the finest LSODA."""
+    """Results of one level: engagements by steps, statics, oscillation; LSODA on the finest."""
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
     rest = about_rest(q)
@@ -71,7 +71,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
-    """Uncertainty by the table of the force, over all values that depend on the force."""
+    """Uncertainties of all values that depend on the force, due to the table of the force."""
     other = engaged_fem(q, wedge(q), main.dt, intervals=COARSER)
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)
@@ -85,7 +85,7 @@ def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
 
 
 def engagements(q: EngagementInputs) -> tuple[tuple[EngagementInputs, RaceSpring], ...]:
-    """The engagement, that with rigid races and that under more torque."""
+    """Inputs and spring of three engagements: as given, with rigid races, under 1.6 T."""
     more = with_torque(q)
     return (q, wedge(q)), (q, wedge(q, rigid=True)), (more, wedge(more))
 
@@ -98,7 +98,7 @@ def engaged_fem(
     q: EngagementInputs, w: RaceSpring, dt: float, moves: Motion | None = None,
     course: Torque | None = None, **how: Any,
 ) -> "Engagement":  # fmt: skip
-    """The engagement of `q` on the clutch `w` in steps of dt [s]."""
+    """Engagement of `q` on the spring `w`, computed by steps of dt [s]."""
     from analytic.sprag.transient import engage
 
     how = {"duration": q.t_end, "D_V": q.D_V, "speeds": Speeds(inner=q.w_i)} | how
@@ -107,18 +107,18 @@ def engaged_fem(
 
 
 def held(q: EngagementInputs, **changes: float) -> Motion:
-    """The motion with the outer race fixed."""
+    """Inertias, springs, damping and friction of the clutch with the outer race fixed."""
     return oscillation.held(motion(q), **changes)
 
 
 def about_rest(q: EngagementInputs) -> Oscillation:
-    """The clutch about its state at rest, the outer race held."""
+    """Oscillation of the clutch about its state at rest, with the outer race fixed."""
     v = analytic(q)
     return Oscillation(wedge(q), motion(q), T=q.T, f=v["f"], k=v["k"])
 
 
 def history(found: "Engagement", name: str) -> dict[str, Array]:
-    """Force, sliding and energies, thinned."""
+    """Force, sliding and energies over time at SHOWN samples; `name` precedes the keys."""
     return {name + key: column for key, column in sampled(found, SHOWN).items()}
 
 
@@ -131,7 +131,7 @@ def partner_fem(
     rtol: float = RTOL,
     every: int = 1,
 ) -> "Events":
-    """The engagement by events and LSODA; the force from every n-th state."""
+    """Engagement by LSODA with events; the force is interpolated from each `every`-th state."""
     from analytic.sprag.events import engage_by_events
 
     return engage_by_events(
@@ -141,9 +141,9 @@ def partner_fem(
 
 
 def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
-    """Largest N of each engagement by LSODA and its time, until shortly after the first peak.
+    """Largest N [N] and its time [s] for each engagement by LSODA, up to after the first peak.
 
-    The residual is the change with half the states and a hundredfold tolerance.
+    The residual is the relative change with half of the states and a hundredfold tolerance.
     """
     values: dict[str, float] = {}
     until = min(FIRST * analytic(q)["t_max"], q.t_end)
@@ -162,7 +162,7 @@ def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
 
 
 def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:
-    """N of the whole engagement by LSODA, contacts that always roll, and of the steps then."""
+    """N [N] over time [s] by LSODA with rolling contacts, and N of the steps at these times."""
     found = partner_fem(q, wedge(q), q.t_end, unlimited=True, rtol=100 * RTOL)
     every = max(len(found.t) // SHOWN, 1)
     t = found.t[::every]
@@ -173,7 +173,7 @@ def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:
 
 
 def order_fem(q: EngagementInputs) -> Array:
-    """Largest error of N over the engagement over its peak for each step of ORDER."""
+    """Largest error of N over time, relative to the peak, for each time step of ORDER."""
     fine = engaged_fem(q, wedge(q), q.dt / FINEST)
     errors = []
     for many in ORDER:
@@ -185,7 +185,7 @@ def order_fem(q: EngagementInputs) -> Array:
 
 
 def designs_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N] without a crown and with each of the paper's; and with other centroids."""
+    """Largest N [N] without a crown, with each crown of the paper, and with other centroids."""
     crowns = [q.model_copy(update={"z_m": 0.0})] + [
         q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m}) for K_1, K_2, z_m in DESIGNS
     ]
@@ -199,7 +199,7 @@ def designs_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N], and first peak without damping, with N_e/N_i of a strut in place of 1."""
+    """Largest N [N] with damping, and first peak without, both with N_e/N_i by statics."""
     from analytic.sprag.transient import engage
 
     damped = engage(
@@ -211,7 +211,7 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
-    """Whose pressures are drawn: the crowns of Fig. 13 for the paper's clutch, else the user's."""
+    """Inputs whose pressures are drawn: those of Fig. 13 for the paper's clutch, else `q`."""
     if q != type(q)():
         return {"": q}
     return {
@@ -221,7 +221,7 @@ def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
 
 
 def pressed_fem(q: EngagementInputs) -> dict[str, Array]:
-    """N [N] at even times [s] for each design whose pressures are drawn."""
+    """N [N] at equidistant times [s] for each crown whose pressures are drawn."""
     found: dict[str, Array] = {}
     for name, p in drawn(q).items():
         run = engaged_fem(p, wedge(p), p.dt)

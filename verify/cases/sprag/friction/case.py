@@ -1,4 +1,4 @@
-"""Friction of a sprag clutch: stick, slip, and the band in which steps distinguish them."""
+"""Friction of a sprag clutch: stick, slip, and the band of speeds that separates them."""
 
 import math
 from collections.abc import Iterator
@@ -19,10 +19,11 @@ SURE = 1.1  # over the required friction
 
 
 class SpragFriction(FrictionFormulas):
-    """Sprags lock if the friction coefficient exceeds tan ν of the wedge, and slide otherwise.
+    """Sprags lock if the friction coefficient exceeds tan ν of the wedge; otherwise they slip.
 
-    This is verified in the paper's steps, in closed form and by LSODA with events. A time step that
-    misses the whole band of sticking gives wrong forces without any sign; a guard rejects it.
+    This is verified by the Runge-Kutta steps of the paper, in closed form and by LSODA with events.
+    A contact sticks if its sliding speed is within a narrow band. Time steps that are too long
+    skip this band and give wrong forces without any sign of it; a guard rejects such steps.
     """
 
     id = "sprag-friction"
@@ -32,17 +33,17 @@ class SpragFriction(FrictionFormulas):
     method = BY_INTEGRATION
     levels: ClassVar = LEVELS
     readings: ClassVar = (
-        "T_bis = μ_s N: only so the branches of Eq. 12 join (ledger: eq-12-static-limit)",
-        "T_stick maintains rolling of both contacts and damps residual sliding; printed is "
-        "that it maintains pure rolling",
-        "ν is that at rest under T; the required coefficient is T_i/N, less than tan ν by the "
-        "share of the springs",
+        "T_bis = μ_s N; with other values Eq. 12 is not continuous (ledger: eq-12-static-limit)",
+        "T_stick maintains rolling of both contacts and damps residual sliding; according to the "
+        "paper, it maintains pure rolling",
+        "ν is the wedge angle at rest under T; the required friction coefficient is T_i/N, which "
+        "is slightly below tan ν because of the springs",
     )
     assumptions: ClassVar = (
-        "μ_s, μ_c, γ_b and D_V are assumed: the paper prints none",
+        "μ_s, μ_c, γ_b and D_V are assumed, because the paper does not print them",
         "length, width, wedge angle and support are identified, not printed",
-        "weak springs have a 25th of K_r: with the printed K_r no sprag slips at the start",
-        "no oil, no centrifugal force on the sprags; contacts do not move",
+        "weak springs have the stiffness K_r/25; with the printed K_r no sprag slips at the start",
+        "no oil; no centrifugal force on the sprags; the axes of the races do not move",
     )
 
     comparisons = compared.comparisons
@@ -50,28 +51,29 @@ class SpragFriction(FrictionFormulas):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """The paper's steps, LSODA and rejections by the guard."""
+        """Reference: Runge-Kutta steps of the paper, LSODA, and rejections by the guard."""
         from verify.cases.sprag.friction.reference import solve
 
         return solve(self, level)
 
     def laws(self) -> tuple[Equation]:
-        """The law of friction."""
+        """Equation of the law of friction."""
         return (LAW,)
 
     def refusal(self) -> str:
-        """Sprags that roll over, too many steps, friction that never locks."""
+        """Reason why nothing is compared: rollover, too many steps, too little friction."""
         more = swing(with_torque(self, MORE)).peak[1]
         if not (math.isfinite(more) and math.isfinite(self.mu_b)) or swing(self).over:
-            return "the sprags roll over: nothing is left to compare; check it without --fem"
+            return "the sprags roll over: nothing can be compared; check it without --fem"
         if LEVELS[-1] * settled(self) / self.dt > MOST_STEPS:
             return (
-                f"{settled(self):.4g} s, t_end or five periods, take {settled(self) / self.dt:.4g} "
-                f"steps of dt, above {MOST_STEPS // LEVELS[-1]}; check it without --fem"
+                f"{settled(self):.4g} s (t_end or five periods) require "
+                f"{settled(self) / self.dt:.4g} time steps; the limit is "
+                f"{MOST_STEPS // LEVELS[-1]} steps; check it without --fem"
             )
         if self.mu_c < SURE * self.asked_in_swing:
             return (
-                f"mu_c = {self.mu_c:g} is not above tan ν = {self.asked_in_swing:.4g} by "
+                f"mu_c = {self.mu_c:g} must exceed tan ν = {self.asked_in_swing:.4g} by "
                 f"{SURE - 1:.0%}: sprags that slip at the start never stick; check it without "
                 "--fem"
             )
@@ -80,17 +82,18 @@ class SpragFriction(FrictionFormulas):
     def warnings(self) -> Iterator[str]:
         """Warnings if the sprags roll over, or lock only without initial slip."""
         if not math.isfinite(self.mu_b):
-            yield "the sprags roll over before they carry the torque"
+            yield "the sprags roll over at a lower torque than T"
         elif self.mu_c < self.mu_b <= self.mu_s:
             yield (
-                f"μ_c = {self.mu_c:g} is below the required {self.mu_b:.4g}, μ_s = {self.mu_s:g} "
-                "above it: it locks only where it does not slip first"
+                f"μ_c = {self.mu_c:g} is below the required friction coefficient "
+                f"{self.mu_b:.4g}, μ_s = {self.mu_s:g} is above it: the clutch locks only if it "
+                "does not slip first"
             )
 
     def advice(self) -> Iterator[str]:
         """Whether the clutch locks, and its drag while overrunning."""
         if not math.isfinite(self.mu_b):
-            yield "rolls over: the sprags rotate past their profile"
+            yield "rolls over: the sprags rotate beyond their profile"
             return
         first = f"locks: μ_s is {self.mu_s_share:.3g} times the required friction coefficient"
         if self.mu_s < self.mu_b:
@@ -98,7 +101,7 @@ class SpragFriction(FrictionFormulas):
         else:
             yield first if self.mu_c >= self.mu_b else f"{first}, but μ_c is below it"
         if math.isfinite(self.drag):
-            yield f"overrunning, the races drag each other with {self.drag:.3g} N m"
+            yield f"the drag torque in overrunning is {self.drag:.3g} N m"
 
 
 FRICTION = adapted(SpragFriction)

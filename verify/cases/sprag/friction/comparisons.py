@@ -1,4 +1,4 @@
-"""Rows on friction in a sprag clutch: limit of locking, sliding states, guard of the time step."""
+"""Rows on friction of a sprag clutch: limit of locking, sliding states, guard of the time step."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -25,17 +25,17 @@ from verify.judging.tolerance_checks import (
 )
 
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
-CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
+CLOSURE = "closure of Eqs. 9 and 10, static normal force"
 SPREAD = 0.1  # least spread, relative to the correct force, for nearly equal torques
-WEAK = "springs a 25th as stiff, at the start of which sprags slip"
-UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+WEAK = "springs with K_r/25, with which sprags slip at the start"
+UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """A time that is known to a time step; for user inputs three steps are sufficient.
+    """Row on a time whose uncertainty is a time step; for user inputs three steps are accepted.
 
-    Displayed if no contact slides at all.
+    If no contact slides, the status is SHOWN.
     """
 
     def rows(self, context: Context) -> list[Row]:
@@ -51,7 +51,7 @@ class Ended(Partnered):
 
 
 def at_tan(context: Context) -> Pair:
-    """Least friction for locking, over tan(nu) at rest, at three torques."""
+    """Worst ratio, at three torques, of the smallest friction for locking to tan(nu), and 1."""
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
     words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
     found = farthest(np.ones_like(ratio), ratio, 0.0)
@@ -59,47 +59,50 @@ def at_tan(context: Context) -> Pair:
 
 
 def refused(context: Context) -> tuple[float, float, str]:
-    """Whether the guard refuses the narrow band, for which the unguarded force is wrong."""
+    """Margin 1 if the guard rejects the narrow band, otherwise -1; uncertainty, text."""
     refuses, _ = context.fem[-1].arrays["narrow"]
-    return 2 * refuses - 1, 0.0, "refused" if refuses else "not refused"
+    return 2 * refuses - 1, 0.0, "rejected" if refuses else "not rejected"
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """Range of the unguarded force over torques that are nearly equal."""
+    """Margin of the spread of the force without guard over nearly equal torques, with text."""
     found = context.fem[-1].arrays
     share = found["unguarded"] / found["narrow"][1]
-    words = f"{share.min():.0%} to {share.max():.0%} of the right force, silently"
+    words = f"{share.min():.0%} to {share.max():.0%} of the correct force, without an error message"
     return float(np.ptp(share)) - SPREAD, GUARDED, words
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
-    """Largest error of the steps that the guard accepts."""
+    """Largest relative error of N_max of the runs that the guard accepts, uncertainty, text."""
     passed = context.fem[-1].arrays["guard"]
     passed = passed[passed[:, 3] == 0]
     worst = float(np.abs(passed[:, 4]).max())
-    return worst, 0.0, f"{len(passed)} bands and steps accepted, off by {worst:.1e}"
+    return worst, 0.0, f"{len(passed)} accepted pairs of band and step, largest error {worst:.1e}"
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Least median error of rejected runs, so that the guard rejects no correct result."""
+    """Margin of the smallest median error of rejected runs over GUARDED, with text.
+
+    It is positive if the guard rejects no correct result.
+    """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
-    words = f"{len(stopped)} of {len(all_of_them)} refused, median errors of {least:.0%} or more"
-    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none refused"
+    words = f"{len(stopped)} of {len(all_of_them)} rejected, median errors at least {least:.0%}"
+    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none rejected"
 
 
 def by_default(context: Context) -> Pair:
-    """Bands that are chosen, against LSODA, over torques and frictions."""
+    """N_max [N] with automatic bands and by LSODA, at the worst torque and friction."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)
-    words = f"{len(ours)} engagements, none refused, off by {off:.1e}"
+    words = f"{len(ours)} engagements, none rejected, largest difference {off:.1e}"
     return replace(found, words=words)
 
 
 def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
-    """All rows, in the order of the page."""
+    """All rows of the case, in the order of the page."""
     yield from _limits(q)
     yield from _partners()
     yield from _guard()
@@ -107,21 +110,22 @@ def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
 
 def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
     def boundary() -> tuple[float, float]:
-        """Either contact's share of a force that is equal at both in the steps."""
+        """Interval of the error due to equal forces at both contacts in the steps."""
         return -2 * q.unequal, 2 * q.unequal
 
     yield approximation(
-        FrictionFormulas.mu_b, expected=Computed(boundary, f"{UNEQUAL}; either contact's share"),
-        name="friction above which it locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
+        FrictionFormulas.mu_b, expected=Computed(boundary, f"{UNEQUAL}; effect on either contact"),
+        name="friction above which the clutch locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
     )  # fmt: skip
-    locks = Agreement(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν",
-                      unit="1", pair=at_tan, accepted=BOUNDARY, source=SUBJECT, by=BY,
+    locks = Agreement(name=f"sprags lock above μ = tan ν, within {BOUNDARY:.0%}",
+                      symbol="μ_b/tan ν", unit="1", pair=at_tan, accepted=BOUNDARY,
+                      source=SUBJECT, by=BY,
                       **demanded(BOUNDARY))  # fmt: skip
     yield Comparison(check=locks, quantity=FrictionFormulas.tan, shares=CLOSURE)
     yield identity(
         FrictionFormulas.N_slides, symbol="N", by=BY, shares=CLOSURE,
-        name="normal force of sprags that slide, driven, μ = 0.9 tan ν_0",
-        own=(0.02, "it swings on, without damping, as 1/(1 − μ/tan ν)"),
+        name="normal force of driven sprags that slide, μ = 0.9 tan ν_0",
+        own=(0.02, "the force continues to oscillate without damping"),
     )  # fmt: skip
     yield identity(FrictionFormulas.N_overruns, symbol="N", by=BY, shares=CLOSURE,
                    name="normal force where the race overruns")  # fmt: skip
@@ -138,24 +142,24 @@ def _partners() -> Iterator[Check]:
                     fem="N_max more", analytic="LSODA N_max more", **weak)  # fmt: skip
     yield Ended(name="time at which slip ends: steps and LSODA", fem="sticks",
                 analytic="LSODA sticks", own_demand=0.02,
-                own_reason="a band ends slip, LSODA an event", **time)  # fmt: skip
+                own_reason="slip ends in a band, in LSODA at an event", **time)  # fmt: skip
     yield Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
                     fem="slips", analytic="LSODA slips", **time)  # fmt: skip
     yield Partnered(name="largest force with intermediate slip: steps and LSODA",
                     fem="N_max slipped", analytic="LSODA N_max slipped",
-                    demand_reason="acceptance of the subject", **force)  # fmt: skip
+                    demand_reason="tolerance of the subject", **force)  # fmt: skip
 
 
 def _guard() -> Iterator[Check]:
-    yield Agreement(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max",
+    yield Agreement(name=f"automatic bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max",
                     unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT, by=BY)  # fmt: skip
-    yield Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
-                   unit="1", margin=refused)  # fmt: skip
+    yield Accepted(name=f"the guard rejects D_V = {NARROW:g} m/s at 1.6 T with weak springs",
+                   symbol="D_V", unit="1", margin=refused)  # fmt: skip
     yield Accepted(name="without the step guard the force is ill-conditioned", symbol="N_max",
                    unit="1", margin=unguarded)  # fmt: skip
     yield Deviation(name=f"time steps that the guard accepts are right to {GUARDED:.1%}",
                     symbol="ΔN_max/N_max", unit="1", size=never_wrong, accepted=GUARDED,
-                    source=suites("as the steps beside LSODA"), whole="right force",
+                    source=suites("same as for steps and LSODA"), whole="correct force",
                     by=BY)  # fmt: skip
     yield Accepted(name="time steps that the guard rejects are wrong", symbol="N_max", unit="1",
                    margin=never_idle)  # fmt: skip

@@ -23,7 +23,7 @@ HIGH = 0.3  # largest friction of the map
 
 
 def sketch(q: EngagementInputs) -> Sketch:
-    """A sprag between its races, drawn straight, with its forces and sliding speeds."""
+    """Sketch of a sprag between its races, drawn straight, with forces and driving direction."""
     turn = np.linspace(0, 2 * math.pi, 91)
     lean = 0.35
     body = np.column_stack([0.42 * np.cos(turn), 1.0 * np.sin(turn)]) @ np.array(
@@ -45,9 +45,9 @@ def sketch(q: EngagementInputs) -> Sketch:
         text((-1.3, low - 0.8), "inner race, driven ←"), text((1.3, top + 0.8), "outer race, held"),
     )  # fmt: skip
     return sketches.sketch(
-        "forces on a sprag between the races, drawn straight: N along the radius, friction "
-        "T_i and T_e up to μN; AB, dash-dotted, leans by ν, "
-        f"{math.degrees(q.nu_0):.3g}°, drawn larger, and is the line of the resultant",
+        "forces on a sprag; the races are drawn straight. N acts along the radius, the friction "
+        "forces T_i and T_e are at most μN. The resultant acts along the dash-dotted line AB, "
+        f"whose angle to the radius is ν = {math.degrees(q.nu_0):.3g}° (drawn larger)",
         shapes,
     )  # fmt: skip
 
@@ -62,19 +62,20 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def law(q: EngagementInputs) -> Figure:
-    """Eq. 13, and the required friction coefficient."""
+    """Figure of the friction coefficient of Eq. 13, and of the required friction coefficient."""
     v = np.linspace(0, FASTEST / q.gamma_b, 201)
     tan = math.tan(q.nu_0)
     return plot(
         "Friction over the sliding speed (Eq. 13)", "v [m/s]", "μ",
         line("μ_d", v, coefficient(v, mu_c=q.mu_c, mu_s=q.mu_s, gamma_b=q.gamma_b)),
         dashes("tan ν_0, required friction coefficient", v, tan, 1),
-        note="Above the required coefficient sliding sprags stick again, below it they slide on.",
+        note="If μ_d exceeds the required coefficient, sliding sprags stick again; otherwise they "
+        "continue to slide.",
     )  # fmt: skip
 
 
 def slides(context: Context) -> Figure:
-    """N of sprags that slide, over friction; driven and overrunning."""
+    """Figure of the normal force of sliding sprags over friction, driven and overrunning."""
     q, w = context.inputs, context.inputs.wedge
     curves: list[Curve] = []
     for words, share in (
@@ -90,13 +91,14 @@ def slides(context: Context) -> Figure:
     return plot(
         "Normal force of sprags that slide",
         "μ/tan ν_0, negative where the race overruns", "N [N]", curves, y_top=float(2 * q.N_slides),
-        note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it. "
-        "Between the curves neither contact holds.",
+        note="The springs cause the normal force, and friction multiplies it by 1/(1 − μ/tan ν): "
+        "it increases if the clutch is driven and decreases if it overruns. Between the curves no "
+        "steady sliding exists.",
     )  # fmt: skip
 
 
 def zones(context: Context) -> Figure:
-    """Locking over torque and friction, with weak springs."""
+    """Figure of stick and slip over torque and friction, with weak springs."""
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
@@ -110,41 +112,42 @@ def zones(context: Context) -> Figure:
             Zone(name="locks without slip", top=np.full_like(T, HIGH / tan), tone="good"),
         ),
         curves=(dashes("locks from here on, springs of the inputs", T, firm / tan),),
-        note="Springs a 25th as stiff, one coefficient of friction, torque as a step; tan ν under "
-        "T. The step accelerates the race before the springs have built up N. With the "
-        "springs of the inputs the zone between is very small.",
+        note="The springs have the stiffness K_r/25, μ_s = μ_c = μ, the torque is a step, and ν is "
+        "the wedge angle under T. The sprags slip first because the step accelerates the race "
+        "before the springs have built up N. With the springs of the inputs, the zone in which "
+        "they slip first is very small.",
     )  # fmt: skip
 
 
 def wrong(context: Context) -> Figure:
-    """N(t) with and without the check that the friction band is wide enough for the step."""
+    """Figure of N(t) with and without the guard, which rejects bands too narrow for the step."""
     last = context.fem[-1].arrays
     return plot(
-        "A band too narrow for the step, unguarded", "t [ms]", "N [kN]",
-        line("band chosen, as by LSODA", last["t"] / ms, last["right N"] / kN),
+        "Force with a band too narrow for the time step, without guard", "t [ms]", "N [kN]",
+        line("automatic band, equal to LSODA", last["t"] / ms, last["right N"] / kN),
         line(f"D_V = {NARROW:g} m/s, guard off", last["wrong t"] / ms, last["wrong N"] / kN, 1),
-        note="1.6 T, weak springs. Nothing in the curve without guard indicates the error; with "
-        "other round-off the curve may be quite different.",
+        note="The torque is 1.6 T, the springs are weak. Nothing in the curve without guard "
+        "indicates the error. With other round-off errors, the curve may be quite different.",
     )  # fmt: skip
 
 
 def speeds(context: Context) -> Figure:
-    """Sliding speeds of both at the start, with the band."""
+    """Figure of the sliding speeds at the start with both bands."""
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
     return plot(
         "Sliding speed at the start, and the band", "t [ms]", "v_i [m/s]",
-        line("band chosen", t, last["right v"][:EARLY]),
+        line("automatic band", t, last["right v"][:EARLY]),
         dots(f"D_V = {NARROW:g} m/s", t, last["wrong v"][:EARLY], 1),
         dashes("the narrow band", t, NARROW, 2), dashes("", t, -NARROW, 2),
         y_bottom=float(min(last["wrong v"][:EARLY].min(), 0.0)),
-        note="A step changes v_i by several times the band: it is missed repeatedly, and the "
-        "sign of friction alternates.",
+        note="A time step changes v_i by several times the width of the narrow band. The speed "
+        "therefore skips the band repeatedly, and the sign of friction alternates.",
     )  # fmt: skip
 
 
 def guarded(context: Context, factor: float) -> Figure:
-    """Error without the guard over bands and steps, with its rejections."""
+    """Map of the error of N_max without the guard over bands and time steps, with rejections."""
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(
@@ -153,6 +156,7 @@ def guarded(context: Context, factor: float) -> Figure:
         columns=tuple(f"{D_V:g}" for D_V in BANDS),
         rows=tuple(f"{step * q.dt * 1e6:g}" for step in STEPS),
         error=chosen[:, :, 4], limits=(0.01, 0.1, 0.5), checked=chosen[:, :, 3] == 1,
-        checked_name="refused by the guard",
-        note="In per cent, against a fifth of the step and a band chosen for it.",
+        checked_name="rejected by the guard",
+        note="Errors in per cent, relative to a run with one fifth of the time step and an "
+        "automatic band.",
     )  # fmt: skip

@@ -20,7 +20,7 @@ BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """Required T_i/N at rest under `factor` times the torque, and tan(nu) there."""
+    """Required friction T_i/N and tan(nu) at rest under `factor` times the torque; may be nan."""
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)
@@ -30,7 +30,7 @@ def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
 
 
 def weak(q: EngagementInputs, factor: float = 1.0) -> EngagementInputs:
-    """The clutch with weak springs under `factor` times the torque."""
+    """Inputs of the clutch with weak springs under `factor` times the torque."""
     return with_torque(q, factor).model_copy(update={"K_r": WEAK * q.K_r})
 
 
@@ -44,7 +44,7 @@ LAW = Equation(
 class FrictionFormulas(EngagementInputs, Case):
     """Required friction of a sprag clutch at rest, and forces of sliding sprags.
 
-    nan if the sprags roll over, or if no contact continues to slide.
+    The values are nan if the sprags roll over, or if no contact continues to slide.
     """
 
     @shared
@@ -59,72 +59,72 @@ class FrictionFormulas(EngagementInputs, Case):
 
     @shared
     def slides(self) -> Sliding:
-        """Sprags that are driven and slide permanently."""
+        """Steady state of driven sprags that slide permanently."""
         return sliding(self.wedge, BELOW * self.tan_0)
 
     @shared
     def overruns(self) -> Sliding:
-        """Sprags that the race overruns."""
+        """Steady state of sprags while the race overruns."""
         return sliding(self.wedge, -self.mu_s)
 
     @property
     def tan_0(self) -> float:
-        """tan(nu_0)."""
+        """Tangent of the wedge angle nu_0 without load."""
         return math.tan(self.nu_0)
 
     @property
     def unequal(self) -> float:
-        """N_e/N - 1 of a strut at the end of the profile."""
+        """Excess N_e/N - 1 of the outer normal force by statics, at the end of the profile."""
         now = self.wedge.states
         return float((now.N_e / np.maximum(now.N, 1e-300))[-1]) - 1
 
     @property
     def asked_in_swing(self) -> float:
-        """tan(nu) at the largest force of the engagement."""
+        """Tangent of the wedge angle at the largest force of the engagement."""
         now = self.wedge.states
         return float(np.tan(np.interp(swing(self).peak[1], now.N, now.nu)))
 
     def at_turn(self, values: Array) -> float:
-        """Value of a state at rest, from its `values` over the rotation."""
+        """Value at rest, interpolated from `values` over the wind-up."""
         return float(np.interp(self.rest, self.wedge.theta, values))
 
-    @Quantity("μ_b", "1", "friction coefficient above which it locks, at rest under T",
-              source="from there on it locks; springs provide the difference to tan ν",
+    @Quantity("μ_b", "1", "friction coefficient above which the clutch locks",
+              source="statics at rest under T; springs cause the difference to tan ν",
               safe="too high", tex=r"\frac{T}{n_s OA N_T}")  # fmt: skip
     def mu_b(self) -> float:
         return asked(self)[0]
 
-    @Quantity("tan ν", "1", "tangent of the wedge angle there", equation="10",
+    @Quantity("tan ν", "1", "tangent of the wedge angle at rest under T", equation="10",
               tex=r"\tan\left(\nu_T\right)")  # fmt: skip
     def tan(self) -> float:
         return asked(self)[1]
 
-    @Quantity("μ_s/μ_b", "1", "static friction over that", role="step",
+    @Quantity("μ_s/μ_b", "1", "ratio of static to required friction", role="step",
               tex=r"\frac{\mu_s}{\mu_b}")  # fmt: skip
     def mu_s_share(self) -> float:
         return self.mu_s / self.mu_b
 
-    @Quantity("μ_c/μ_b", "1", "friction of fast sliding over that", role="step",
+    @Quantity("μ_c/μ_b", "1", "ratio of Coulomb to required friction", role="step",
               tex=r"\frac{\mu_c}{\mu_b}")  # fmt: skip
     def mu_c_share(self) -> float:
         return self.mu_c / self.mu_b
 
-    @Quantity("N_s", "N", "force of sprags that slide permanently, μ = 0.9 tan ν_0",
+    @Quantity("N_s", "N", "normal force of driven sprags that slide",
               source="sprags that slide on the inner race, μ = 0.9 tan ν_0; Eq. 14",
               tex=r"\frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)\mu - h}"
               r"{OB - b_e}}, \quad h = h_i - h_e")  # fmt: skip
     def N_slides(self) -> float:
         return self.slides.N
 
-    @Quantity("T_sl", "N m", "torque of the clutch then", role="step")
+    @Quantity("T_sl", "N m", "torque of the clutch with driven sprags that slide", role="step")
     def T_slides(self) -> float:
         return self.z * self.R_i * self.slides.share * self.slides.N
 
-    @Quantity("N_o", "N", "normal force where the race overruns, with μ_s", source="Eq. 14")
+    @Quantity("N_o", "N", "normal force while the race overruns, with μ_s", source="Eq. 14")
     def N_overruns(self) -> float:
         return self.overruns.N
 
-    @Quantity("T_o", "N m", "torque with which it drags then", role="step")
+    @Quantity("T_o", "N m", "drag torque while the race overruns", role="step")
     def drag(self) -> float:
         return -self.z * self.R_i * self.overruns.share * self.overruns.N
 
@@ -132,7 +132,7 @@ class FrictionFormulas(EngagementInputs, Case):
     def N_T(self) -> float:
         return self.at_turn(self.wedge.states.N)
 
-    @Quantity("OA", "mm", "radius at which it acts", equation="9", role="step")
+    @Quantity("OA", "mm", "radius at which N_T acts", equation="9", role="step")
     def OA(self) -> float:
         return self.at_turn(self.wedge.states.OA)
 
@@ -140,12 +140,12 @@ class FrictionFormulas(EngagementInputs, Case):
     def nu_T(self) -> float:
         return self.at_turn(self.wedge.states.nu)
 
-    @Quantity("v", "m/s", "sliding speed at which friction is displayed", role="step",
+    @Quantity("v", "m/s", "sliding speed at which μ_d is displayed", role="step",
               tex=r"\frac{1}{\gamma_b}")  # fmt: skip
     def v(self) -> float:
         return 1 / self.gamma_b
 
-    @Quantity("μ_d", "1", "friction coefficient at that speed", equation="13", role="step",
+    @Quantity("μ_d", "1", "friction coefficient at the sliding speed v", equation="13", role="step",
               tex=r"\mu_c + (\mu_s - \mu_c) \exp\left(-\gamma_b v\right)")  # fmt: skip
     def mu_d(self) -> float:
         return float(coefficient(self.v, mu_c=self.mu_c, mu_s=self.mu_s, gamma_b=self.gamma_b))

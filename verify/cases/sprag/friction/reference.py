@@ -1,4 +1,4 @@
-"""The compiled steps with sliding contacts: limits, sliding states, and the guard of their band.
+"""Runge-Kutta steps with sliding contacts: limits of locking, sliding states, guard of the band.
 
 A level halves the time step of the inputs. Compiled code is imported inside functions.
 """
@@ -43,7 +43,7 @@ STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the guard
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """One level: limits and sliding states in steps; on the finest LSODA and the guard."""
+    """Results of one level: limits and sliding states by steps; the finest adds LSODA and guard."""
     dt = q.dt / level
     boundary, half = boundary_fem(q, dt)
     slides, wide = sliding_fem(q, dt, BELOW * math.tan(q.nu_0), SPEED)
@@ -69,22 +69,22 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def frequency(q: EngagementInputs) -> float:
-    """Small oscillations under the torque [Hz]."""
+    """Frequency [Hz] of small oscillations under the torque."""
     return small_oscillations(wedge(q), q.T, motion(q))
 
 
 def settled(q: EngagementInputs) -> float:
-    """Time [s] after which it is known whether an engagement locks, t_end at least."""
+    """Time [s] after which an engagement has locked or slips permanently, at least t_end."""
     return max(q.t_end, q.t_ramp + SETTLES / frequency(q))
 
 
 def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
-    """The clutch with a single coefficient of friction."""
+    """Inputs of the clutch with `mu` as static and Coulomb coefficient of friction."""
     return q.model_copy(update={"mu_s": mu, "mu_c": mu})
 
 
 def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
-    """The least friction with which the clutch locks, and half of the bracket."""
+    """Smallest friction coefficient with which the clutch locks, and half of its bracket."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
     duration = settled(q)
@@ -97,7 +97,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Least friction for locking over tan(nu) at several torques."""
+    """Torques [N m], ratios of the smallest friction for locking to tan(nu), and half brackets."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -124,14 +124,14 @@ def between(q: EngagementInputs) -> float:
 
 
 def slipped_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
-    """Largest N [N] and time [s] of the first slip with that friction."""
+    """Largest N [N] and time [s] of the first slip with the friction of `between`."""
     slipping = rough(q, between(q))
     found = engaged_fem(slipping, wedge(slipping), dt, duration=until, D_V=None)
     return {"N_max slipped": found.N_max, "slips": first_slip(found, slipping.mu_s)}
 
 
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
-    """LSODA with events on the engagements that slip at the start."""
+    """Results by LSODA with events of the engagements that slip."""
     values: dict[str, float] = {}
     for name, p in (("", weak(q)), (" more", weak(q, MORE))):
         found = partner_fem(p, wedge(p), until)
@@ -152,9 +152,10 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
 
 
 def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
-    """1.6 T with weak springs and the narrow band: rejected; result without the guard.
+    """Results under 1.6 T with weak springs and the narrow band, with and without the guard.
 
-    That result is chaotic: it depends on the last digits of the torque or of the arithmetic.
+    The guard rejects the run. The result without the guard is chaotic: it depends on the last
+    digits of the torque or of the arithmetic.
     """
     p = weak(q, MORE)
     w = wedge(p)
@@ -170,12 +171,12 @@ def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def nearby(p: EngagementInputs) -> list[EngagementInputs]:
-    """The clutch under 16 torques that differ by round-off, as results of processors do."""
+    """Inputs of the clutch under 16 torques that differ only by round-off."""
     return [p.model_copy(update={"T": p.T * (1 + NEARLY * k)}) for k in range(16)]
 
 
 def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | None = None) -> bool:
-    """Whether the guard refuses the band."""
+    """Whether the guard rejects the band D_V [m/s] at the time step dt [s]."""
     from analytic.sprag.transient import NarrowBandError
 
     try:
@@ -186,7 +187,7 @@ def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | No
 
 
 def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """N_max in bands that are chosen against LSODA, over torques and frictions."""
+    """N_max [N] with automatic bands and by LSODA, over torques and frictions."""
     found = []
     for factor, share in SWEEP:
         p = weak(q, factor)
@@ -197,10 +198,11 @@ def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """Bands and steps: refused or not, and N_max with and without the guard over the right one.
+    """Rejection by the guard and error of N_max without the guard, over bands and time steps.
 
-    The correct value is computed by steps of a fifth in the band chosen for them. If the guard
-    rejects a run, its force depends on the last digits: the median error of nearby torques counts.
+    The correct value is computed with one fifth of the time step and an automatic band. If the
+    guard rejects a run, its force depends on the last digits; the error is then the median over
+    nearby torques.
     """
     found = []
     for factor in (1.0, MORE):
@@ -221,9 +223,9 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Over torques: least friction for locking in the end, and for locking without prior slip.
+    """Smallest friction for locking, and for locking without slip, over the torque.
 
-    The first with the springs of the inputs, both also with weak springs.
+    Both are given with the springs of the inputs and with weak springs.
     """
     rows = []
     for factor in OVER:
@@ -235,7 +237,7 @@ def map_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def most_asked_fem(q: EngagementInputs) -> float:
-    """Largest T/N while both contacts stick, friction unlimited."""
+    """Largest ratio T/N of both contacts if they always stick."""
     found = engaged_fem(q, wedge(q), q.dt, motion(rough(q, 0.999)), D_V=None)
     pressed = found.N > 0
     most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed] / found.N[pressed]

@@ -12,12 +12,14 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
     """The crown (K_1, K_2, z_m) with the lowest peak pressure of an engagement.
 
     It is found by 125 engagements, kriging, a genetic algorithm and differential evolution, and
-    checked by engagements at the optimum. It is compared with a search without surrogate and with
-    contacts of a half-space: by these, the crowns that are optimal by slices have loaded ends.
+    checked by engagements at the optimum. It is compared with the result of a search without a
+    surrogate, and with contacts on a half-space. On a half-space, the crown that is optimal by
+    slices has loaded ends.
 
-    Terms of the paper: the unmodified profile is the sprag without a crown, the optimized profile
-    of Eq. 21 is the printed crown (the given crown of other inputs). The optimal crowns are those
-    of this project: by slices, and with unloaded ends on a half-space.
+    The paper calls the sprag without a crown the unmodified profile, and the crown of Eq. 21 the
+    optimized profile. Here the crown of Eq. 21 is called the printed crown (for other inputs: the
+    given crown). The optimal crowns are those computed here: the one by slices, and the one with
+    unloaded ends on a half-space.
     """
 
     id = "sprag-optimum"
@@ -26,13 +28,14 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The optimal crown under the larger torque, for crowns with equal design load.
+    """The optimal crown under the larger torque, with the same design load Q of all crowns.
 
-    It is compared with the optimum under the smaller torque.
+    It is compared with the optimal crown under the smaller torque.
 
-    Terms of the paper: the unmodified profile is the sprag without a crown, the optimized profile
-    of Eq. 22 is the printed crown (the given crown of other inputs). The optimal crowns are those
-    of this project: by slices, and with unloaded ends on a half-space.
+    The paper calls the sprag without a crown the unmodified profile, and the crown of Eq. 22 the
+    optimized profile. Here the crown of Eq. 22 is called the printed crown (for other inputs: the
+    given crown). The optimal crowns are those computed here: the one by slices, and the one with
+    unloaded ends on a half-space.
     """
 
     id = "sprag-optimum-40"

@@ -26,10 +26,10 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """Margin of the relative excess pressure of the printed crown over the optimal crown."""
+    """Margin of the relative excess pressure of the printed crown below NEAR, with text."""
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
-        f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa at "
+        f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa with "
         f"{crowned(found)}"
     )
     return NEAR - (p / best(context) - 1), 0.0, words
@@ -41,7 +41,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Range of each parameter in which suitable others give nearly the lowest pressure."""
+    """Range of each parameter in which the pressure, with suitable others, is nearly the lowest."""
     found = measured(context)
     low = found["whole"] <= found["whole"].min() * (1 + within)
     sides = {}
@@ -56,14 +56,15 @@ def flat(context: Context) -> str:
     share = float(np.mean(found["whole"] <= found["whole"].min() * (1 + FLAT)))
     z_m = tuple(x * 1e6 for x in sides["z_m"])
     return (
-        f"within {FLAT:.1%} lie {share:.1%} of the box, K_1 from {sides['K_1'][0]:.2f} to "
-        f"{sides['K_1'][1]:.2f}, K_2 from {sides['K_2'][0]:.2f} to {sides['K_2'][1]:.2f}, z_m from "
-        f"{z_m[0]:.1f} to {z_m[1]:.1f} µm{bound(context)}"
+        f"within {FLAT:.1%} of the lowest pressure: {share:.1%} of the crowns of Eq. 19, "
+        f"K_1 from {sides['K_1'][0]:.2f} to {sides['K_1'][1]:.2f}, K_2 from "
+        f"{sides['K_2'][0]:.2f} to {sides['K_2'][1]:.2f}, z_m from {z_m[0]:.1f} to "
+        f"{z_m[1]:.1f} µm{bound(context)}"
     )
 
 
 def bound(context: Context) -> str:
-    """The bounds of parameters that are reached by the optimal crown."""
+    """Text that lists the bounds of Eq. 19 on which the optimal crown lies; may be empty."""
     box = context.inputs.box
     u = box.to_unit(measured(context)["best"][None])[0]
     on = [
@@ -76,37 +77,40 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """Lundberg's crown for the largest force (K_1 Q = N_max), against the optimal crown."""
+    """Margin of FLAT over the excess pressure of Lundberg's crown for N_max (K_1 = N_max/Q)."""
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
-        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; the optimum has "
-        f"{measured(context)['best'][0]:.2f}; {FLAT:.1%} leaves K_1 from {low:.2f} to {high:.2f}, "
-        "which hardly distinguishes N_max/Q from others"
+        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; optimal K_1 = "
+        f"{measured(context)['best'][0]:.2f}; the pressure is within {FLAT:.1%} for every K_1 "
+        f"from {low:.2f} to {high:.2f}, so that this test hardly distinguishes N_max/Q"
     )
     return FLAT - abs(float(p) / best(context) - 1), 0.0, words
 
 
 def turns(lines: Array) -> Array:
-    """Initial fall and final rise of each line, relative to its lowest value, (n,)."""
+    """Smaller of initial decrease and final increase of each line over its minimum, (n,)."""
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
 
 def factorial(context: Context) -> Array:
-    """True largest pressures [Pa] over K_1 and K_2 at the z_m nearest to Figs. 15, 17."""
+    """Pressures [Pa] by engagements over K_1 and K_2, at the z_m nearest to Figs. 15, 17."""
     found, n = measured(context), context.inputs.levels
     largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
     return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Each line of both maps falls, then rises along K_1, except the line of the lowest z_m."""
+    """Smallest decrease and increase along K_1 of all lines of both maps, uncertainty, text.
+
+    The line of the lowest z_m is left out.
+    """
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
-        f"least of {len(found)} lines {found.min():.2%}; left out: z_m = "
-        f"{context.inputs.z_m_low * 1e6:g} µm at the K_2 of the map over z_m, which "
+        f"the smallest change of {len(found)} lines is {found.min():.2%}; not judged: the line at "
+        f"z_m = {context.inputs.z_m_low * 1e6:g} µm and the K_2 of the map over z_m, which "
         f"{course(shallow)}"
     )
     return float(found.min()), SURE, words
@@ -121,54 +125,58 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """Number of lines of constant K_1 with a minimum, and shape of the line at the optimal K_1."""
+    """Text: number of lines of constant K_1 with a minimum, shape of the line near the optimum."""
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
     return (
-        f"on {np.sum(found > SURE)} of {len(found)} lines of constant K_1 it falls, then rises, by "
-        f"{found.max():.2%} at most; at K_1 = {K_1[near]:g}, the nearest to the best, it "
-        f"{course(lines[near])}"
+        f"on {np.sum(found > SURE)} of {len(found)} lines of constant K_1, p_max falls, then "
+        f"rises, by {found.max():.2%} at most; at K_1 = {K_1[near]:g}, the level nearest to the "
+        f"optimum, p_max {course(lines[near])}"
     )
 
 
 def course(line: Array) -> str:
-    """Shape of a line; reversals of SURE or less are ignored."""
+    """Text on the shape of a line; reversals of SURE or less are ignored."""
     if (turn := float(turns(line[None])[0])) > SURE:
         return f"falls, then rises by {turn:.2%}"
-    return f"only {'falls' if line[-1] < line[0] else 'rises'}, but for {SURE:.1%} at most"
+    return f"only {'falls' if line[-1] < line[0] else 'rises'} (changes up to {SURE:.1%} ignored)"
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Excess pressure by the optimal K_1 of the smaller torque, other parameters optimal."""
+    """Relative excess pressure at this torque with the optimal K_1 of the smaller torque.
+
+    K_2 and z_m are optimal for this K_1. The excess is negative if this K_1 is the larger one.
+    """
     found = measured(context)
     K_1, other = float(found["best"][0]), float(found["less"][0])
     over = found["whole"].min(axis=(1, 2))
     costs = float(np.interp(other, found["K_1"], over) / over.min() - 1)
     words = (
-        f"{other:.2f} ({band(found['K_1'], found['less over K_1'])}) by kriging without infill, "
-        f"and {K_1:.2f} ({band(found['K_1'], over)}); the smaller would cost {costs:+.1%}"
+        f"K_1 = {other:.2f} at 25 N m ({band(found['K_1'], found['less over K_1'])}; kriging "
+        f"without infill), K_1 = {K_1:.2f} at 40 N m ({band(found['K_1'], over)}); at 40 N m, the "
+        f"smaller K_1 changes the pressure by {costs:+.1%}"
     )
     return math.copysign(costs, K_1 - other), FLAT, words
 
 
 def band(K_1: Array, over: Array) -> str:
-    """Range of K_1 in which the pressure is within FLAT of its lowest value."""
+    """Text: range of K_1 in which the pressure is within FLAT of its lowest value."""
     near = K_1[over <= over.min() * (1 + FLAT)]
     return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """Increase of the effect of z_m from the smaller to the larger torque, mean at K_2 = 0.5."""
+    """Increase of the mean effect of z_m on p_max from the smaller to the larger torque."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
     )
-    return more - less, SURE, f"{more:.1%} against {less:.1%} in the mean"
+    return more - less, SURE, f"mean change of p_max over z_m: {more:.1%}, at 25 N m {less:.1%}"
 
 
 def reductions(found: Any) -> Array:
-    """Relative reduction of the pressure by the optimal crown under each torque."""
+    """Relative reduction of the pressure by the optimal crown under each torque, (torques,)."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -176,29 +184,29 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """Difference of the reductions under both torques; positive if it grows with the torque."""
+    """Reduction of the pressure at the larger torque minus that at the smaller, with text."""
     more, less = reductions(measured(context))
     return (
         float(more - less),
         SURE,
-        f"{more:.1%} against {less:.1%}, {context.inputs.slices} slices",
+        f"{more:.1%}, at 25 N m {less:.1%}, with {context.inputs.slices} slices",
     )
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Excess pressure of the crown that is optimal for the other torque, over the optimal crown."""
+    """Relative excess pressure of the crown that is optimal at the other torque, with text."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """Pressure reduction by the optimal crown for several numbers of slices, equal forces."""
+    """Text: pressure reduction by the optimal crown with different numbers of slices."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
-        f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
+        f"{1 - p / flat:.1%} with {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
         for n, p, flat in zip(SLICED, best, none, strict=True)
     )
-    return f"{shares}: without a crown and at the end of the optimal one pressure has no limit"
+    return f"{shares}; the pressure at the ends grows with the number of slices"
 
 
 def by_number(context: Context, crown: str) -> Array:
@@ -223,23 +231,23 @@ def _fitted(context: Context) -> float:
 
 
 def checks(T: int) -> tuple[Any, ...]:
-    """The claims at a torque [N m]."""
+    """All claims at the torque T [N m]."""
     optimum = tuple(f"huang2018:optimum-{T}nm-{key}" for key in ("k1", "k2", "zm"))
     fitted = FITTED if T == 25 else ""
-    why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
+    why = "" if T == 25 else "; a prediction: the printed pressures contradict each other"
     found = (
         *SURROGATE,
-        beside(f"optimal crown at {T} N m", _best, T, fitted=fitted,
-               bound=2 * NEAR, words=f"with the input's wedge angle{why}"),
-        beside(f"optimal crown at {T} N m, angle fitted", _fitted, T,
+        beside(f"pressure with the optimal crown, {T} N m", _best, T, fitted=fitted,
+               bound=2 * NEAR, words=f"with the wedge angle of the inputs{why}"),
+        beside(f"pressure with the optimal crown, {T} N m, angle fitted", _fitted, T,
                fitted=fitted, bound=NEAR,
-               words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
+               words=f"the wedge angle is fitted to the pressure printed at 25 N m{why}"),
         Displayed(name="reduction of pressure by the optimal crown", symbol="Pre_max", unit="%",
              words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
-        OfPaper(name=f"printed crown within {NEAR:.0%} of the optimal one's pressure",
+        OfPaper(name=f"pressure of the printed crown within {NEAR:.0%} of the optimum",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
         Displayed(name="flatness of the optimum", symbol="Pre_max", unit="1", words=flat),
-        OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the optimal crown's pressure",
+        OfPaper(name=f"pressure with K_1 = N_max/Q within {FLAT:.1%} of the optimum",
                 symbol="K_1", unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
         OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
@@ -251,7 +259,7 @@ def checks(T: int) -> tuple[Any, ...]:
 
 
 def stated(q: Any) -> Iterator[Comparison | Check]:
-    """Claims on surrogates and searches, statements of the paper at this torque, and contacts."""
+    """Claims on surrogates and searches, on statements of the paper at this torque, on contacts."""
     yield from checks(q.torque)
     yield at_rest(type(q).static_mid, "pressure at mid-length")
     yield at_rest(type(q).static_peak, "largest pressure")
@@ -265,7 +273,7 @@ AT_25 = (
 AT_40 = (
     OfPaper(name="the optimal K_1 is larger than at 25 N m", symbol="K_1", unit="1",
             margin=larger_K_1, fitted=FITTED, printed=("huang2018:optimum-40nm-k1",)),
-    OfPaper(name="z_m changes more than at 25 N m", symbol="Pre_max", unit="1",
+    OfPaper(name="z_m changes the pressure more than at 25 N m", symbol="Pre_max", unit="1",
             margin=steeper_z_m, fitted=FITTED, printed=("huang2018:fig17b-k2",)),
     OfPaper(name="the optimal crown reduces the pressure more than at 25 N m", symbol="Pre_max",
             unit="1", margin=improves, fitted=FITTED, printed=("huang2018:stress-40nm-reduction",)),

@@ -1,4 +1,4 @@
-"""Figures of the contact at the largest force: along the sprag, over its slices, over time."""
+"""Figures of the contact pressure: along the sprag, over the number of slices, over time."""
 
 from collections.abc import Sequence
 
@@ -24,7 +24,7 @@ BELOW, ABOVE = 0.6, 1.4  # range of the pressure axis over the largest pressure 
 
 
 def names(context: Context) -> dict[str, str]:
-    """Names in words of the crowns whose contacts were solved."""
+    """Displayed names, by key, of the crowns whose contacts were solved."""
     hand = "printed crown" if context.is_paper else "given crown"
     found = {
         "best": "optimal crown by slices",
@@ -35,7 +35,7 @@ def names(context: Context) -> dict[str, str]:
 
 
 def contact(context: Context) -> Sequence[Figure]:
-    """Pressure along the sprag by all three methods, crown by crown."""
+    """Figures of the pressure along the sprag by slices, strips and cells, one for each crown."""
     found, q = measured(context), context.inputs
     figures = []
     for key, name in names(context).items():
@@ -58,23 +58,23 @@ def contact(context: Context) -> Sequence[Figure]:
 
 
 def cut(top: float, *highest: float) -> str:
-    """Remark on the pressures above the upper end [MPa] of a figure's axis."""
+    """Remark on pressures above the upper end `top` [MPa] of the axis; empty if there are none."""
     above = max(highest)
-    return f" Cut off at the top: up to {above:.0f} MPa." if above > top else ""
+    return f" Pressures up to {above:.0f} MPa are beyond the axis." if above > top else ""
 
 
 def half(values: Array) -> Array:
-    """Values from mid-length to an end."""
+    """The part of `values` from mid-length to one end."""
     return np.asarray(values[len(values) // 2 :])
 
 
 def outer(q: OptimumInputs, n: int) -> Array:
-    """Centres [m] of the slices, strips or cells in that half."""
+    """Centres [m] of the n slices, strips or cells, from mid-length to one end."""
     return half(places(q, n))
 
 
 def at_counts(context: Context) -> Curves:
-    """Largest pressure over the number of slices, strips and cells."""
+    """Figure of the largest pressure over the number of slices, strips and cells."""
     curves = []
     for k, (key, name) in enumerate(names(context).items()):
         for by, style, counts, p in (
@@ -85,16 +85,17 @@ def at_counts(context: Context) -> Curves:
             curves.append(curve(f"{name}, {by}", np.log2(counts), p / MPa, style, 2 * k))
     low = min(float(c.y.min()) for c in curves)
     return plot(
-        "Largest pressure over the number of parts", "parts along the sprag", "p_max [MPa]", curves,
+        "Largest pressure over the number of slices, strips and cells", "number along the sprag",
+        "p_max [MPa]", curves,
         y_bottom=0.97 * low, y_top=ABOVE * low,
         x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
-        note="Pressures of unloaded ends converge, those of loaded ends do not."
+        note="The largest pressure converges only for crowns with unloaded ends."
         + cut(ABOVE * low, *(float(c.y.max()) for c in curves)),
     )  # fmt: skip
 
 
 def apart(context: Context) -> Curves:
-    """The crowns' drops from mid-length to the end of the sprag."""
+    """Figure of the drops of the crowns from mid-length to the end of the sprag."""
     q = context.inputs
     y = np.linspace(0, q.l / 2, 121)
     curves = []
@@ -106,14 +107,14 @@ def apart(context: Context) -> Curves:
         )  # fmt: skip
         curves.append(line(name, y / mm, drop / um, 2 * k))
     return plot(
-        "The crowns", "y from mid-length [mm]", "drop [µm]", curves, y_bottom=0.0,
-        note="Drop of each crown: zero in the straight middle, the share 1 − K_2 of the length, "
-        "then increasing to z_m at the end.",
+        "Drop of the crowns", "y from mid-length [mm]", "drop [µm]", curves, y_bottom=0.0,
+        note="The drop is zero in the straight middle, which has the length (1 − K_2) l, and "
+        "increases to z_m at the end.",
     )  # fmt: skip
 
 
 def before_and_after(context: Context) -> Sequence[Figure]:
-    """p(y, t) without a crown and with the optimal crown (Figs. 16, 18)."""
+    """Figures of p(y, t) without a crown and with the optimal crown (Figs. 16, 18)."""
     found, q = measured(context), context.inputs
     printed = f" (Fig. {18 if q.T_less else 16}{{}})" if context.is_paper else ""
     designs = {"before": None, "after": found["best"]}
@@ -131,8 +132,8 @@ def before_and_after(context: Context) -> Sequence[Figure]:
             found[f"{name} t"], p, q, top,
             title=("Without a crown" if name == "before" else "With the optimal crown by slices")
             + printed.format(part),
-            note=f"{q.slices} slices; {peaks[name].max() / MPa:.0f} MPa at most. Both "
-            "figures have one range of colours.",
+            note=f"{q.slices} slices; the largest pressure is {peaks[name].max() / MPa:.0f} MPa. "
+            "Both figures have the same colour scale.",
         )
         for part, (name, p) in zip("ab", planes.items(), strict=True)
     )  # fmt: skip

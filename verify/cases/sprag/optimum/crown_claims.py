@@ -32,7 +32,7 @@ HALF_SPACE = "half-space"
 EDGE = 1e-4  # relative effect on a pressure of the position of the cells at the edge of the contact
 SPREAD = 3.0  # ratio of the uncertainty to the last difference between meshes
 GROWS = 0.02  # least relative increase per refinement of a pressure without a finite limit
-NONE_FREE = "no crown with unloaded ends was found: surrogate and strips do not agree on one"
+NONE_FREE = "no crown with unloaded ends was found: surrogate and strips give different optima"
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:
@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """A refined pressure under N_max of the crown with unloaded ends found by the study."""
+    """Row on a pressure under N_max, with mesh refinement, of the crown with unloaded ends."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -78,7 +78,7 @@ class AtCrown(Estimated):
 
 
 def within(share: float) -> Any:
-    """Interval of an acceptance figure; none at other inputs than those of the paper."""
+    """Function that returns the interval ±`share` at the inputs of the paper, otherwise None."""
 
     def interval(q: Any, _values: Any) -> tuple[float, float] | None:
         return (-share, share) if q == type(q)() else None
@@ -102,57 +102,61 @@ def refined(context: Context, crown: str) -> tuple[float, float]:
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """Relative excess of the half-space pressure of the printed crown over that by slices."""
+    """Relative excess of the half-space pressure over the pressure by slices, printed crown."""
     p, U = refined(context, "at hand")
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
     words = (
-        f"{', '.join(f'{x / 1e6:.0f}' for x in v)} MPa by {CELLS[0]}, {CELLS[1]} and {CELLS[2]} "
-        f"cells along, {sliced / 1e6:.0f} MPa by slices"
+        f"{', '.join(f'{x / 1e6:.0f}' for x in v)} MPa with {CELLS[0]}, {CELLS[1]} and {CELLS[2]} "
+        f"cells along the sprag; {sliced / 1e6:.0f} MPa by slices"
     )
     return p / sliced - 1, U / sliced, words
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """Increase per refinement of the end pressure, for the crown that is optimal by slices."""
+    """Margin of the increase of p_max per refinement over GROWS, optimal crown by slices."""
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
     words = "; ".join(
-        f"{', '.join(f'{x / 1e6:.0f}' for x in one)} MPa by {', '.join(map(str, counts))} {by}"
+        f"{', '.join(f'{x / 1e6:.0f}' for x in one)} MPa with {', '.join(map(str, counts))} {by}"
         for one, counts, by in zip(v, (STRIPPED, CELLS), ("strips", "cells"), strict=True)
     )
-    return grows - GROWS, 0.0, f"{words}: by {grows:.1%} and more at each, {GROWS:.0%} required"
+    return (
+        grows - GROWS,
+        0.0,
+        f"{words}; increase per refinement at least {grows:.1%}, {GROWS:.0%} required",
+    )
 
 
 def to_make(context: Context) -> str:
-    """Half-space pressure of the crown with unloaded ends and of the given crown, in words."""
+    """Text: pressure on a half-space of the crown with unloaded ends and of the given crown."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]
     free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
     return (
-        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm: {free[-1] / 1e6:.0f} MPa by "
-        f"{CELLS[-1]} cells of a half-space, {free[0] / 1e6:.0f} by {CELLS[0]}; the given crown "
-        f"{hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f}"
+        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm; on a half-space "
+        f"{free[-1] / 1e6:.0f} MPa with {CELLS[-1]} cells and {free[0] / 1e6:.0f} MPa with "
+        f"{CELLS[0]} cells; given crown: {hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f} MPa"
     )
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """Reduction of the half-space pressure by unloaded ends, relative to the printed crown."""
+    """Relative reduction of the half-space pressure from the printed crown to unloaded ends."""
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
     crown: Array = measured(context)["free"]
     words = (
         f"{free / 1e6:.0f} MPa with K_1 = {crown[0]:.2f}, K_2 = {crown[1]:.3f}, z_m = "
-        f"{crown[2] * 1e6:.1f} µm against {hand / 1e6:.0f} MPa; by slices it is {paper:+.1%} above "
-        "their best"
+        f"{crown[2] * 1e6:.1f} µm, {hand / 1e6:.0f} MPa with the printed crown; by slices, its "
+        f"pressure is {paper:+.1%} above that of the optimal crown"
     )
     return 1 - free / hand, (u + U) / hand, words
 
 
 def at_rest(q: Any, name: str) -> Comparison:
-    """A pressure of the given crown at rest: slices against strips."""
+    """Row on a pressure of the given crown at rest: slices against strips."""
     check = Estimated(
         name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,

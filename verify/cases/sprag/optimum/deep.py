@@ -1,7 +1,7 @@
-"""Long measurements of the optimisation: 200 designs, long searches, several seeds.
+"""Long studies of the optimisation: 200 designs, long searches, several random seeds.
 
-Parts of a deep measurement: validation designs; scipy's DIRECT on the engagements, without any
-surrogate; genetic algorithm and differential evolution from several seeds.
+A long study has three parts: errors at validation designs; a search by scipy's DIRECT on
+engagements, without a surrogate; genetic algorithm and differential evolution with several seeds.
 """
 
 from dataclasses import replace
@@ -32,7 +32,7 @@ def deep_fem(q: OptimumInputs, level: int) -> Level:
 
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Relative errors of both surrogates at fresh designs, and the true pressures [Pa]."""
+    """Relative errors of both surrogates at new designs, and pressures [Pa] by engagements."""
     from analytic.surrogate.kriging import fit
 
     x = full_factorial(q.box, q.levels)
@@ -45,14 +45,14 @@ def validated_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Crowns and pressures [Pa] in the order of evaluation by DIRECT, (n, 4)."""
+    """Crowns and pressures [Pa] in the order of evaluation by DIRECT, shape (n, 4)."""
     pressure, seen = recorded(lambda crown: largest_fem(q, crown), q.box)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}
 
 
 def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Smallest values [Pa] of a surrogate by both searches, from several seeds."""
+    """Smallest values [Pa] of a surrogate by both searches, for several random seeds."""
     x = full_factorial(q.box, q.levels)
     surrogate = fit_regimes(x, answers(peaks_fem(q, x, [q.T])), q.box)
     ga = [
@@ -71,7 +71,7 @@ class Deep(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
     place = "Sec. 3, Table 2"
 
     def reference(self, level: int) -> Level:
-        """Errors at fresh designs, DIRECT without surrogate, several seeds."""
+        """Results of part `level`: errors at new designs, DIRECT, or several random seeds."""
         return deep_fem(self, level)
 
 
@@ -79,14 +79,14 @@ class Deep25(Optimum25Inputs, Deep):  # type: ignore[misc]
     """Errors of kriging at 200 designs, and results of longer searches."""
 
     id = "sprag-optimum-deep"
-    title = "Optimal crown of a sprag clutch, 25 N m, longer"
+    title = "Optimal crown of a sprag clutch, 25 N m, long study"
 
 
 class Deep40(Optimum40Inputs, Deep):  # type: ignore[misc]
     """Errors of kriging at 200 designs, and results of longer searches."""
 
     id = "sprag-optimum-40-deep"
-    title = "Optimal crown of a sprag clutch, 40 N m, longer"
+    title = "Optimal crown of a sprag clutch, 40 N m, long study"
 
 
 DEEP_25 = replace(adapted(Deep25), levels=PARTS)

@@ -1,8 +1,8 @@
-"""Ends of the optimal crown: slices, strips and the half-space under equal forces.
+"""End pressures of the optimal crown by slices, strips and a half-space, under equal forces.
 
-Slices hardly represent the end of a sprag. On a half-space, the pressure of a contact that reaches
-the end has no finite maximum. The crown for manufacture is therefore searched for among crowns with
-unloaded ends.
+Slices do not model the pressure peak at the end of a sprag. On a half-space, the pressure of a
+contact that reaches the end has no finite maximum. The crown for manufacture is therefore searched
+among crowns with unloaded ends.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ CELLS = ((40, 384), (48, 512), (64, 768))  # cells across and along the contact,
 
 
 def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Contacts of four crowns: optimal by slices, given, optimal by strips, and no crown."""
+    """Contact pressures of four crowns: optimal by slices, given, optimal by strips, no crown."""
     crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
     own = freed_fem(q, found["X"], found["N_max"][:, 0])
     if "free" in own:
@@ -37,10 +37,11 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The optimal crown by strips, with unloaded ends; kriging, infill and search as for slices.
+    """The optimal crown by strips, which has unloaded ends, and its infill; may be empty.
 
-    N (n,) are the known forces of the crowns x (n, 3). The result is empty if surrogate and strips
-    do not agree on a crown. An engagement or contact without a solution raises an error.
+    Kriging, infill and search are those used for slices. N (n,) are the known forces [N] of the
+    crowns x (n, 3). The result is empty if surrogate and strips give different optima.
+    Raises an error if an engagement or a contact has no solution.
     """
     one = built(q)
     R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # nearly independent of the crown
@@ -59,7 +60,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
 
 
 def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
-    """Engagement of a crown, and its contact at N_max by all three methods, refined."""
+    """Largest force of a crown, and its pressures at N_max by slices, strips and cells, refined."""
     from analytic.contact.half_space_roller import press_roller
 
     mine = with_crown(q, crown)

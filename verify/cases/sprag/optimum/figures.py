@@ -21,9 +21,9 @@ def tables(context: Context) -> Sequence[Table]:
 
 
 def crowns(context: Context) -> Table:
-    """Pressures of all crowns by all methods, each crown under its largest force."""
+    """Table of the largest pressures of all crowns by all methods, each under its N_max."""
     found = measured(context)
-    names = {"at hand": "printed" if context.is_paper else "at hand", "best": "optimal by slices",
+    names = {"at hand": "printed" if context.is_paper else "given", "best": "optimal by slices",
              "free": "optimal with unloaded ends"}  # fmt: skip
     rows: list[tuple[str | float | None, ...]] = []
     for key, name in names.items():
@@ -43,15 +43,15 @@ def crowns(context: Context) -> Table:
                 f"{context.inputs.slices} slices [MPa]", "81 strips", "161 strips",
                 "half-space, 384 cells", "768 cells"),
         rows=tuple(rows),
-        note="Where the pressure grows with the number of strips or cells, the ends are loaded: "
-        "on a half-space their pressure has no limit. A search without surrogate ends at K_1 = "
+        note="If the pressure grows with the number of strips or cells, the ends are loaded: on a "
+        "half-space, their pressure has no limit. A search without surrogate ends at K_1 = "
         f"{best[0]:.4f}, K_2 = {best[1]:.4f}, z_m = {best[2] / um:.2f} µm with "
         f"{best[3] / MPa:.0f} MPa by slices.",
     )  # fmt: skip
 
 
 def extra(context: Context) -> Table:
-    """The extra designs in the form of Table 2."""
+    """Table of the extra designs in the form of the paper's Table 2."""
     found = measured(context)
     true, one, two = found["extra largest"][:, 0], found["extra single"], found["extra two"]
     rows = tuple(
@@ -61,11 +61,12 @@ def extra(context: Context) -> Table:
         for x, t, a, b in zip(found["extra"], true, one, two, strict=True)
     )  # fmt: skip
     return Table(
-        title="Surrogates at extra designs, as Table 2 has them",
-        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "one kriging", "error [%]",
-                "end and rest separately", "error [%]"),
+        title="Surrogates at extra designs, in the form of Table 2",
+        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "single kriging", "error [%]",
+                "separate kriging of end and rest", "error [%]"),
         rows=rows,
-        note="Errors over the predicted value, as in Table 2, whose designs are not printed.",
+        note="Errors are relative to the predicted value, as in Table 2. The paper does not print "
+        "the designs of Table 2.",
     )  # fmt: skip
 
 

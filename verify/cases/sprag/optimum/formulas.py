@@ -1,4 +1,4 @@
-"""Formulas of a crown at rest, without an engagement: design load and statics."""
+"""Formulas of a crown without an engagement: its design load and its pressures at rest."""
 
 import math
 from collections.abc import Iterator
@@ -27,45 +27,48 @@ MOST_STEPS = 50_000  # largest number of steps of an engagement; a study has hun
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """The given crown at rest; properties of the optimal crown under all torques."""
+    """The given crown at rest, and the optimal crown at both torques."""
 
     source = "huang2018"
     method = BY_SEARCHES
     readings: ClassVar = (
-        "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
-        "z_m is in millimetres; Q is the static load at 25 N m of rigid bodies, "
-        "T/(z R_i tan ν_0), at both torques; with deflections the force of a sprag is smaller",
-        "Eq. 20: a full quadratic, a Matérn 5/2 process on what it leaves; neither is printed",
-        "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and "
-        "elitism; none of these is printed",
+        "Pre_max is the largest pressure of the slices of the inner contact at the largest force",
+        "z_m is in millimetres. At both torques, Q is the static load of rigid bodies at 25 N m, "
+        "T/(z R_i tan ν_0); with deflections, the force of a sprag is smaller",
+        "Eq. 20 is a full quadratic and a Matérn 5/2 process for its residuals; the paper prints "
+        "neither",
+        "the genetic algorithm uses Gray codes, tournaments of two, one-point crossover and "
+        "elitism; the paper does not print these",
     )
     assumptions: ClassVar = (
-        "inputs missing in the paper are those of sprag-clutch, identified or assumed",
-        "the end slice and all others are kriged separately, as squares of pressures, which are "
-        "proportional to forces; the larger counts",
-        "of the largest force of an engagement the contact's pressure is that of statics",
+        "inputs that the paper does not print are those of case sprag-clutch, identified or "
+        "assumed",
+        "separate kriging models are used for the end slice and for all other slices; they "
+        "interpolate the squares of pressures, which are proportional to forces, and the larger "
+        "result applies",
+        "the pressure under the largest force of an engagement is that of a static contact",
     )
 
-    @Quantity("Q_0", "N", "load that all crowns are made for, without deflections")
+    @Quantity("Q_0", "N", "design load of all crowns, without deflections")
     def Q_crown(self) -> float:
         return crowned_for(self)
 
-    @Quantity("Q_even", "N", "load whose Lundberg crown the given one follows",
+    @Quantity("Q_even", "N", "load under which the given crown is uniformly loaded",
               source="Lundberg", tex="K_1 Q_0")  # fmt: skip
     def K_1_Q(self) -> float:
         return self.K_1 * self.Q_crown
 
-    @Quantity("A", "µm", "its depth, by which the drop grows", equation="1", form="corrected",
+    @Quantity("A", "µm", "factor of the logarithm, given crown", equation="1", form="corrected",
               tex=r"\frac{2 K_1 Q_0 (1 - \nu^2)}{\pi l E}")  # fmt: skip
     def A(self) -> float:
         E_star = float(built(self).parts.E_star)
         return float(self.K_1 * self.Q_crown / (np.pi * self.l * E_star))
 
-    @Quantity("l_0", "mm", "its straight middle", equation="1", tex="(1 - K_2) l")
+    @Quantity("l_0", "mm", "straight length of the given crown", equation="1", tex="(1 - K_2) l")
     def straight(self) -> float:
         return float(crown.straight_length(K_2=self.K_2, length=self.l))
 
-    @Quantity("z_end", "µm", "its drop at the middle of the end slices", equation="1")
+    @Quantity("z_end", "µm", "drop of the given crown at the end slices", equation="1")
     def z_end(self) -> float:
         return float(built(self).gap[0])
 
@@ -73,14 +76,14 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     def N(self) -> float:
         return normal_force(under(self))
 
-    @Quantity("μ_req", "1", "friction that the torque requires", role="step")
+    @Quantity("μ_req", "1", "required friction coefficient", role="step")
     def mu_req(self) -> float:
         now = under(self)
         return math.nan if now is None else float(np.tan(now.nu))
 
     @shared
     def _contact(self) -> SlicedContact | None:
-        """The inner contact at rest."""
+        """Inner contact under the normal force at rest; None without equilibrium."""
         return built(self).pressed(self.N)[0] if math.isfinite(self.N) else None
 
     @Quantity("p", "MPa", "largest pressure at rest, by slices", safe="too high")
@@ -95,7 +98,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     def static_end(self) -> float:
         return float(self._contact.peak_pressure[0]) if self._contact else math.nan
 
-    @Quantity("n_X", "1", "designs of the full factorial")
+    @Quantity("n_X", "1", "number of designs of the full factorial")
     def designs(self) -> float:
         return float(self.levels**3)
 
@@ -107,13 +110,13 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     sketch = sketched.sketch
 
     def reference(self, level: int) -> Level:
-        """Strips at the given crown, the optimisation, its ends."""
+        """Reference: strips at the given crown, the optimisation, and its end pressures."""
         from verify.cases.sprag.optimum.reference import solve
 
         return solve(self, level)
 
     def laws(self) -> Iterator[Equation]:
-        """The problem, its box and its surrogate."""
+        """Equations of the optimisation problem, its bounds and its surrogate."""
         yield Equation(
             tex=r"\min_{\mathbf{X}} \max_{t,\,y} p(y, t), \quad \mathbf{X} = (K_1, K_2, z_m)",
             place="Eqs. 17, 18",
@@ -127,30 +130,31 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         yield Equation(
             tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
             r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
-            place="Eq. 20, of squares of pressures, the end slice and the rest separately",
+            place="Eq. 20, for squares of pressures, separately for the end slice and the rest",
         )
 
     def advice(self) -> Iterator[str]:
         """Statements of the formulas on the given crown; only `--fem` finds the optimal crown."""
         yield (
-            f"the given crown is Lundberg's for {self.K_1_Q:.4g} N, straight over "
+            f"the given crown gives a uniform load under {self.K_1_Q:.4g} N; it is straight over "
             f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
         )
         if math.isfinite(self.N):
             ends = "are loaded" if self.static_end > 0 else "are unloaded"
             yield (
-                f"at rest under T a sprag carries {self.N:.4g} N, {self.static_peak / 1e6:.4g} MPa "
-                f"at most, its ends {ends}; an engagement has up to twice the force"
+                f"at rest under T, the normal force of a sprag is {self.N:.4g} N, the largest "
+                f"pressure is {self.static_peak / 1e6:.4g} MPa, and the ends of the sprag {ends}; "
+                "the force of an engagement is up to twice as large"
             )
 
     def refusal(self) -> str:
-        """Reason to refuse: no solution at rest, slip, or too many steps."""
+        """Reason why no optimum is computed: no solution at rest, slip, or too many steps."""
         if reason := clutch_advice.refusal(self):
             return reason
         if self.mu_s < self.mu_req:
-            return "the sprags slip: no crown prevents that"
+            return "the sprags slip: no crown prevents this"
         steps = self.t_end / self.dt
         return (
-            f"t_end/dt = {steps:.4g} is above {MOST_STEPS} steps of an engagement"
+            f"t_end/dt = {steps:.4g} exceeds the limit of {MOST_STEPS} time steps of an engagement"
             if steps > MOST_STEPS else ""
         )  # fmt: skip

@@ -16,14 +16,14 @@ ABOVE = 4.0  # % above the lowest pressure, upper end of the axis of the figure 
 
 
 def figure(context: Context) -> str:
-    """Number of the figure of the paper to which the maps correspond."""
+    """Number of the corresponding figure of the paper, as a format string; may be empty."""
     if not context.is_paper:
         return ""
     return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"
 
 
 def maps(context: Context) -> Sequence[Figure]:
-    """Maps of the surrogate over K_1 and K_2, and over K_1 and z_m."""
+    """Maps of the largest pressure over K_1 and K_2, and over K_1 and z_m, by the surrogate."""
     found, q = measured(context), context.inputs
     both = {"K_2": found["map K_1, K_2"], "z_m": found["map K_1, z_m"]}
     top = (min(float(z.min()) for z in both.values()) / MPa,
@@ -34,14 +34,14 @@ def maps(context: Context) -> Sequence[Figure]:
             title="Largest pressure of the engagement" + figure(context).format(part),
             x_label="K_1", y_label="K_2" if key == "K_2" else "z_m [µm]", z_label="Pre_max [MPa]",
             x=found["K_1"], y=found[key] / (um if key == "z_m" else 1.0), z=z.T / MPa, range=top,
-            note=f"{notes[key]} By the surrogate; both maps have one range of colours.",
+            note=f"{notes[key]} Values of the surrogate. Both maps have the same colour scale.",
         )
         for part, (key, z) in zip("ab", both.items(), strict=True)
     )  # fmt: skip
 
 
 def lines(context: Context) -> Curves:
-    """Largest pressure along K_1 at several z_m by the surrogate and by engagements."""
+    """Figure of the largest pressure over K_1 for several z_m, by surrogate and engagements."""
     found, q = measured(context), context.inputs
     true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
     z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)
@@ -53,14 +53,14 @@ def lines(context: Context) -> Curves:
             dots("", K_1, true[:, k] / MPa, k),
         ]  # fmt: skip
     return plot(
-        f"Along K_1 at K_2 = {held(q.box, 1):g}", "K_1", "Pre_max [MPa]", curves,
+        f"Largest pressure over K_1 at K_2 = {held(q.box, 1):g}", "K_1", "Pre_max [MPa]", curves,
         y_bottom=0.98 * float(true.min()) / MPa,
-        note="Lines by the surrogate, fitted without this K_2; marks are engagements.",
+        note="Lines: surrogate, fitted without designs at this K_2. Dots: engagements.",
     )  # fmt: skip
 
 
 def valley(context: Context) -> Curves:
-    """Effect of K_1 near the optimum, with optimal K_2 and z_m; N_max/Q and printed values."""
+    """Figure of the lowest pressure over K_1, with optimal K_2 and z_m, near the optimum."""
     found, q = measured(context), context.inputs
     over = found["whole"].min(axis=(1, 2))
     curves = [line(f"{q.T:g} N m", found["K_1"], PERCENT * (over / over.min() - 1))]
@@ -72,10 +72,10 @@ def valley(context: Context) -> Curves:
     wide = np.array([found["K_1"][0], found["K_1"][-1]])
     curves += [
         dots("N_max/Q", found["Lundberg"][:1], [PERCENT * (found["Lundberg"][3] / best - 1)], 3),
-        dots("printed" if context.is_paper else "at hand", q.K_1, PERCENT * (p / best - 1), 5),
+        dots("printed" if context.is_paper else "given", q.K_1, PERCENT * (p / best - 1), 5),
         dashes(f"{FLAT:.1%}", wide, PERCENT * FLAT, 4),
     ]  # fmt: skip
     return plot(
-        "Flatness of the optimum", "K_1", "above the lowest [%]", curves, y_bottom=-0.2,
-        y_top=ABOVE, note="K_2 and z_m are optimal for each K_1, by the surrogate.",
+        "Flatness of the optimum", "K_1", "p_max above the lowest [%]", curves, y_bottom=-0.2,
+        y_top=ABOVE, note="Values of the surrogate; K_2 and z_m are optimal for each K_1.",
     )  # fmt: skip

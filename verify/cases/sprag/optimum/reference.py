@@ -1,4 +1,4 @@
-"""Reference of the formulas: strips at the given crown, the optimisation, and its end effects."""
+"""Reference: strips at the given crown, the optimisation, and the end effects of its crowns."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ LEVELS = STRIPPED  # strips along a sprag
 
 
 def solve(q: OptimumInputs, level: int) -> Level:
-    """One level: `level` strips at the given crown; the finest level includes the optimisation."""
+    """Results with `level` strips at the given crown; the finest level adds the optimisation."""
     now, one = under(q), built(q)
     assert now is not None  # a clutch without a peak was refused before
     found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))
@@ -35,7 +35,7 @@ def solve(q: OptimumInputs, level: int) -> Level:
 
 
 def maps_fem(q: OptimumInputs) -> dict[str, Array]:
-    """True pressures [Pa] over K_1 and z_m at the K_2 of Figs. 15 and 17, (torques, K_1, z_m)."""
+    """Pressures [Pa] by engagements at the K_2 of Figs. 15 and 17, shape (torques, K_1, z_m)."""
     low, high = np.array(q.box.low), np.array(q.box.high)
     K_1, z_m = (np.linspace(low[k], high[k], q.levels) for k in (0, 2))
     grid = np.array([(a, held(q.box, 1), b) for a in K_1 for b in z_m])
@@ -44,7 +44,7 @@ def maps_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def lundberg_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Lundberg's crown for N_max (K_1 = N_max/Q), with the best K_2 and z_m for this K_1."""
+    """Lundberg's crown for N_max (K_1 = N_max/Q), with optimal K_2 and z_m, and its pressure."""
     K_1 = float(np.clip(found["best true"][3] / crowned_for(q), q.K_1_low, q.K_1_high))
     row = int(np.argmin(np.abs(found["K_1"] - K_1)))
     K_2, z_m = np.unravel_index(np.argmin(found["whole"][row]), found["whole"][row].shape)
@@ -54,7 +54,7 @@ def lundberg_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
-    """N [N] over time [s] without a crown and with the optimal crown (Figs. 16, 18)."""
+    """Normal force [N] over time [s], without and with the optimal crown (Figs. 16, 18)."""
     found: dict[str, Array] = {}
     for name, crown in (("before", None), ("after", best)):
         run = run_fem(with_crown(q, crown)).engagement
@@ -64,9 +64,10 @@ def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
 
 
 def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Peaks without and with the optimal crown; wedge angle fitted to the pressure at 25 N m.
+    """Fitted wedge angle [rad], and largest pressures [Pa] without and with the optimal crown.
 
-    The number of slices is that of the inputs. Computed only for the clutch of the paper.
+    The wedge angle is fitted to the pressure printed at 25 N m. The result is empty for inputs
+    other than those of the paper.
     """
     if q != type(q)():
         return {}

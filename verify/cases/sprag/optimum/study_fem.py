@@ -1,7 +1,7 @@
-"""The optimisation of the paper (Eqs. 17-22, Fig. 9) with compiled engagements.
+"""The optimisation of the paper (Eqs. 17-22, Fig. 9) with computed engagements.
 
-It consists of a full factorial design, kriging of the largest pressures, searches on the surrogate,
-and engagements at the optima found; also of searches without surrogate.
+The steps are a full factorial design, kriging of the largest pressures, searches on the surrogate,
+engagements at the optima, and a search without a surrogate.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ EXTRA_SEED = 1  # random seed of the extra designs
 
 
 def study_fem(q: OptimumInputs) -> dict[str, Array]:
-    """All arrays of the optimisation, by name."""
+    """Arrays of all results of the optimisation, by name."""
     box = q.box
     x = full_factorial(box, q.levels)
     peaks = peaks_fem(q, x, q.torques)
@@ -43,12 +43,12 @@ def study_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def largest_fem(q: OptimumInputs, crowns: Array) -> float:
-    """The largest pressure [Pa] under T of the first crown."""
+    """Largest pressure [Pa] of the first crown of `crowns` under T."""
     return float(peaks_fem(q, crowns, [q.T]).largest[0, 0])
 
 
 def less_fem(q: OptimumInputs, x: Array, known: list[Answer]) -> dict[str, Array]:
-    """The optimal crown for the other torque by its surrogate; its pressures at both torques."""
+    """Optimal crown at the second torque by its surrogate, and its pressures at both torques."""
     assert q.T_less is not None
     surrogate = best_crown.fit_regimes(x, known, q.box)
     crown = evolve(surrogate.predict, q.box).x

@@ -1,4 +1,4 @@
-"""Claims about kriging: its equations against the bordered system, errors and searches."""
+"""Claims about kriging: solution of its linear system, errors at new designs, searches."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ Pairs = tuple[Array, Array, float]  # values of both sides, and their scale
 def agrees(
     name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
 ) -> Agreement:
-    """Claim that two largest pressures agree, for any clutch."""
+    """Claim that two largest pressures agree within `accepted`, for any clutch."""
     return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
                      source=source,
                      everywhere=True)  # fmt: skip
@@ -37,7 +37,7 @@ def agrees(
 
 @dataclass(frozen=True, kw_only=True)
 class Displayed(Claim):
-    """A measured value without a criterion; the status is SHOWN."""
+    """Statement of a computed value without a criterion; its status is SHOWN."""
 
     kind = Kind.FACT
 
@@ -50,9 +50,10 @@ class Displayed(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Repeated(Claim):
-    """A kriging result against the bordered system, within the bound by its condition number.
+    """Claim that a kriging result agrees with the solution of the bordered linear system.
 
-    `pair(context, array, one, extra)` returns both values for a regime, and their scale.
+    The accepted difference follows from the condition number. `pair(context, array, one, extra)`
+    returns both values for a regime, and their scale.
     """
 
     kind = Kind.EXACT
@@ -75,7 +76,7 @@ class Repeated(Claim):
 
 
 def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
-    """For each regime with kriging: its arrays by name, its bordered system, its extra designs."""
+    """Arrays by name, bordered system and extra designs of each kriging regime."""
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
         if f"{name} designs" in found:
@@ -87,7 +88,7 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
 
 
 def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
-    """Result of kriging at the extra designs, "predicted" or "deviation"."""
+    """Function that returns "predicted" or "deviation" of kriging at the extra designs."""
 
     def pair(_: Context, array: Named, one: Bordered, extra: Array) -> Pairs:
         return array(name), getattr(one, name)(extra), float(np.abs(one.values).max())
@@ -96,7 +97,7 @@ def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
 
 
 def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
-    """Some designs left out, one at a time, with constant length scales."""
+    """Leave-one-out predictions of some designs by both methods, with constant length scales."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
     return array("left out")[some], theirs, float(np.abs(one.values).max())
@@ -109,93 +110,96 @@ def missed(found: Measured, which: str) -> Array:
 
 def spread(errors: Array) -> str:
     size = np.abs(errors)
-    return f"{size.mean():.2%} in the mean, {size.max():.2%} at most"
+    return f"mean {size.mean():.2%}, largest {size.max():.2%}"
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """Mean error at new designs, or the scaled largest error if that is larger.
+    """Mean relative error at new designs, or the scaled largest error if this is larger.
 
-    The largest error is scaled by MEAN/LARGEST: one limit, MEAN, applies to both.
+    The largest error is scaled by MEAN/LARGEST, so that the limit MEAN applies to both.
     """
     error = np.abs(missed(measured(context), "two"))
     size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
-    return size, 0.0, f"{spread(error)} of {len(error)} designs"
+    return size, 0.0, f"{spread(error)} (relative errors at {len(error)} designs)"
 
 
 def at_best(context: Context) -> Pair:
-    """Surrogate and true model at the result of the search."""
+    """Pressures [Pa] of surrogate and engagement at the optimal crown."""
     *_, (*_, predicted, true) = measured(context)["infill"]
     rounds = len(measured(context)["infill"])
     words = (
-        f"{predicted / 1e6:.1f} and {true / 1e6:.1f} MPa after {rounds} rounds; infill ends only "
-        "where these agree so, evidence are fresh designs and the search without surrogate"
+        f"{predicted / 1e6:.1f} and {true / 1e6:.1f} MPa after {rounds} rounds; this agreement is "
+        "the stopping criterion of infill; independent evidence is given by new designs and by the "
+        "search without surrogate"
     )
     return Pair(predicted, true, 0.0, words)
 
 
 def searched(context: Context) -> Pair:
-    """Genetic algorithm and differential evolution on a common surrogate."""
+    """Minima [Pa] by genetic algorithm and differential evolution on the same surrogate."""
     found = measured(context)
     ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
     words = (
-        f"{ga / 1e6:.2f} MPa after {found['GA evaluations'][0]:.0f} and {de / 1e6:.2f} MPa after "
-        f"{found['DE evaluations'][0]:.0f} points"
+        f"{ga / 1e6:.2f} MPa after {found['GA evaluations'][0]:.0f} evaluations and "
+        f"{de / 1e6:.2f} MPa after {found['DE evaluations'][0]:.0f} evaluations"
     )
     return Pair(ga, de, 0.0, words)
 
 
 def directly(context: Context) -> Pair:
-    """The optimal crown against a search on engagements only, from the given crown."""
+    """Pressures [Pa] of the optimal crown, and of a search on engagements from the given crown."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
     words = (
-        f"{low / 1e6:.1f} MPa after {len(tried)} engagements, {low / best - 1:+.2%} beside "
+        f"{low / 1e6:.1f} MPa after {len(tried)} engagements, {low / best - 1:+.2%} relative to "
         f"{best / 1e6:.1f} MPa"
     )
     return Pair(best, low, 0.0, words)
 
 
 def asked(context: Context) -> str:
-    """Numbers of engagements for the surrogate and for a search without surrogate."""
+    """Text: numbers of engagements with a surrogate and with a search without surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     near = tried <= best * (1 + NEAR)
-    first = f"{int(np.argmax(near)) + 1}" if near.any() else f"not within {len(tried)}"
+    first = f"{int(np.argmax(near)) + 1}" if near.any() else f"more than {len(tried)}"
     return (
-        f"{len(found['X'])} of the factorial and {len(found['infill'])} of infill with kriging; "
-        f"within {NEAR:.1%} of its optimal crown without it, from the given crown: {first}"
+        f"with kriging: {len(found['X'])} engagements of the factorial and {len(found['infill'])} "
+        f"of infill; without kriging, from the given crown to within {NEAR:.1%} of the optimum: "
+        f"{first}"
     )
 
 
 def single_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"at the extra designs {spread(missed(found, 'single'))}; a level left out "
-        f"{spread(found['level out single'])}; a design left out {spread(found['left out single'])}"
+        f"at the extra designs: {spread(missed(found, 'single'))}; with one level left out: "
+        f"{spread(found['level out single'])}; with one design left out: "
+        f"{spread(found['left out single'])}"
     )
 
 
 def two_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"a level left out {spread(found['level out two'])}; a design left out "
+        f"with one level left out: {spread(found['level out two'])}; with one design left out: "
         f"{spread(found['left out two'])}"
     )
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Leave-one-out estimates are below a tenth of the errors of a single kriging."""
+    """Margin of the ratio of leave-one-out estimate to true error below BLIND, single kriging."""
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())
-    return BLIND - known / true, 0.0, f"{known:.3%} where fresh designs miss by {true:.2%}"
+    return BLIND - known / true, 0.0, f"mean error: estimate {known:.3%}, new designs {true:.2%}"
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """Two regimes kriged separately have less than half the error of one kriging."""
+    """Margin of the ratio of the errors of separate and single kriging below one half."""
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
-    return 0.5 - two / one, 0.0, f"{two:.2%} against {one:.2%} in the mean"
+    return 0.5 - two / one, 0.0, f"mean error {two:.2%}, with a single kriging {one:.2%}"
 
 
 SURROGATE = (
@@ -203,28 +207,28 @@ SURROGATE = (
              pair=at_extra("predicted")),
     Repeated(name="kriging deviation and the bordered system", symbol="s", unit="1",
              pair=at_extra("deviation")),
-    Repeated(name="designs left out in closed form and one by one", symbol="Y", unit="1",
+    Repeated(name="leave-one-out predictions, in closed form and one by one", symbol="Y", unit="1",
              pair=left_out),
-    Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
+    Deviation(name=f"error of surrogate at new designs: mean {MEAN:.1%}, largest {LARGEST:.0%}",
               symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
-              source=suites("the mean as at the optimal crown, single designs six times that"),
+              source=suites("mean: tolerance at the optimal crown; single designs: six times that"),
               whole="pressure of an engagement",
               by="surrogate", everywhere=True),
     agrees(f"surrogate and true model within {AGREE:.1%} at the optimal crown", "Y", at_best, AGREE,
            "engagement", SUBJECT),
     agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
            SEARCHES, "differential evolution",
-           suites("a fifth of what surrogate and true model may differ by")),
+           suites("one fifth of the tolerance between surrogate and engagement")),
     agrees(f"optimal crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
            AGREE, "search without surrogate",
-           suites("as surrogate and true model")),
+           suites("same tolerance as between surrogate and engagement")),
     Displayed(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
-    Displayed(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1",
+    Displayed(name="errors of a single kriging of all slices (Eq. 20)", symbol="Y", unit="1",
               words=single_errors),
     Displayed(name="errors of separate kriging of the end and the rest", symbol="Y", unit="1",
          words=two_errors),
     OfPaper(name="separate kriging of the end and the rest halves the errors", symbol="Y", unit="1",
             margin=better),
-    OfPaper(name="leaving out a design hides nine tenths of one kriging's errors", symbol="Y",
-            unit="1", margin=blind),
+    OfPaper(name="leave-one-out estimates miss nine tenths of the error of a single kriging",
+            symbol="Y", unit="1", margin=blind),
 )  # fmt: skip

@@ -21,7 +21,7 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """Stored results of the long studies, for the clutch of the paper; None for other inputs."""
+    """Stored results of the long studies (`deep`) of the paper's clutch; None for other inputs."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
@@ -33,7 +33,7 @@ def oblique(u: Array) -> Array:
 
 
 def designs(context: Context) -> Sequence[Figure]:
-    """The designs in the space of the parameters (Fig. 10)."""
+    """Figure of the designs in the space of the parameters (Fig. 10)."""
     found, box = measured(context), context.inputs.box
     corners = np.array([[a, b, c] for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=float)
     edges = tuple(
@@ -45,23 +45,23 @@ def designs(context: Context) -> Sequence[Figure]:
             title="Designs (Fig. 10)", unit="of each range",
             panels=tuple(
                 Panel(name=name, lines=edges, dots=oblique(box.to_unit(found[key])))
-                for name, key in ((f"{len(found['X'])} of the factorial", "X"),
-                                  (f"{len(found['extra'])} at random", "extra"))
+                for name, key in ((f"{len(found['X'])} factorial designs", "X"),
+                                  (f"{len(found['extra'])} random designs", "extra"))
             ),
             dots_name="design",
-            note="K_1 goes to the right, z_m up, K_2 aslant to the back.",
+            note="K_1 increases to the right, z_m upwards, K_2 obliquely to the back.",
         ),
     )  # fmt: skip
 
 
 def errors(context: Context) -> Sequence[Figure]:
-    """Errors over the true pressure: extra designs, deep designs if measured, Table 2."""
+    """Figure of the errors of the surrogates over the true pressure, with those of Table 2."""
     found, deep = measured(context), deeper(context)
     true = found["extra largest"][:, 0] / MPa
     more = deep.parts[0].arrays if deep else None
     curves = []
     for colour, (key, name) in enumerate(
-        (("single", "one kriging"), ("two", "end and rest separately"))
+        (("single", "single kriging"), ("two", "separate kriging of end and rest"))
     ):
         x, y = true, PERCENT * missed(found, key)
         if more is not None:
@@ -75,9 +75,9 @@ def errors(context: Context) -> Sequence[Figure]:
         )  # fmt: skip
         curves.append(dots("Table 2", actual, PERCENT * (predicted / actual - 1), 4))
     count = len(curves[0].x)
-    note = f"{len(true)} designs not used by any surrogate" + (
-        f", and {DESIGNS} more, measured on {deep.date}." if deep else
-        f"; {DESIGNS} more are not measured for this code (freewheel deep)." if context.is_paper
+    note = f"{len(true)} designs that no surrogate uses" + (
+        f", and {DESIGNS} more, computed on {deep.date}." if deep else
+        f"; {DESIGNS} more are computed by `freewheel deep`." if context.is_paper
         else "."
     )  # fmt: skip
     return (
@@ -89,28 +89,29 @@ def errors(context: Context) -> Sequence[Figure]:
 
 
 def bars(context: Context) -> Bars:
-    """Errors of the surrogate, and their estimates by each method."""
+    """Bars of the errors of the surrogates, and of the estimates of these errors."""
     found = measured(context)
     items = []
-    for key, name in (("single", "one kriging"), ("two", "end and rest separately")):
+    for key, name in (("single", "single kriging"), ("two", "separate kriging")):
         for words, error in (
-            ("fresh designs", missed(found, key)), ("a level left out", found[f"level out {key}"]),
-            ("a design left out", found[f"left out {key}"]),
+            ("new designs", missed(found, key)),
+            ("one level left out", found[f"level out {key}"]),
+            ("one design left out", found[f"left out {key}"]),
         ):  # fmt: skip
             size = PERCENT * np.abs(error)
             items.append((f"{name}: {words}", float(size.mean()),
-                          f"{size.mean():.2g} %, {size.max():.2g} % at most"))  # fmt: skip
+                          f"{size.mean():.2g} %, largest {size.max():.2g} %"))  # fmt: skip
     return Bars(
         title="Errors of kriging and their estimates",
         label="mean |error| [%]",
         items=tuple(items),
-        note="A design left out has neighbours on the same level: the estimate excludes the kink "
-        "between levels.",
+        note="A design that is left out has neighbours on the same level; the estimated error "
+        "therefore does not contain the kink between levels.",
     )
 
 
 def searches(context: Context) -> Curves:
-    """Lowest pressure over the number of evaluations: on the surrogate, and on engagements only."""
+    """Figure of the lowest pressure over the number of evaluations, with and without surrogate."""
     found = measured(context)
     curves = []
     for colour, (key, name) in enumerate(
@@ -128,27 +129,28 @@ def searches(context: Context) -> Curves:
     rounds = found["infill"]
     at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
     curves += [
-        dots("surrogate's optimal crowns, true", at, rounds[:, 4] / MPa, 5),
-        dots("surrogate's optimal crowns, predicted", at, rounds[:, 3] / MPa, 1),
+        dots("optimum of the surrogate, by engagement", at, rounds[:, 4] / MPa, 5),
+        dots("optimum of the surrogate, predicted", at, rounds[:, 3] / MPa, 1),
     ]  # fmt: skip
     low = min(float(c.y.min()) for c in curves)
     return plot(
-        "Searches for the optimal crown", "points evaluated", "Pre_max [MPa]", curves,
+        "Searches for the optimal crown", "number of evaluations", "Pre_max [MPa]", curves,
         y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
-        note="The surrogate's optimal crowns come after the factorial's engagements.",
+        note="The number of evaluations at an optimum of the surrogate includes the engagements of "
+        "the factorial.",
     )  # fmt: skip
 
 
 def longer(context: Context) -> Sequence[Table]:
-    """Curves of the long searches."""
+    """Table of the results of the long studies."""
     if not context.is_paper:
         return ()
     deep = deeper(context)
     if deep is None:
-        missing = (("not measured for this code",),)
+        missing = (("not computed for this version of the code",),)
         return (Table(title="Longer searches and more designs", header=("",), rows=missing,
-                      note="freewheel deep measures them."),)  # fmt: skip
+                      note="`freewheel deep` computes them."),)  # fmt: skip
     whole, direct, seeds = (part.arrays for part in deep.parts)
     best = float(measured(context)["best true"][0])
     low = direct["direct"][:, 3]
@@ -156,24 +158,24 @@ def longer(context: Context) -> Sequence[Table]:
 
     def size(key: str) -> str:
         e = PERCENT * np.abs(whole[key])
-        return f"{e.mean():.2f} % in the mean, {e.max():.2f} % at most"
+        return f"mean error {e.mean():.2f} %, largest {e.max():.2f} %"
 
     slower = first is None or first > len(measured(context)["X"])
     remark = (
         "" if slower else
-        f" The factorial alone needs {len(measured(context)['X'])} engagements: for the optimal "
-        "crown kriging saves none here; it gives the maps."
+        f" The factorial requires {len(measured(context)['X'])} engagements. Kriging therefore "
+        "does not reduce the number of engagements for the optimal crown; it gives the maps."
     )  # fmt: skip
     rows = (
-        (f"one kriging at {DESIGNS} designs", size("single")),
-        (f"end and rest separately at {DESIGNS} designs", size("two")),
-        (f"DIRECT on engagements, {ENGAGEMENTS} allowed",
-         f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the optimal crown"),
-        ("engagements until within 0.1 % of it", str(first or "never")),
+        (f"single kriging at {DESIGNS} designs", size("single")),
+        (f"separate kriging of end and rest at {DESIGNS} designs", size("two")),
+        (f"DIRECT on at most {ENGAGEMENTS} engagements",
+         f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} relative to the optimal crown"),
+        ("engagements of DIRECT until within 0.1 % of the optimum", str(first or "not reached")),
         (f"genetic algorithm, {SEEDS} seeds",
          f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),
         (f"differential evolution, {SEEDS} seeds",
          f"{seeds['DE'].min() / MPa:.2f} to {seeds['DE'].max() / MPa:.2f} MPa"),
     )  # fmt: skip
-    return (Table(title="Longer searches and more designs", header=("what", "found"), rows=rows,
-                  note=f"Measured on {deep.date}.{remark}"),)  # fmt: skip
+    return (Table(title="Longer searches and more designs", header=("study", "result"), rows=rows,
+                  note=f"Computed on {deep.date}.{remark}"),)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Statements on the results of a wedged sprag, and limits of its meshes."""
+"""Statements on the results of a wedged sprag, and input limits of its finite elements."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -20,16 +20,17 @@ TURNED = 0.6  # rad
 
 
 def advice(q: WedgeFormulas) -> Iterator[str]:
-    """Whether the clutch holds, its deflection, and the errors of the paper's laws."""
+    """Sentences: whether the clutch holds, its deflections, the error of the paper's equations."""
     if q.T_roll < q.T:
         yield (
-            f"rolls over: a contact reaches the sprag's flank at {q.T_roll:.4g} N m, before "
-            f"T = {q.T:g} N m; all below is of sprags without flanks"
+            f"rolls over: a contact reaches the sprag's flank at {q.T_roll:.4g} N m, below "
+            f"T = {q.T:g} N m; all results below are for sprags without flanks"
         )
     else:
         yield (
             f"holds with friction above tan ν = {math.tan(q.nu_T):.4f} at the inner race and "
-            f"{math.tan(q.omega_T):.4f} at the outer; below these, the sprags slide out"
+            f"tan ω = {math.tan(q.omega_T):.4f} at the outer race; with less friction, the sprags "
+            "slip"
         )
     yield (
         f"the deflection is {q.H * 1e6:.3g} µm under {q.N:.4g} N, the sprag rotation "
@@ -37,14 +38,14 @@ def advice(q: WedgeFormulas) -> Iterator[str]:
     )
     rigid = q.at_share(1.0)
     yield (
-        f"with Palmgren's law and Eqs. 9, 10 as printed the rotation is "
-        f"{q.alpha_paper / q.alpha - 1:+.0%} off: deflection {rigid.H_composite / rigid.H - 1:+.0%}"
-        ", a share of it neglected on the inner side"
+        f"error of the rotation with Palmgren's law and Eqs. 9, 10 as printed: "
+        f"{q.alpha_paper / q.alpha - 1:+.0%}; the error of the deflection is "
+        f"{rigid.H_composite / rigid.H - 1:+.0%}, but Eqs. 9, 10 omit a part of it"
     )
 
 
 def summary(q: WedgeFormulas) -> Mapping[str, Any]:
-    """These statements for programs."""
+    """Verdict and main results, for JSON output."""
     verdict = "too much pressure" if max(q.p_i, q.p_e) > HARD else "holds"
     return {
         "verdict": "rolls over" if q.T_roll < q.T else verdict,
@@ -59,53 +60,56 @@ def warnings(q: WedgeFormulas) -> Iterator[str]:
         yield f"a contact reaches the sprag's flank at {q.T_roll:.4g} N m: the sprags roll over"
     if q.bodies.column is None:
         yield (
-            f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round: a disc between the "
-            "races stands for them"
+            f"the sprag width b = {q.b * 1e3:g} mm exceeds the width of the rounded profile: the "
+            "sprag is replaced by a disc between the races"
         )
     if math.tan(q.nu_T) > FRICTION:
         yield (
-            f"tan ν = {math.tan(q.nu_T):.3g} is more than the friction {FRICTION:g} that oiled "
-            "steel hardly exceeds: the clutch slips"
+            f"tan ν = {math.tan(q.nu_T):.3g} exceeds {FRICTION:g}, an upper estimate of the "
+            "friction coefficient of oiled steel: the clutch slips"
         )
     p = max(q.p_i, q.p_e)
     if p > HARD:
         yield (
-            f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
+            f"the pressure {p / 1e6:.4g} MPa exceeds {HARD / 1e6:g} MPa, the static limit of "
             "hardened rollers (ISO 76)"
         )
 
 
 def refusal(q: WedgeFormulas) -> str:
-    """Why finite elements refuse these inputs, or nothing."""
+    """Reason why the finite elements cannot compute these inputs; empty if they can."""
     N = MOST * q.N_0
     at, (a_i, a_e) = wedged(q.clutch, N), map(float, q.bodies.half_widths(np.asarray(N)))
     column, without = q.bodies.column, "; check it without --fem"
     load = f"{N:.4g} N ({MOST:g} N_0, the end of the compared forces)"
     if column is None:
-        return f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round{without}"
+        return (
+            f"the sprag width b = {q.b * 1e3:g} mm exceeds the width of the rounded profile"
+            f"{without}"
+        )
     turned, alpha_b = float(at.turned), float(at.alpha_b)
     wide = max(a_i / q.r_i, a_i / q.R_i, a_e / float(q.sprag.r_e))
     if not math.isfinite(alpha_b):
         return f"no equilibrium exists at {load}{without}"
     if wide > WIDE:
         return (
-            f"contacts are {wide:.3g} r wide under {load}, beyond {WIDE:g}: displacements are "
-            f"not small{without}"
+            f"the half-width of a contact is {wide:.3g} of its radius under {load}; it must not "
+            f"exceed {WIDE:g}, because displacements are not small{without}"
         )
     room_i = (column.turned - turned) * float(at.rho) / ZONES
     room_e = (column.alpha_b - alpha_b) * float(q.sprag.r_e) / ZONES
     near = min(column.nearest(turned=turned, alpha_b=alpha_b))
     if room_i < a_i or room_e < a_e or near < NEAREST or alpha_b > TURNED:
         return (
-            f"under {load} the sprags turn by {math.degrees(alpha_b):.3g}°, their contacts come "
-            f"to the flanks{without}"
+            f"under {load} the sprags rotate by {math.degrees(alpha_b):.3g}°: their contacts reach "
+            f"the flanks{without}"
         )
     for name, wall, yields in (
         ("inner", q.R_i - q.R_id, at.yields.race_i), ("outer", q.R_ed - q.R_e, at.yields.race_e)
     ):  # fmt: skip
         if float(yields) > BENT * wall:
             return (
-                f"the {name} race deflects by {float(yields) * 1e6:.4g} µm under {load}, more "
-                f"than {BENT:g} of its wall: displacements are not small{without}"
+                f"the {name} race deflects by {float(yields) * 1e6:.4g} µm under {load}, more than "
+                f"{BENT:g} of its wall thickness: displacements are not small{without}"
             )
     return ""

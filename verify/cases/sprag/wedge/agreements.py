@@ -1,4 +1,4 @@
-"""Pairs and margins of a wedged sprag for rows with tolerances stated beforehand."""
+"""Compared values and margins of a wedged sprag, for rows with tolerances stated beforehand."""
 
 from collections.abc import Callable
 
@@ -17,19 +17,20 @@ LIGHT, SLIDES = 1e-4, 1e-3  # accepted without load, and of the friction that ju
 
 
 def no_load(context: Context) -> Pair:
-    """tan(nu) of Eq. 10 over T_i/N_i in the lightest state: 1e-4 accepted."""
+    """Ratio of tan(nu) of Eq. 10 to T_i/N_i in the state with the lowest load, against 1."""
     clutch, found = context.inputs.clutch, []
     for result in context.fem[-2:]:
         N, _, share, *_ = result.arrays["loads"][:, 0]
         found.append(float(np.tan(wedged(clutch, N).nu) / share - 1))
-    words = f"off by {found[1]:+.1e} at {N:.3g} N, 1e-4 accepted"
+    words = f"difference {found[1]:+.1e} at {N:.3g} N, 1e-4 accepted"
     return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), words)
 
 
 def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function:
-    """A ratio minus 1, `key`, of formula over finite elements; inverse if `of_fem`.
+    """Function that returns the ratio of formula to finite elements and 1, as a pair.
 
-    Its uncertainty is the difference of the last meshes.
+    The value `key` of the reference is this ratio minus 1, or the inverse ratio minus 1 if
+    `of_fem`. The uncertainty is twice the difference between the last two meshes.
     """
 
     def pair(context: Context) -> Pair:
@@ -41,7 +42,7 @@ def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function
 
 
 def force_ratio(key: str) -> Function:
-    """Force of the strut against finite elements, at the largest difference up to N_0."""
+    """Function that returns formula and finite elements for `key` at the worst state up to N_0."""
     names = [f"{key}_{KEYS[point]}" for point, share in STROKE.items() if share <= 1]
 
     def pair(context: Context) -> Pair:
@@ -49,7 +50,7 @@ def force_ratio(key: str) -> Function:
                for r in context.fem[-2:]]  # fmt: skip
         before, now = (max(x.values(), key=abs) for x in off)
         worst = max(names, key=lambda name: abs(off[-1][name]))
-        words = f"off by {now:+.2%} at most, {RATIO:.1%} accepted"
+        words = f"largest difference {now:+.2%}, {RATIO:.1%} accepted"
         found = context.fem[-1].values[worst]
         return Pair(context.analytic[worst], found, 2 * abs(now - before) * found, words)
 
@@ -57,14 +58,14 @@ def force_ratio(key: str) -> Function:
 
 
 def force_ratio_bent(key: str) -> Function:
-    """Force of the strut at 1.8 N_0 with the change by bending, against finite elements."""
+    """Function that returns formula, corrected for bending, and finite elements at 1.8 N_0."""
     name = f"{key}_most"
 
     def pair(context: Context) -> Pair:
         q = context.inputs
         bent = bounds(q.part, q.stroke["1.8 N_0"].case.N).bending.whole
         before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
-        words = f"off by {now:+.2%}, bending {bent:+.2%}: {RATIO:.1%} accepted of the rest"
+        words = f"difference {now:+.2%}, bending {bent:+.2%}; {RATIO:.1%} accepted for the rest"
         found = context.fem[-1].values[name]
         formula = context.analytic[name] * (1 + bent)
         return Pair(formula, found, 2 * abs(now - before) * found, words)
@@ -73,7 +74,7 @@ def force_ratio_bent(key: str) -> Function:
 
 
 def keeps_its_angle(context: Context) -> tuple[float, float, str]:
-    """Least and largest force ratio of the stroke."""
+    """Margin of the relative change of T_i/N_i over the stroke below 1 %, uncertainty, text."""
     spread = [
         max(s) / min(s) - 1
         for s in ([r.values[f"mu_i_{k}"] for k in KEYS.values()] for r in context.fem[-2:])
@@ -83,7 +84,7 @@ def keeps_its_angle(context: Context) -> tuple[float, float, str]:
 
 
 def inner_above_outer(context: Context) -> tuple[float, float]:
-    """Least excess of p_i over p_o through the stroke, over p_o."""
+    """Smallest value of p_i/p_o - 1 over the stroke, and its uncertainty."""
     ratios = [
         min(r.values[f"p_i_{k}"] / r.values[f"p_e_{k}"] for k in KEYS.values())
         for r in context.fem[-2:]
@@ -92,11 +93,9 @@ def inner_above_outer(context: Context) -> tuple[float, float]:
 
 
 def onset(context: Context) -> Pair:
-    """tan(nu) against the friction between the holding and the sliding value."""
+    """tan(nu) of the formula, and the mean of the friction that holds and the one that slips."""
     v = context.fem[0].values
     tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
     between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2
-    words = (
-        f"holds at μ = {v['holds'] / tan:.4f} tan ν, slides out at {v['slides'] / tan:.4f} tan ν"
-    )
+    words = f"holds at μ = {v['holds'] / tan:.4f} tan ν, slips at μ = {v['slides'] / tan:.4f} tan ν"
     return Pair(tan, between, half, words)

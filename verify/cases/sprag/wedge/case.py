@@ -20,7 +20,7 @@ STUDIED = (  # rows of the study
     "rotation as in the paper",
     "torque n_s N tan(ν) OA, at N_0",
     "total deflection of elastic bodies, at N_0",
-    "Eq. 6 alone for the outer race",
+    "displacement by Eq. 6 alone of the outer race",
     "mean displacement of the outer race (Eq. 6 as printed",
     "mean displacement of the inner race (Eq. 6 as printed",
     "peak pressure on the inner race (Hertz), at N_0",
@@ -40,13 +40,14 @@ NEAR_FLANK = (
 
 
 class WedgedSprag(WedgeSteps):
-    """A logarithmic sprag between its races, through its stroke.
+    """A logarithmic sprag between two races, from no load to 1.8 times the rated force.
 
-    It rotates between two races as its contacts, its body and the races deflect: wedge angle,
-    normal force, sprag rotation and wind-up. Finite elements of one pitch of both races with a
-    free sprag confirm the closure of Eqs. 9 and 10 if all deflections of the inner side are
-    included. As printed, the sprag rotation is an eighth too small for the same deflections;
-    deflections by Palmgren's law with Eqs. 6 and 7 are a quarter too large.
+    The sprag rotates because its contacts, its body and the races deflect. The case gives the
+    wedge angle, the normal force, the sprag rotation and the wind-up. The reference is a
+    finite-element model of one pitch of both races with a free sprag. It confirms the geometric
+    closure of Eqs. 9 and 10 if all deflections of the inner side are included. As printed, Eqs. 9
+    and 10 give a sprag rotation that is one eighth too small for the same deflections. The
+    deflections by Palmgren's law with Eqs. 6 and 7 are one quarter too large.
     """
 
     id = "sprag-wedge"
@@ -65,25 +66,28 @@ class WedgedSprag(WedgeSteps):
     )  # fmt: skip
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
-        "a normal force acts where the compressed surfaces meet: OA and OB are lever arms, with "
-        "half of each contact's deflection (Eq. 9)",
-        "the triangle of Eq. 10 belongs to the unstrained spiral: all deflections of the inner "
-        "side are included",
+        "a normal force acts at the deformed contact surface: the lever arms OA and OB include "
+        "half of the deflection of each contact (Eq. 9)",
+        "the triangle of Eq. 10 is that of the undeformed spiral: its side on the inner race "
+        "includes all deflections of the inner side",
         "T is the torque of the whole clutch, N the force of one sprag on the inner race",
-        "sprags and races are held along their axis: plane strain; rings of Eq. 6 have free ends",
+        "sprags and races are in plane strain (no axial strain); the rings of Eq. 6 have free ends",
     )
     assumptions: ClassVar = (
         "the sprag is a column of the width b with rounded ends; l, b and ν_0 are identified, E "
-        "and ν assumed, as the paper prints none of them",
-        "finite elements: one pitch, both races free to breathe, bodies drawn as they are "
-        "compressed; friction five times what the sprag needs",
-        "quantities between five states by splines over ln N, below the first by a power",
-        "elastic deflections: races under single loads (Fourier series), the sprag under two "
-        "opposed forces (complex potentials) where its contacts are",
-        "expected errors: contacts beside the column's middle bend it, its ends roll on; "
-        "tangential forces turn the races by 0.4 to 1.2 tan²ν more; Hertz errs by (a/r)²",
-        "small strains: forces act at the ends as drawn; that bending moves these sideways is left "
-        "out of the balance",
+        "and ν are assumed, because the paper does not print them",
+        "the finite elements model one pitch; both races can expand freely; the undeformed "
+        "contours overlap by the deflection; the friction coefficient is five times the required "
+        "one",
+        "five states are computed; splines over ln N interpolate between them, a power law "
+        "extrapolates below the first one",
+        "elastic deflections: the races are rings under single loads (Fourier series), the sprag "
+        "is loaded by two opposed forces at its contacts (complex potentials)",
+        "expected errors: the angles change because contacts beside the centre line bend the "
+        "column and its ends roll further. Tangential forces increase the wind-up by 0.4 to 1.2 "
+        "tan²ν. The error of Hertz's theory is (a/r)²",
+        "small strains: forces act at the undeformed ends of the sprag; the balance of moments "
+        "omits the sideways displacement of these ends by bending",
     )
 
     comparisons = compared.comparisons
@@ -95,17 +99,17 @@ class WedgedSprag(WedgeSteps):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """One pitch with friction through its stroke."""
+        """Finite-element results of one pitch with friction, at all states of the stroke."""
         from verify.cases.sprag.wedge.reference import solve
 
         return solve(self, level)
 
     def pictures(self) -> Iterator[Picture]:
-        """The sector in the heaviest state."""
+        """Picture of the sector in the state with the largest load."""
         yield picture(
-            "sector", "log_mises", "One pitch in the heaviest state of the stroke, von Mises' "
-            "stress: forces run along the strut, beside the middle of the column; below 10 MPa in "
-            "one colour", displacement="",
+            "sector", "log_mises", "Von Mises stress of one pitch in the state with the largest "
+            "load. The force acts along the line through both contacts, beside the centre line of "
+            "the column. Stresses below 10 MPa have one colour", displacement="",
         )  # fmt: skip
 
 

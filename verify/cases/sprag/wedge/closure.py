@@ -1,6 +1,6 @@
-"""Steps of the closure of a wedged sprag (Eqs. 9, 10): deflections, lengths and angles.
+"""Steps of the geometric closure of a wedged sprag (Eqs. 9, 10): deflections, lengths, angles.
 
-They are displayed with their numbers; nothing is compared with them.
+The steps are displayed with their numbers; they are not compared with a reference.
 """
 
 from functools import partial
@@ -14,19 +14,19 @@ step = partial(Quantity, role="step")
 
 
 class WedgeSteps(WedgeFormulas):
-    """The quantities of a wedged sprag with the steps that lead to them."""
+    """Quantities of a wedged sprag, and the steps of their computation."""
 
     @step("E'", "GPa", "modulus of plane strain", tex=r"\frac{E}{1 - \nu^2}",
-          source="Eq. 6 as printed, for thin races, has E and ν")  # fmt: skip
+          source="Eq. 6 as printed, for thin races, uses E and ν")  # fmt: skip
     def E_plane(self) -> float:
         return self.bodies.E_plane
 
     @step("ν'", "1", "Poisson's ratio of plane strain", tex=r"\frac{\nu}{1 - \nu}",
-          source="Eq. 6 as printed, for thin races, has E and ν")  # fmt: skip
+          source="Eq. 6 as printed, for thin races, uses E and ν")  # fmt: skip
     def nu_plane(self) -> float:
         return self.nu / (1 - self.nu)
 
-    @step("m", "1", "growth of the spiral")
+    @step("m", "1", "growth rate of the spiral")
     def m(self) -> float:
         return float(np.asarray(self.sprag.m))
 
@@ -39,7 +39,7 @@ class WedgeSteps(WedgeFormulas):
     def r_e(self) -> float:
         return float(self.sprag.r_e)
 
-    @step("η_0", "deg", "angle at the pole at first contact",
+    @step("η_0", "deg", "angle at the pole C_e at first contact",
           tex=r"\arcsin\left(\frac{m R_i}{(R_e - r_e) \sqrt{1 + m^2}}\right)")  # fmt: skip
     def eta_0(self) -> float:
         return float(self.sprag.eta_0)
@@ -49,15 +49,15 @@ class WedgeSteps(WedgeFormulas):
     def delta_BI(self) -> float:
         return float(self.state.yields.race_i)
 
-    @step("δ_HI", "µm", "deflection of the inner contact, half of the sprag's included")
+    @step("δ_HI", "µm", "deflection of the inner contact and of half of the sprag")
     def delta_HI(self) -> float:
         return float(self.state.yields.contact_i)
 
-    @step("δ_g", "µm", "deflection of the sprag without its contacts")
+    @step("δ_g", "µm", "deflection of the sprag, if not included in its contacts")
     def delta_g(self) -> float:
         return float(self.state.yields.sprag)
 
-    @step("δ_HE", "µm", "deflection of the outer contact, half of the sprag's included")
+    @step("δ_HE", "µm", "deflection of the outer contact and of half of the sprag")
     def delta_HE(self) -> float:
         return float(self.state.yields.contact_e)
 
@@ -76,13 +76,13 @@ class WedgeSteps(WedgeFormulas):
     def OB(self) -> float:
         return float(self.state.OB)
 
-    @step("OA_s", "mm", "radius at which the unstrained spiral meets its normal",
+    @step("OA_s", "mm", "radius at which the undeformed spiral intersects its normal",
           source="Eq. 9, corrected: all deflections of the inner side", form="corrected",
           tex=r"R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}")  # fmt: skip
     def OA_s(self) -> float:
         return float(self.state.OA_s)
 
-    @step("OC_e", "mm", "distance of the pole", source="Eqs. 9, 10 with the free spiral's OA_s",
+    @step("OC_e", "mm", "distance of the pole C_e from the axis", source="Eqs. 9, 10 with OA_s",
           tex=r"R_e - r_e + \delta_{BE} + \delta_{HE} + \frac{\delta_g}{2}"
           r" = \sqrt{OA_s^2 + \rho^2 + \frac{2 OA_s \rho}{\sqrt{1 + m^2}}}")  # fmt: skip
     def OC_e(self) -> float:
@@ -94,7 +94,7 @@ class WedgeSteps(WedgeFormulas):
     def rho(self) -> float:
         return float(self.state.rho)
 
-    @step("η", "deg", "angle at the pole", source="Eq. 10, with OA_s",
+    @step("η", "deg", "angle at the pole C_e", source="Eq. 10, with OA_s",
           tex=r"\arcsin\left(\frac{m OA_s}{OC_e \sqrt{1 + m^2}}\right)")  # fmt: skip
     def eta(self) -> float:
         return float(self.state.eta)

@@ -1,4 +1,4 @@
-"""Rows of a wedged sprag: at equal force over the stroke, and at equal torque."""
+"""Rows of a wedged sprag: at equal normal force over the stroke, and at equal torque."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -17,23 +17,23 @@ from verify.judging.tolerance_checks import Agreement, suites
 
 Bound = Callable[[Bounds], Interval]
 
-BENDS = "the column bends, its ends roll on: by complex potentials to a quarter of all parts"
-YIELDS = "1e-3, (a/r)² and tan²ν/2, beside the elastic solutions of all parts"
+BENDS = "bending of the column and rolling of its ends, by complex potentials, ± 25 % of each"
+YIELDS = "1e-3, (a/r)² and tan²ν/2, added to the elastic solutions of all parts"
 TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
-HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
-BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for second order"
-PALMGREN = "Palmgren's law is of rollers of finite length"
-RIGID = "races and sprag do not deflect"
-HALF_ARMS = "the printed arms are half of the radii"
-PAPER = "too soft by a quarter, an eighth lost on the inner side"
+HERTZ = "2e-3, and 2 (a/h)² with the smallest of radii, walls and width as h"
+BETTI = "reciprocity: the mean is Lamé's for any position of the forces; 1e-3 for second order"
+PALMGREN = "Palmgren's law applies to rollers of finite length"
+RIGID = "races and sprag are rigid"
+HALF_ARMS = "the printed lever arms are half of the radii"
+PAPER = "deflections one quarter too large, one eighth omitted on the inner side"
 FULL, MOST = "N_0", "1.8 N_0"
-WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
-ONE = 0.02, "1 % of Hertz is accepted"
-BLUNT = 0.02, "an excess of 0.1 %, twice as blunt as the angles"
-AS_FORCE = 0.02, "as sharp as N(T)"
+WIDTH = f"{HERTZ}, at least the accepted 1 %"
+ONE = 0.02, "a difference of 1 % from Hertz is accepted"
+BLUNT = 0.02, "an excess of 0.1 %, twice the sensitivity of the angles"
+AS_FORCE = 0.02, "same sensitivity as N(T)"
 SLIPPING = 0.015, "tangential compliance"
-EIGHTH = 0.02, "a formula 12 % off: two per cent are sufficient"
-ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
+EIGHTH = 0.02, "2 % are sufficient for a formula with an error of 12 %"
+ROLLERS = "same tolerance as for the statics of a roller freewheel"
 EDGE = 1  # order of values that depend on the end of a contact within a cell
 PLANE = "plane strain"
 WIDEST = 1.5  # widest interval over the required sensitivity of a user's row
@@ -41,7 +41,7 @@ COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
 def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
-    """The interval; None for a user's clutch if it is too wide to judge by."""
+    """Interval of the expected error; None for a user's clutch if the interval is too wide."""
 
     def interval() -> Interval | None:
         low, high = bound(bounds(q.part, q.N))
@@ -56,7 +56,7 @@ def through(
     reference: str = "", points: tuple[str, ...] = tuple(STROKE), order: float = 2,
     own: tuple[float, str] = (DEMAND, ""), shares: str = COLUMN,
 ) -> Iterator[Comparison]:  # fmt: skip
-    """One row at each of the normal forces `points`."""
+    """Rows that compare `formula` with its reference at each of the normal forces `points`."""
     compared = partial(approximation, own=own) if own[1] else approximation
     for point in points:
         state = q.stroke[point]
@@ -68,7 +68,7 @@ def through(
 
 
 def comparisons(q: Wedge) -> Iterator[Comparison]:
-    """All rows, in the order of the page."""
+    """All rows of the case, in the order of the page."""
     yield from _angles(q)
     yield from _forces(q)
     yield from _rotations(q)
@@ -87,9 +87,9 @@ def _angles(q: Wedge) -> Iterator[Comparison]:
         yield agrees(f"force ratio on the {race} race against tan {angle} up to N_0",
                      f"tan {angle}", found.force_ratio(mu.name), found.RATIO, mu)  # fmt: skip
     for race, angle, mu in races:
-        yield agrees(f"force ratio on the {race} race at 1.8 N_0, except for the column's bending",
+        yield agrees(f"force ratio on the {race} race at 1.8 N_0, corrected for sprag bending",
                      f"tan {angle}", found.force_ratio_bent(mu.name), found.RATIO, mu)  # fmt: skip
-    yield from through(q, Wedge.excess, "excess of N_e over N_i, which the paper has equal",
+    yield from through(q, Wedge.excess, "excess of N_e over N_i (zero in the paper)",
                        "N_e/N_i − 1", Bounds.excess, BENDS, points=(FULL,), own=BLUNT)  # fmt: skip
 
 
@@ -119,12 +119,12 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
                        Bounds.elastic, YIELDS)  # fmt: skip
     yield from through(q, Wedge.theta, "wind-up of the races by rolling, against n_s ∫dU/T", "θ(N)",
                        Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
-    yield from through(q, Wedge.alpha_plane, "rotation with half planes and Eq. 6, long", "α(N)",
-                       Bounds.plane, "elastic solutions of the same parts", **at_full,
+    yield from through(q, Wedge.alpha_plane, "rotation with half planes and Eq. 6 for long races",
+                       "α(N)", Bounds.plane, "elastic solutions of the same parts", **at_full,
                        shares=PLANE)  # fmt: skip
     yield from through(q, Wedge.alpha_printed,
                        "rotation with Eqs. 9, 10 as printed and elastic deflections", "α(N)",
-                       Bounds.lost, "half of δ_HI and of δ_g left out of H", own=EIGHTH,
+                       Bounds.lost, "H omits half of δ_HI and of δ_g", own=EIGHTH,
                        **at_full)  # fmt: skip
     yield approximation(
         Wedge.alpha_composite, expected=underived(PALMGREN), state=q.stroke[FULL],
@@ -158,15 +158,16 @@ def _races(q: Wedge) -> Iterator[Comparison]:
              ("outer", "e", Wedge.mean_e, Wedge.thin_e, Wedge.race_e))  # fmt: skip
     for race, which, mean, *_ in races:
         yield from through(
-            q, mean, f"mean displacement of the {race} race (Eq. 6, long)", f"δ_B{which.upper()}",
-            lambda _: (-SHARP, SHARP), BETTI, points=(FULL, MOST), shares=PLANE,
+            q, mean, f"mean displacement of the {race} race (Eq. 6 for long races)",
+            f"δ_B{which.upper()}", lambda _: (-SHARP, SHARP), BETTI, points=(FULL, MOST),
+            shares=PLANE,
         )  # fmt: skip
     for race, which, mean, thin, under in races:
         symbol = f"δ_B{which.upper()}"
         at_full: dict[str, Any] = {"points": (FULL,)}
         yield from through(
-            q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, thin)", symbol,
-            partial(Bounds.thin, which=which), "plane stress for plane strain",
+            q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, for thin races)",
+            symbol, partial(Bounds.thin, which=which), "plane stress, not plane strain",
             reference=mean.name, shares="", **at_full,
         )  # fmt: skip
         yield from through(
@@ -175,7 +176,7 @@ def _races(q: Wedge) -> Iterator[Comparison]:
             shares=PLANE, **at_full,
         )  # fmt: skip
         yield from through(
-            q, thin, f"Eq. 6 alone for the {race} race under a sprag", symbol,
+            q, thin, f"displacement by Eq. 6 alone of the {race} race under a sprag", symbol,
             partial(Bounds.thin_at_contact, which=which), "a ring under single loads",
             reference=under.name, shares="", **at_full,
         )  # fmt: skip
@@ -205,15 +206,15 @@ def _statics() -> Iterator[Comparison]:
     ))  # fmt: skip
     yield agrees("friction at which the sprag slips against tan ν", "μ", found.onset,
                  found.SLIDES, Wedge.mu_i)  # fmt: skip
-    yield agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
-                 found.ratio("column", found.RATIO, "the column bends: off by", of_fem=True),
+    yield agrees("torque against n_s N tan(ν) OA at the computed position of the sprag", "T",
+                 found.ratio("column", found.RATIO, "the column bends: difference", of_fem=True),
                  found.RATIO, Wedge.torque)  # fmt: skip
     yield agrees("work ∫N dH on all deflections against the elastic energy", "U",
-                 found.ratio("work", found.WORK, "tangential deformation takes the rest: off by"),
+                 found.ratio("work", found.WORK, "rest by tangential deformation: difference"),
                  found.WORK)  # fmt: skip
     one = {"one": 1.0}
     yield balance("forces", "balance of both contact forces on a sprag", "ΣF", "1", of=one,
-                  bound=1e-9, because="the solver's balance of a free body")  # fmt: skip
+                  bound=1e-9, because="the solver balances the forces on a free body")  # fmt: skip
     yield balance("held", "torque on the inner race against that on the outer", "T", "1", of=one,
                   bound=1e-3, because="forces act on displaced surfaces")  # fmt: skip
 
@@ -221,7 +222,7 @@ def _statics() -> Iterator[Comparison]:
 def agrees(
     name: str, symbol: str, pair: found.Function, accepted: float, judged: Quantity | None = None
 ) -> Comparison:
-    """Row that requires two values to agree within `accepted`, a requirement of the suite."""
+    """Row that requires two values to agree within `accepted`, a tolerance of the suite."""
     check = Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted,
                       source=suites(ROLLERS))  # fmt: skip
     return Comparison(check=check, quantity=judged, shares=COLUMN if judged else "")

@@ -56,9 +56,9 @@ def _stroke(q: WedgeFormulas) -> Shapes:
         unit="mm",
         panels=tuple(panels),
         dots_name="contacts",
-        note="To scale, with the strut between both contacts: deflections of some 10 µm rotate "
-        "the sprag by degrees, its contacts move along its flanks, the strut's angle is constant. "
-        "A sprag without an outline has rolled over.",
+        note="To scale, with the line through both contacts. Deflections of about 10 µm rotate "
+        "the sprag by several degrees. Its contacts move along its flanks, and the angle of the "
+        "line is constant. If a panel contains no sprag, it has rolled over.",
     )
 
 
@@ -71,8 +71,9 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
         title=f"Angle of the force on the {race} race", x_label="N [N]", y_label=f"{symbol} [°]",
         x=states.N, y=curve * DEGREE, x_fem=N, y_fem=values * DEGREE, y_ref=marks * DEGREE,
         u=u * DEGREE, scale=float(curve[0]) * DEGREE, scale_name=f"{symbol}_0", neglects=True,
-        note="Without load the elastic sector has the strut's angle. The difference grows with N²: "
-        "contacts beside the middle bend the column.",
+        note="Without load, the force of the elastic sector acts along the line through both "
+        "contacts. The difference increases with N², because contacts beside the centre line bend "
+        "the column.",
     )  # fmt: skip
 
 
@@ -93,8 +94,9 @@ def _rotation(context: Context) -> Curves:
         over_torque("Palmgren, printed Eqs. 9, 10", printed.wedged(palmgren, N), 1, "dashes"),
         over_torque("Palmgren, rigid races (Liu)", wedged(palmgren.rigid_races(), N), 2),
         dots("FE", loads[1], loads[4] * DEGREE),
-        note="The printed closure gives too small a rotation for the same deflections; deflections "
-        "by Palmgren's law with Eqs. 6 and 7 are too large. Both errors nearly cancel, by chance.",
+        note="For the same deflections, Eqs. 9 and 10 as printed give too small a rotation. The "
+        "deflections by Palmgren's law with Eqs. 6 and 7 are too large. Both errors nearly cancel, "
+        "by chance.",
     )  # fmt: skip
 
 
@@ -106,16 +108,16 @@ def _force(context: Context, states: Wedged) -> Curves:
         return np.asarray(100 * (N / (rigid * T) - 1))
 
     return plot(
-        "Normal force over a rigid clutch's", "T [N m]", "N/N_0(T) − 1 [%]",
-        line("closure", states.T, excess(states.N, states.T)),
+        "Excess of the normal force over that of a rigid clutch", "T [N m]", "N/N_0(T) − 1 [%]",
+        line("Eqs. 9, 10, corrected", states.T, excess(states.N, states.T)),
         dots("FE", loads[1], excess(loads[0], loads[1])), y_bottom=None,
-        note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N is proportional to T "
-        "within 1 %; the column's bending adds to it.",
+        note="N_0(T) = T/(n_s R_i tan ν_0). N is proportional to T within 1 %, because the wedge "
+        "angle is nearly constant. Bending of the column increases N.",
     )  # fmt: skip
 
 
 def parts_of(q: WedgeFormulas, N: Array) -> tuple[tuple[str, Array], ...]:
-    """Deflection [m] by component under N [N], from the inner race's mean to the outer's."""
+    """Name and deflection [m] of each component under N [N], from inner to outer race."""
     (inner, outer), yields = q.bodies.races, q.clutch.compliance.yields(N)
     unit = N / (q.l * q.bodies.E_plane)
     local = [
@@ -139,11 +141,11 @@ def _yields(context: Context, states: Wedged) -> Curves:
         curves.append(line(f"+ {name}" if k else name, states.N, total * 1e6, k))
     if context.fem:
         loads = context.fem[-1].arrays["loads"]
-        curves.append(dots("FE, all", loads[0], loads[5] * 1e6))
+        curves.append(dots("FE, total", loads[0], loads[5] * 1e6))
     return plot(
         "Deflection by component, stacked", "N [N]", "H [µm]", curves,
-        note="Races as rings under single loads, their mean and the local indentation under a "
-        "sprag; the sprag as a column between two forces.",
+        note="The races are rings under single loads; their deflection is the sum of the mean and "
+        "the local indentation under a sprag. The sprag is a column between two forces.",
     )  # fmt: skip
 
 
@@ -155,6 +157,6 @@ def _shares(q: WedgeFormulas) -> Bars:
         items=tuple(
             (name, float(part[0]) * 1e6, f"{float(part[0]) / whole:.0%}") for name, part in found
         ),
-        note="Eq. 6, for long races, contains both means; the contacts' law and Eq. 7 contain the "
-        "local indentations and the sprag.",
+        note="Eq. 6, for long races, contains the mean deflections of both races. The contact law "
+        "and Eq. 7 contain the local indentations and the deflection of the sprag.",
     )  # fmt: skip

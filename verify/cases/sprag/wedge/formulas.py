@@ -1,7 +1,7 @@
 """Formulas of a wedged logarithmic sprag (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10).
 
-The clutches are built in `model`. The quantities apply under the torque T, and in `at_share`
-under a share of a rigid clutch's normal force.
+The clutches are built in `model`. The quantities apply under the torque T. After `at_share`, they
+apply under a given multiple of N_0, the normal force of a rigid clutch.
 """
 
 from collections.abc import Mapping
@@ -34,17 +34,17 @@ def mean_of(E: str, N: str, radii: tuple[str, str], nu: str) -> str:
 
 
 class WedgeFormulas(WedgeInputs, Case):
-    """A sprag between two races; contacts, sprag and races deflect as elastic bodies."""
+    """Quantities of a sprag between two races; contacts, sprag and races are elastic bodies."""
 
     share: ClassVar[float | None] = None  # load of the quantities over N_0; None means the torque T
 
     def at_share(self, share: float) -> Self:
-        """The clutch under `share` of a rigid clutch's normal force instead of T."""
+        """The clutch under the normal force `share` N_0 instead of the torque T."""
         return self.variant(share=share)
 
     @shared
     def part(self) -> WedgeInputs:
-        """The inputs only: the clutches of `model` are built once for all states."""
+        """The inputs without the load, so that `model` builds the clutches once for all states."""
         return WedgeInputs(**{name: getattr(self, name) for name in WedgeInputs.model_fields})
 
     @shared
@@ -57,32 +57,32 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def bodies(self) -> ElasticSpragClutch:
-        """The parts, and the clutches by each law of their deflections."""
+        """The parts of the clutch, and one clutch for each deflection law."""
         return model.bodies(self.part)
 
     @shared
     def clutch(self) -> SpragClutch:
-        """The clutch with parts that deflect as elastic bodies."""
+        """The clutch whose parts deflect as elastic bodies."""
         return self.bodies.clutch
 
     @shared
     def state(self) -> Wedged:
-        """State of the clutch; ValueError if no equilibrium exists at the torque."""
+        """Equilibrium state of the clutch. Raises ValueError if none exists at the torque T."""
         found = self.state_of(self.clutch)
         if self.share is None and not np.isfinite(found.N):
             raise ValueError(
-                f"no equilibrium exists at T = {self.T:g} N m: the spiral grows too little"
+                f"no equilibrium exists at T = {self.T:g} N m: the spiral grows too slowly"
             )
         return found
 
     def state_of(self, clutch: SpragClutch) -> Wedged:
-        """The state of another clutch under the same load."""
+        """Equilibrium state of `clutch` under the load of this case."""
         if self.share is None:
             return at_torque(clutch, self.T)
         return wedged(clutch, self.N)
 
     def printed_state_of(self, clutch: SpragClutch) -> Wedged:
-        """The same with Eqs. 9 and 10 as printed."""
+        """Equilibrium state of `clutch` under this load, with Eqs. 9 and 10 as printed."""
         if self.share is None:
             return printed.at_torque(clutch, self.T)
         return printed.wedged(clutch, self.N)
@@ -94,7 +94,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @property
     def unit(self) -> float:
-        """P/E' per force [1/N times m]."""
+        """1/(l E') [m/N]: a force times this factor is the ratio of force per length to E'."""
         return 1 / (self.l * self.bodies.E_plane)
 
     @Quantity("N_0", "N", "normal force of a rigid clutch", role="step",
@@ -129,11 +129,12 @@ class WedgeFormulas(WedgeInputs, Case):
         return float(self.state.omega)
 
     @Quantity("T", "N m", "torque n_s N tan(ν) OA", equation="10", form_of="T",
-              source="two forces hold a sprag", tex=r"n_s N \tan\left(\nu_T\right) OA")  # fmt: skip
+              source="equilibrium of two forces",
+              tex=r"n_s N \tan\left(\nu_T\right) OA")  # fmt: skip
     def torque(self) -> float:
         return float(self.state.T)
 
-    @Quantity("T", "N m", "torque with the lever arm of Eq. 16 as printed", equation="16",
+    @Quantity("T", "N m", "torque with the printed lever arm", equation="16",
               form="as printed", form_of="T")  # fmt: skip
     def torque_printed(self) -> float:
         inner, _ = printed.lever_arms(self.clutch.sprag, self.state.yields)
@@ -145,13 +146,13 @@ class WedgeFormulas(WedgeInputs, Case):
         return float(self.state.T_i)
 
     @Quantity("N_e", "N", "normal force on the outer race", role="step",
-              source="the paper has both normal forces equal",
+              source="equilibrium; equal to N in the paper",
               tex=r"N \frac{\cos\left(\omega_T\right)}{\cos\left(\nu_T\right)}")  # fmt: skip
     def N_e(self) -> float:
         return float(self.state.N_e)
 
     @Quantity("N_e/N − 1", "1", "excess of the outer normal force over the inner",
-              source="two forces hold a sprag", tex=r"\frac{N_e}{N} - 1")  # fmt: skip
+              source="equilibrium of two forces", tex=r"\frac{N_e}{N} - 1")  # fmt: skip
     def excess(self) -> float:
         return float(self.state.N_e / self.N - 1)
 
@@ -165,7 +166,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_plane(self) -> float:
         return float(self.state_of(self.bodies.plane).alpha_b)
 
-    @Quantity("α", "deg", "rotation with elastic deflections and Eqs. 9, 10 as printed",
+    @Quantity("α", "deg", "rotation with elastic deflections and Eqs. 9, 10",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
     def alpha_printed(self) -> float:
         return float(self.printed_state_of(self.clutch).alpha_b)
@@ -180,18 +181,18 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_contacts(self) -> float:
         return float(self.state_of(self.bodies.by_contacts_and_races).alpha_b)
 
-    @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7 and Eqs. 9, 10 as printed",
+    @Quantity("α", "deg", "rotation with Palmgren's law and Eqs. 6, 7, 9, 10",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:
         return float(self.printed_state_of(self.bodies.composite).alpha_b)
 
-    @Quantity("θ", "deg", "turn of the inner race against the outer, by rolling",
-              source="work: it holds with OA_s, not with the printed OA in Eq. 10",
+    @Quantity("θ", "deg", "wind-up of the races, by rolling",
+              source="work; valid with OA_s, not with the printed OA in Eq. 10",
               tex=r"\int \frac{n_s N}{T} \mathrm{d}H")  # fmt: skip
     def theta(self) -> float:
         return float(rolled(self.clutch, np.asarray(self.N)))
 
-    @Quantity("θ", "deg", "turn of rigid races, contacts by Palmgren's law", form_of="theta",
+    @Quantity("θ", "deg", "wind-up of rigid races, contacts by Palmgren's law", form_of="theta",
               source="Huang 2022, Eqs. 2 and 4")  # fmt: skip
     def theta_rigid_races(self) -> float:
         found = self.bodies.composite.compliance.yields(self.N)
@@ -201,13 +202,13 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity(
         "T/θ",
         "N m/rad",
-        "torsional secant stiffness of rigid races, by Palmgren's law",
+        "torsional secant stiffness with rigid races, by Palmgren's law",
         source="Huang 2022, Eq. 11",
     )
     def secant(self) -> float:
         return self.T * self.N / self.N_0 / self.theta_rigid_races
 
-    @Quantity("H", "µm", "total deflection under a sprag, elastic bodies", source="Eqs. 6, 9",
+    @Quantity("H", "µm", "total deflection at a sprag, elastic bodies", source="Eqs. 6, 9",
               tex=r"\delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}")  # fmt: skip
     def H(self) -> float:
         return float(self.state.yields.H)
@@ -253,13 +254,13 @@ class WedgeFormulas(WedgeInputs, Case):
     def mean_e(self) -> float:
         return float(self.unit * self.bodies.races[1].mean * self.state.N_e)
 
-    @Quantity("u_i", "µm", "mean displacement of the inner race, thin", equation="6",
+    @Quantity("u_i", "µm", "mean displacement of a thin inner race", equation="6",
               form_of="mean_i", form="as printed",
               tex=mean_of("E", "N", INNER, r"- \nu"))  # fmt: skip
     def thin_i(self) -> float:
         return float(self.bodies.composite.compliance.yields(self.N).race_i)
 
-    @Quantity("u_e", "µm", "mean displacement of the outer race, thin", equation="6",
+    @Quantity("u_e", "µm", "mean displacement of a thin outer race", equation="6",
               form_of="mean_e", form="as printed",
               tex=mean_of("E", "N", OUTER, r"+ \nu"))  # fmt: skip
     def thin_e(self) -> float:

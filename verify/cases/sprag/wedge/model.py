@@ -1,4 +1,4 @@
-"""A wedged sprag of the inputs: its parts as elastic bodies, and the bounds of its comparisons."""
+"""Model of a wedged sprag: its parts as elastic bodies, and the bounds of its comparisons."""
 
 from functools import lru_cache
 
@@ -16,7 +16,7 @@ MESHES = 5e-4  # error of angles of user sprags; the meshes of the case were ref
 
 @lru_cache(maxsize=32)
 def bodies(q: WedgeInputs) -> ElasticSpragClutch:
-    """The clutch with parts that deflect."""
+    """The clutch whose parts deflect as elastic bodies."""
     return ElasticSpragClutch(
         SpragClutchParts(
             sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu
@@ -25,13 +25,13 @@ def bodies(q: WedgeInputs) -> ElasticSpragClutch:
 
 
 def rigid_force(q: WedgeInputs) -> float:
-    """N_0 = T/(n_s R_i tan(nu_0)) [N]."""
+    """Normal force [N] of a sprag in a rigid clutch, N_0 = T/(n_s R_i tan(nu_0))."""
     return float(q.T / (q.z * q.R_i * np.tan(q.nu_0)))
 
 
 @lru_cache(maxsize=256)
 def bounds(q: WedgeInputs, N: float) -> Bounds:
-    """Intervals at a normal force [N]."""
+    """Bounds of the expected errors of all formulas at the normal force N [N]."""
     one = bodies(q)
     a_i, a_e = one.half_widths(np.asarray(N))
     inner, outer = (

@@ -1,4 +1,4 @@
-"""Finite elements of a sprag clutch through its stroke: the sweep, read at the formulas' states."""
+"""Finite-element results of a sprag clutch over its stroke, at the states of the formulas."""
 
 import math
 
@@ -29,7 +29,7 @@ AT_FORCE = {"mu_i": "tan nu", "mu_e": "tan omega", "T": "T", "alpha": "alpha", "
 
 
 def solve(q: WedgeInputs, level: int) -> FemResult:
-    """One level: values under T and in the stroke, statics, courses over the normal force."""
+    """Results of one level: values at T and over the stroke, balances, curves over N."""
     sweep, N_0 = Sweep(q, level), rigid_force(q)
     values = {name: sweep.at(name, q.T, "T") for name in ("N", "alpha")}
     for name, share in STROKE.items():
@@ -56,7 +56,7 @@ def solve(q: WedgeInputs, level: int) -> FemResult:
 
 
 def doubt(key: str) -> float:
-    """Iteration uncertainty of a value, relative."""
+    """Relative iteration uncertainty of the value `key`."""
     if key.startswith("mean"):
         return SPLINE  # error of the force, for any position
     if key.startswith("excess"):
@@ -67,7 +67,7 @@ def doubt(key: str) -> float:
 
 
 def statics(sweep: Sweep) -> dict[str, float]:
-    """Relative residuals of the balances at the state near N_0."""
+    """Relative residuals of the balances of forces, torques and work at the state near N_0."""
     k = len(sweep.states) - 2
     state, at = sweep.states[k], {name: v[k] for name, v in sweep.at_states.items()}
     force = np.add(*(np.array(touch.force) for touch in state.solution.touches))
@@ -81,7 +81,7 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Coefficients of friction with which the sprag holds and slides out; nan if it does not."""
+    """Friction coefficients with which the sprag holds and slips; nan if it does not do so."""
     state = sweep.states[SLIPS]
     tan = state.T[0] / state.N[0]
     above, below = (1 + ONSET) * tan, (1 - ONSET) * tan
@@ -93,6 +93,6 @@ def onset(sweep: Sweep) -> dict[str, float]:
 
 
 def stays(state: State[Place], mu: float) -> bool:
-    """Whether friction `mu` holds the sprag: at both contacts some nodes stick."""
+    """Whether the sprag holds with friction `mu`: some nodes stick at both contacts."""
     sector = Sector(state.sector.q, state.start, state.widths, 4, mu=mu)
     return not sector.at(state.drags).solution.slides

@@ -1,4 +1,4 @@
-"""Sketch of a wedged sprag: a pitch with the strut between both contacts."""
+"""Sketch of a wedged sprag: one pitch with the line through both contacts."""
 
 import math
 
@@ -14,7 +14,10 @@ SIDE = 0.42  # over the height of the drawing: space for labels on both sides
 
 
 def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> Array:
-    """Closed outline (m, 2) [m] of the sprag about the axis, its pole on +y; empty if it rolls."""
+    """Closed outline [m] of the sprag, shape (m, 2), with its pole on the y axis.
+
+    The origin is the axis of the clutch. The outline is empty if the sprag rolls over.
+    """
     whole = q.bodies.column
     drawn = whole and whole.outline(turned=turned, alpha_b=alpha_b)
     if not drawn:
@@ -25,7 +28,7 @@ def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> 
 
 
 def sketch(q: WedgeFormulas) -> Sketch:
-    """One pitch to scale, in metres, at first contact; the axis lies below."""
+    """Sketch of one pitch at first contact, to scale, in metres; the axis lies below."""
     sprag, half = q.sprag, math.pi / q.z
     beta, OC_e = float(sprag.beta_0), float(sprag.OC_e)
     A, B, pole = q.R_i * ray(beta), q.R_e * ray(0.0), OC_e * ray(0.0)
@@ -46,9 +49,10 @@ def sketch(q: WedgeFormulas) -> Sketch:
         text((-wide - SIDE * tall, low)),
     )  # fmt: skip
     return sketches.sketch(
-        f"one of {q.z} pitches at first contact, to scale, the axis lies below: T turns the "
-        "inner race against the sprag, which turns clockwise and wedges; forces act along the line "
-        f"through both contacts, {math.degrees(q.nu_0):.4g}° off the radius at the inner one",
+        f"one of {q.z} pitches at first contact, to scale; the axis lies below. The torque T "
+        "rotates the inner race, and the sprag rotates clockwise and wedges. Forces act along the "
+        f"line through both contacts, at {math.degrees(q.nu_0):.4g}° to the radius of the inner "
+        "contact",
         shapes,
     )  # fmt: skip
 
@@ -56,7 +60,7 @@ def sketch(q: WedgeFormulas) -> Sketch:
 def _named(
     q: WedgeFormulas, A: Array, B: Array, pole: Array, *, tall: float, wide: float, low: float
 ) -> tuple[Shape, ...]:
-    """Radii on the right, sizes of the sprag on the left, each with an arrow to its position."""
+    """Labels with arrows: radii of the races on the right, points of the sprag on the left."""
     half, right, left = math.pi / q.z, wide + 0.06 * tall, -wide - 0.06 * tall
     radii = [
         ("R_ed", q.R_ed, 0.97),

@@ -1,7 +1,7 @@
-"""The sector of a sprag clutch over its stroke by finite elements, with interpolation.
+"""Finite-element states of a sector of a sprag clutch over its stroke, with interpolation.
 
-The states have rotations with normal forces from nearly zero to above 1.8 N_0, with
-N_0 = T/(n_s R_i tan(nu_0)) of a rigid clutch.
+The normal forces of the states range from nearly zero to above 1.8 N_0. The normal force of a
+rigid clutch is N_0 = T/(n_s R_i tan(nu_0)).
 """
 
 import math
@@ -24,7 +24,7 @@ FINER = 8  # cells for the width of contacts
 
 
 def rigid_force(q: WedgeInputs) -> float:
-    """N_0 = T/(n_s R_i tan(nu_0)) [N]: normal force of a rigid clutch."""
+    """Normal force [N] of a sprag in a rigid clutch, N_0 = T/(n_s R_i tan(nu_0))."""
     return q.T / (q.z * q.R_i * math.tan(q.nu_0))
 
 
@@ -49,7 +49,7 @@ def starts_by_fem(q: WedgeInputs) -> tuple[Start[Place], ...]:
 
 
 class Sweep(Stroke):
-    """States of the sector on meshes of `cells`, and splines between them over ln N."""
+    """States of the sector on meshes of `cells` cells, and splines over ln N between the states."""
 
     def __init__(self, q: WedgeInputs, cells: int) -> None:
         self.z = q.z
@@ -59,7 +59,10 @@ class Sweep(Stroke):
 
 
 def read(q: WedgeInputs, state: State[Place]) -> dict[str, float]:
-    """Torque [N m], forces [N] on a sprag, lengths, angles, pressures; energy [J] of a pitch."""
+    """Results of a state by name: torque [N m], forces [N], lengths, angles, pressures, energy [J].
+
+    Forces act on one sprag; the energy is that of one pitch.
+    """
     (N, N_e), (T_i, T_e), (p_i, p_e) = state.N, state.T, state.peaks
     a_i, a_e = map(half_width, state.solution.touches)
     place, (nu, omega) = state.place, state.angles

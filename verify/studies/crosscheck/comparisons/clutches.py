@@ -173,7 +173,7 @@ CLUTCHES = (
         pose=sprag,
         quantities=quantities(
             ("normal force (Eq. 10), at T",
-             "excess of N_e over N_i, which the paper has equal, at N_0"),
+             "excess of N_e over N_i (zero in the paper), at N_0"),
             ("torque n_s N tan(ν) OA, at N_0",
              "torque on the inner race against that on the outer"),
             DRAWN,
