@@ -42,7 +42,7 @@ LEFT = [
     ("spring-buckling", {"n": 30}, "n = 30 segments are more than 24"),
     ("spring-buckling", {"n": 4}, "too short to buckle sideways"),
     ("spring-width", {"n": 31}, "check it with n = 30"),
-    ("spring-width", {"b": "0.001 mm"}, "11938 times as long as thick"),
+    ("spring-width", {"b": "0.001 mm"}, "is 11938 times the thickness"),
     ("spring-curve", {"head": "free"}, "head = free: the whole curve"),
     ("contact-ring", {"r_o": "20 mm"}, "a wall of 0.56 mm"),
     ("contact-press-fit", {"r_i": "25.8 mm", "r_f": "26 mm", "delta": "1 µm"}, "without --fem"),

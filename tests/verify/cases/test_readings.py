@@ -44,7 +44,7 @@ READINGS = [
     (ACCORDION, EQS, energy, "leaf_length", leaf(1.0, "h"), "h/2"),
     (ACCORDION, EQS, energy, "_sign", lambda _: lambda _i: 1, "signs that do not alternate"),
     (ACCORDION, EQS, energy, "apex_moments", without_radius, "the couple of a straight end"),
-    (ACCORDION, "stiffness, head free, tail at arc: curved elements", frame, "stiffness",
+    (ACCORDION, "stiffness, head free, tail clamped at arc: curved elements", frame, "stiffness",
      exchanged("tail"), "the tail in the middle of a leaf"),
     (CONTINUUM, THIN, frame, "stiffness", lambda f: lambda **k: f(
         **k | {"radius": AccordionInputs().r}), "the inner radius"),

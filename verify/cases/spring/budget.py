@@ -24,27 +24,27 @@ THINNER, MORE, SMALL, FIRMER = 4, 3, 1e-4, 10.0
 
 
 def thin(q: Any) -> Any:
-    """A thinner strip."""
+    """Inputs with a quarter of the thickness."""
     return q.model_copy(update={"b": q.b / THINNER})
 
 
 def half_as_thick(q: Any) -> Any:
-    """A strip half as thick."""
+    """Inputs with half of the thickness."""
     return q.model_copy(update={"b": q.b / 2})
 
 
 def many(q: Any) -> Any:
-    """More segments."""
+    """Inputs with three times as many segments."""
     return q.model_copy(update={"n": MORE * q.n})
 
 
 def long_leaf(q: Any) -> Any:
-    """Longer leaves between unchanged arcs, and a strip wider by this factor."""
+    """Inputs with leaves and width twice as large, and unchanged arcs."""
     return q.model_copy(update={"L1": 2 * q.L1, "h": 2 * q.h})
 
 
 def fem_small(q: MapInputs, level: int) -> FemResult:
-    """The guided spring hardly pressed, its force in proportion."""
+    """Forces of the guided spring, extrapolated in proportion from a very small displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -53,7 +53,7 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
-    """The spring with a free head."""
+    """Forces of the spring with a free head, by its stiffness at small displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -62,7 +62,7 @@ def fem_free(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_paper(q: MapInputs, level: int) -> FemResult:
-    """The spring with the paper's lengths: arcs of the inner radius."""
+    """Forces of the spring with the paper's lengths, whose arcs have the inner radius."""
     from verify.cases.spring.large_fem import spring_fem
 
     path = q.paper_path | {"tail": "arc"}
@@ -71,13 +71,16 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 
 def proportional(level: int, force: float, share: float) -> FemResult:
-    """Forces at the case's shares of the length, from the force at another share."""
+    """Forces at the displacements of the case, in proportion to the force at another displacement.
+
+    Displacements are given as shares of the length.
+    """
     values = {f"F_{target}": target / share * force for target in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)
 
 
 def fem_firmer(q: CurveInputs, level: int) -> FemResult:
-    """The stiffness at rest, as the case reads it, with contact that is firmer."""
+    """Initial stiffness of the spring, evaluated as in the case, with tenfold contact stiffness."""
     from verify.cases.spring.curve.fem import fem_compress
     from verify.cases.spring.curve.reference import FIRST, spring_of
 
@@ -87,12 +90,12 @@ def fem_firmer(q: CurveInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values={"k1": float(2 * once - twice)})
 
 
-PROPORTION = "hardly pressed, the force in proportion"
-HEAD = "and head free instead of guided"
+PROPORTION = "very small displacement, force scaled in proportion"
+HEAD = "and a free head instead of a guided one"
 EQ_9_FAR = ("Eq. 9 at*",)
 EQ_9 = ("Eqs. 1-9 against the curved beam",)
 HARINGX = ("Haringx*",)
-NO_PLANE = Without(Cause.PLANE, "a strip as beams: its width is case spring-width's")
+NO_PLANE = Without(Cause.PLANE, "both models are beams; the width is in spring-width")
 
 STATEMENTS: Mapping[str, Statement] = {
     "spring-accordion": Statement(
@@ -102,18 +105,18 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.GEOMETRY, what="no stretching of the strip", rows=EQ_9,
                   changes=(Argument(SECTION, {"EA": RIGID}),)),
         ),
-        without=(NO_PLANE, Without(Cause.DISPLACEMENT, "small on both sides")),
+        without=(NO_PLANE, Without(Cause.DISPLACEMENT, "both models assume small displacements")),
         corrected=(
             Corrected("Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
-                      "k_V", "arcs of the inner radius, beside the centre line's"),
+                      "k_V", "arcs of the inner radius, against those of the centre line"),
             *(Corrected(f"Eqs. 1-9 with the inner radius in {part}", "k_V",
-                        "these arcs of the inner radius, beside the centre line's")
+                        "these arcs have the inner radius, against the centre line's")
               for part in ("the arc of head or tail alone (Eqs. 1, 2, 6)",
                            "the inner segments alone (Eqs. 3, 4)")),
             Corrected("Eqs. 1-9 with the leaf length of Eq. 3 as printed", "k1",
-                      "leaves of the length that the geometry gives"),
+                      "length of the leaves by the geometry"),
             Corrected("stiffness of five segments with the tail of Eq. 5 as printed", "k1_five",
-                      "the sign of an odd number of segments"),
+                      "sign for an odd number of segments"),
         ),
         finer=48,
     ),
@@ -124,28 +127,28 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress",
                   rows=("*plane stress",), changes=plane_strain(), shared=True),
         ),
-        without=(Without(Cause.DISPLACEMENT, "small on both sides"),),
+        without=(Without(Cause.DISPLACEMENT, "both models assume small displacements"),),
     ),
     "spring-stages": Statement(
-        without=(NO_PLANE, Without(Cause.CONTACT, "0 by construction: closed pairs are rigid "
-                                   "links, open ones nothing")),
+        without=(NO_PLANE, Without(Cause.CONTACT, "0 by construction: closed contacts are "
+                                   "rigid links, open contacts carry no force")),
         finer=48,
     ),
     "spring-width": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="leaves and width twice as large, arcs as they are",
-                  rows=("factor of the spring by one leaf's",), inputs=long_leaf),
+            Rerun(cause=Cause.GEOMETRY, what="leaves and width twice as large, arcs unchanged",
+                  rows=("factor of the spring, estimated by one leaf",), inputs=long_leaf),
         ),
-        without=(Without(Cause.PLANE, "shells and solids with their width"),),
+        without=(Without(Cause.PLANE, "shells and solids have the true width"),),
         corrected=(
             Corrected("k_1 by E I of a narrow strip, against the shell", "k",
-                      "E I times the factor of a leaf as a plate"),
+                      "E I, multiplied by the factor of a leaf as a plate"),
         ),
     ),
     "spring-curve": Statement(
         reruns=(
             Rerun(cause=Cause.CONTACT, fem=fem_firmer,
-                  what="ten times the contact's stiffness; nothing touches at rest"),
+                  what="tenfold contact stiffness; no contact at rest"),
         ),
         without=(NO_PLANE,),
     ),
@@ -158,7 +161,7 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         left=(
             Left(("Haringx's column, tail clamped*",), "neither thickness nor segments "
-                 "explain it, its ends were not rerun"),
+                 "explain it; the end conditions were not varied"),
         ),
         without=(NO_PLANE,), finer=24,
     ),
@@ -166,7 +169,7 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.DISPLACEMENT, what=PROPORTION, rows=EQ_9_FAR, fem=fem_small),
             Rerun(cause=Cause.GEOMETRY, what=HEAD, rows=EQ_9_FAR, fem=fem_free, after=PROPORTION),
-            Rerun(cause=Cause.GEOMETRY, what="and arcs of the inner radius, as Eqs. 1-9 have them",
+            Rerun(cause=Cause.GEOMETRY, what="and arcs of the inner radius, as in Eqs. 1-9",
                   rows=EQ_9_FAR, fem=fem_paper, after=HEAD),
         ),
         without=(NO_PLANE,), finer=24,

@@ -1,4 +1,4 @@
-"""Common to formulas and comparisons of springs: limits of the paper, warnings, conditions."""
+"""Warnings, readings and conditions common to formulas and comparisons of springs."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -12,17 +12,17 @@ OTHER_WIDTH = 0.005  # tolerance between the given factor and a leaf's factor
 
 
 def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:
-    """A warning if leaves of this width h [m] and length have another factor than the given."""
+    """Warning if the width factor of a leaf of width h [m] and length `leaf` [m] is not `given`."""
     wide = float(width_factor(h, leaf, nu=nu))
     if abs(wide / given - 1) > OTHER_WIDTH:
         yield (
-            f"width_factor = {given:.5g}, but leaves of this width and length are "
-            f"stiffened by {wide:.5g}: forces change by {wide / given - 1:+.1%}"
+            f"width_factor = {given:.5g}, but leaves of this width and length have the width "
+            f"factor {wide:.5g}: forces change by {wide / given - 1:+.1%}"
         )
 
 
 def left_open(q: Any) -> Iterator[tuple[frame.Tail, frame.Head, str, dict[str, Any]]]:
-    """Tail, head, and arc radius with its centre line: all combinations that the text allows."""
+    """All combinations of tail, head, arc radius and centre line that the paper's text allows."""
     tails: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
     heads: tuple[frame.Head, ...] = ("free", "guided")
     paths = (("r", q.paper_path), ("r + b/2", q.path))
@@ -35,5 +35,5 @@ def stored(context: Context, name: str) -> Any:
 
 
 def loaded(q: Any) -> bool:
-    """Whether a working force is given."""
+    """Whether the inputs contain a working force."""
     return q.F is not None

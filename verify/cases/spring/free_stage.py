@@ -1,6 +1,6 @@
 """Accordion spring before its leaves touch: Eqs. 1-9 of Wang et al. 2023 and the true centre line.
 
-Formulas, warnings and sketch common to the cases of the free stage.
+Formulas, warnings and sketch are common to all cases of the free stage.
 """
 
 from collections.abc import Iterator
@@ -18,42 +18,42 @@ FRAME = "force method on the true centre line"
 
 
 class FreeStage(AccordionInputs, Case):
-    """Stiffness, deflection and stress of the free stage."""
+    """Stiffness, deflection and stress of the spring in the free stage."""
 
     @Quantity("L_2", "mm", "straight length of a middle leaf", equation="3", role="step",
               tex=r"\frac{L_1}{\sin\alpha} + \frac{2 (r + b/2)}{\tan\alpha}")  # fmt: skip
     def L2(self) -> float:
         return float(energy.leaf_length(L1=self.L1, r=self.r, b=self.b, alpha=self.alpha))
 
-    @Quantity("T_1/F", "mm", "couple at the first apex over the force", equation="1", role="step",
+    @Quantity("T_1/F", "mm", "couple at the first apex per force", equation="1", role="step",
               tex=r"\frac{L_1}{2} + r")  # fmt: skip
     def T1(self) -> float:
         return float(energy.apex_moments(**self._printed)[0])
 
-    @Quantity("T_2/F", "mm", "couple at the second apex over the force", equation="3",
+    @Quantity("T_2/F", "mm", "couple at the second apex per force", equation="3",
               role="step", tex=r"T_1/F - (2 r (1 - \cos\alpha) + L_2 \sin\alpha)")  # fmt: skip
     def T2(self) -> float:
         return float(energy.apex_moments(**self._printed)[1])
 
-    @Quantity("J", "mm^3", "integral of the squared lever of the force", equation="7",
+    @Quantity("J", "mm^3", "integral of the squared lever arm of the force", equation="7",
               role="step", tex=r"\int (M/F)^2 ds")  # fmt: skip
     def J(self) -> float:
         return float(energy.flexibility(**self._printed))
 
-    @Quantity("k_1", "N/mm", "stiffness, arcs of the inner radius", equation="9",
+    @Quantity("k_1", "N/mm", "stiffness with arcs of the inner radius", equation="9",
               tex=r"\frac{E h b^3}{12 J}")  # fmt: skip
     def k1(self) -> float:
         return float(energy.stiffness(**self._printed, h=self.h, E=self.E))
 
-    @Quantity("k", "N/mm", "stiffness, true centre line, E I", source=FRAME)
+    @Quantity("k", "N/mm", "stiffness of the true centre line with E I", source=FRAME)
     def k(self) -> float:
         return frame.stiffness(**self.path, **strip_of(self))
 
-    @Quantity("k_w", "N/mm", "stiffness, true centre line, E I/(1 − ν²)", source=FRAME)
+    @Quantity("k_w", "N/mm", "stiffness of the true centre line with E I/(1 − ν²)", source=FRAME)
     def k_wide(self) -> float:
         return frame.stiffness(**self.path, **strip_of(self), plane_strain=True)
 
-    @Quantity("L_0", "mm", "free length over all", source="geometry of the true centre line")
+    @Quantity("L_0", "mm", "overall free length", source="geometry of the true centre line")
     def L0(self) -> float:
         return frame.free_length(n=self.n, b=self.b, r=self.r, L1=self.L1, alpha=self.alpha)
 
@@ -62,12 +62,12 @@ class FreeStage(AccordionInputs, Case):
         assert self.F is not None
         return self.F / self.k1
 
-    @Quantity("κ", "1", "stress inside a curved bar over that of a straight one", role="step",
+    @Quantity("κ", "1", "stress ratio, inside of curved bar to straight bar", role="step",
               source="Golovin")  # fmt: skip
     def kappa(self) -> float:
         return float(energy.curvature_factor(b=self.b, r=self.r))
 
-    @Quantity("σ", "MPa", "bending stress at F, inside the apex of a loop", safe="too high",
+    @Quantity("σ", "MPa", "bending stress at F, inside of the apex of a loop", safe="too high",
               source="Golovin", when=loaded,
               tex=r"\kappa \frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def stress(self) -> float:
@@ -75,12 +75,12 @@ class FreeStage(AccordionInputs, Case):
         return self.bending_stress(self.F)
 
     def bending_stress(self, F: float) -> float:
-        """Largest bending stress [Pa] under a force."""
+        """Largest bending stress [Pa] under the force F [N]."""
         return float(energy.bending_stress(F=F, b=self.b, h=self.h, r=self.r, L1=self.L1))
 
     @property
     def _printed(self) -> dict[str, Any]:
-        """The lengths of Eqs. 1-9."""
+        """Geometry as arguments of the functions for Eqs. 1-9."""
         return {"n": self.n, "L1": self.L1, "r": self.r, "b": self.b, "alpha": self.alpha}
 
     sketch = to_scale
@@ -89,23 +89,25 @@ class FreeStage(AccordionInputs, Case):
         """Warnings if geometry or force is outside the range of Eqs. 1-9."""
         if self.L0 / self.b > L0_OVER_B:
             yield (
-                f"L_0/b = {self.L0 / self.b:.4g} is above {L0_OVER_B} (Eq. 13): the paper expects "
-                "the head to move sideways and the formula to lose accuracy"
+                f"L_0/b = {self.L0 / self.b:.4g} is above {L0_OVER_B} (Eq. 13): according to the "
+                "paper, the head moves sideways and the formula loses accuracy"
             )
         if abs(self.k1 / self.k - 1) > 0.01:
             yield (
-                f"Eqs. 1-9 take the inner radius for the centre line: {self.k1 / self.k - 1:+.1%} "
-                f"against the true centre line ({self.k / 1e3:.4g} N/mm)"
+                f"Eqs. 1-9 use the inner radius as radius of the centre line: error of k_1 "
+                f"{self.k1 / self.k - 1:+.1%} against the true centre line "
+                f"({self.k / 1e3:.4g} N/mm)"
             )
         if self.h > 10 * self.b:
             yield (
-                f"a strip {self.h / self.b:.0f} times as wide as thick lies between E I and "
-                f"E I/(1 - ν²): k_1 may be up to {1 / (1 - self.nu**2) - 1:.1%} above"
+                f"the bending stiffness of a strip {self.h / self.b:.0f} times as wide as thick is "
+                f"between E I and E I/(1 - ν²): k_1 may be up to "
+                f"{1 / (1 - self.nu**2) - 1:.1%} larger"
             )
         if self.b > 0.3 * self.R:
             yield (
-                f"b/(r + b/2) = {self.b / self.R:.2f}: no thin strip; run with --fem for the "
-                "curved bar"
+                f"b/(r + b/2) = {self.b / self.R:.2f}: the strip is not thin; run with --fem, "
+                "which uses curved bars"
             )
         if self.F is not None:
             yield from self._overloaded(self.F)
@@ -114,9 +116,9 @@ class FreeStage(AccordionInputs, Case):
         share = self.deflection / self.L0
         if share > FREE_STAGE:
             yield (
-                f"F = {F:g} N requires {share:.1%} of the free length: the paper's spring left "
-                f"its free stage at {FREE_STAGE:.0%}, where leaves touch and Eqs. 1-9 end"
-                + (", and Eq. 12 allows 60 %" if share > 0.6 else "")
+                f"F = {F:g} N compresses the spring by {share:.1%} of the free length; the leaves "
+                f"of the paper's spring touch at {FREE_STAGE:.0%}, beyond which Eqs. 1-9 do not "
+                "apply" + ("; Eq. 12 allows 60 %" if share > 0.6 else "")
             )
         if self.R_p is not None and self.stress > self.R_p:
             yield (

@@ -1,4 +1,4 @@
-"""Inputs of the accordion spring, shared by its cases."""
+"""Inputs of the accordion spring, common to its cases."""
 
 import math
 from typing import Any, Self
@@ -9,7 +9,7 @@ from verify.core.inputs import Inputs, count, quantity
 
 
 class SpringInputs(Inputs):
-    """Geometry and material of an accordion spring; r is the inner radius of the arcs."""
+    """Inputs of an accordion spring: geometry and material; r is the inner radius of the arcs."""
 
     n: int = count(10, "n", "number of segments", claims="wang2023:n", ge=4, le=200)
     b: float = quantity("0.1 mm", "mm", "b", "thickness", gt=0, le=10, claims="wang2023:b")
@@ -31,17 +31,19 @@ class SpringInputs(Inputs):
     def _strip(self) -> Self:
         if not self.b < self.r:
             raise ValueError(
-                f"a leaf spring needs b < r, got b = {self.b * 1e3:g} mm, r = {self.r * 1e3:g} mm"
+                f"the thickness must be below the inner radius: b < r, got b = "
+                f"{self.b * 1e3:g} mm, r = {self.r * 1e3:g} mm"
             )
         if not 2 * self.r < self.L1:
             raise ValueError(
-                f"leaves need L1 > 2 r, got L1 = {self.L1 * 1e3:g} mm, r = {self.r * 1e3:g} mm"
+                f"the leaves must be longer than the loops are wide: L1 > 2 r, got L1 = "
+                f"{self.L1 * 1e3:g} mm, r = {self.r * 1e3:g} mm"
             )
         return self
 
     @property
     def R(self) -> float:
-        """Radius of the arcs' centre line [m]."""
+        """Radius [m] of the centre line of the arcs."""
         return self.r + self.b / 2
 
     @property
@@ -51,23 +53,26 @@ class SpringInputs(Inputs):
 
     @property
     def widest(self) -> float:
-        """Stiffness of a strip much wider than the length of its leaves, over a narrow strip."""
+        """Ratio 1/(1 - nu^2) of the stiffness of a very wide strip to that of a narrow strip."""
         return 1 / (1 - self.nu**2)
 
     @property
     def path(self) -> dict[str, Any]:
-        """Arguments of the exact centre line."""
+        """Arguments that define the true centre line."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha}
 
     @property
     def paper_path(self) -> dict[str, Any]:
-        """The paper's centre line: inner radius, but leaves as long as by the true radius."""
+        """Arguments that define the paper's centre line.
+
+        Its arcs have the inner radius; the leaves have the length for the true radius.
+        """
         leaf = self.L1 / math.sin(self.alpha) + 2 * self.R / math.tan(self.alpha)
         return self.path | {"radius": self.r, "leaf": leaf}
 
 
 class AccordionInputs(SpringInputs):
-    """A spring with the force and the strength that it may have."""
+    """Inputs of a spring with an optional working force and an optional strength."""
 
     F: float | None = quantity(
         None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0,
@@ -80,16 +85,16 @@ class AccordionInputs(SpringInputs):
 
 
 def leaf_length(L1: float, R: float, alpha: float) -> float:
-    """Straight length [m] of a middle unit."""
+    """Straight length [m] of a middle leaf."""
     return (L1 + 2 * R * math.cos(alpha)) / math.sin(alpha)
 
 
 def length_of(n: int, L1: float, R: float, alpha: float) -> float:
-    """From the head's leaf to the tail's on the centre line [m]."""
+    """Length [m] along the axis, from the leaf of the head to that of the tail, centre line."""
     pitch = leaf_length(L1, R, alpha) * math.cos(alpha) + 2 * R * math.sin(alpha)
     return (n - 2) * pitch + 2 * R
 
 
 def strip_of(q: SpringInputs) -> dict[str, Any]:
-    """Section and material of the strip."""
+    """Section and material of the strip, as arguments."""
     return {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}

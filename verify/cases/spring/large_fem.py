@@ -1,4 +1,4 @@
-"""Springs at large displacement for the cases: their centre lines as frames."""
+"""Frames of the centre lines of springs, for large displacements."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 def spring_fem(
     path: dict[str, Any], b: float, h: float, E: float, nu: float, *, per_arc: int, per_leaf: int
 ) -> "PressedFrame":
-    """A strip with centre line `path` (arguments of `meshes.spring.centre_line`), tail clamped."""
+    """Frame of a strip with a clamped tail; `path` are arguments of `meshes.spring.centre_line`."""
     from fem.beam.pressed import PressedFrame
     from fem.beam.section import Section
     from meshes.spring.centre_line import centre_line

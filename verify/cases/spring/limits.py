@@ -1,4 +1,4 @@
-"""Common to spring cases: ratios as indices, and limits for slender strips."""
+"""Ratios as indices of quantities, and a limit for slender strips; common to spring cases."""
 
 from verify.cases.spring.inputs import SpringInputs
 
@@ -6,18 +6,22 @@ MOST_SLENDER = 16_000  # unfolded length over thickness
 
 
 class Share(float):
-    """A ratio as an index of quantities."""
+    """Ratio that serves as an index of quantities."""
 
     def __str__(self) -> str:
         return f"{self:g}".replace(".", "_")
 
 
 def too_slender(q: SpringInputs) -> str:
-    """Elements of a frame this slender bend by less than the round-off of its movement."""
+    """Reason why the strip is too slender for finite elements; empty if it is not.
+
+    Elements of a very slender frame bend by less than the round-off error of its movement.
+    """
     slender = q.n * (q.leaf + 2 * q.R * q.alpha) / q.b
     if slender <= MOST_SLENDER:
         return ""
     return (
-        f"n = {q.n} segments unfold to {slender:,.0f} times the thickness, more than "
-        f"{MOST_SLENDER:,}: finite elements lose too many digits there, check it without --fem"
+        f"the unfolded length of n = {q.n} segments is {slender:,.0f} times the thickness, above "
+        f"the limit of {MOST_SLENDER:,} by round-off errors of finite elements, check it without "
+        "--fem"
     )

@@ -1,4 +1,4 @@
-"""Definition search: results of the garbled Eqs. 3 and 5 for every reading of their symbols."""
+"""Search of readings: results of the misprinted Eqs. 3 and 5 for every reading of their symbols."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,12 +11,12 @@ from verify.papers.ledger import published
 
 
 def search(q: Any) -> list[Reading]:
-    """All readings for the inputs of a case."""
+    """All readings of Eqs. 3 and 5, evaluated for the inputs `q`."""
     return readings(n=q.n, b=q.b, h=q.h, r=q.r, L1=q.L1, alpha=q.alpha, E=q.E)
 
 
 def tables(context: Context) -> Sequence[Table]:
-    """The readings nearest to the printed value first; only for the numbers of the paper."""
+    """Table of the readings, sorted by distance from the printed value; for the paper only."""
     if not context.is_paper:
         return ()
     entry = published("wang2023:k1-theory")
@@ -33,12 +33,12 @@ def tables(context: Context) -> Sequence[Table]:
             title=f"Readings of Eqs. 3 and 5: {len(meet)} of {len(nearest)} give the printed "
             f"{entry.printed} N/mm",
             header=("leaf in L_2", "radius in L_2", "arc radius", "signs", "first couple",
-                    "k_1 [N/mm]", "printed digits met", ""),
+                    "k_1 [N/mm]", "equal to printed digits", ""),
             rows=rows,
-            note="Statics (M = F y with matching ends) settles the signs, the first couple and "
-            "half of L_1 in L_2, but not the radius: with r in the arcs and r + b/2 in "
-            "L_2, as printed except for h in place of b, loops have gaps of b cos α; closed loops "
-            "need r or r + b/2 throughout (0.60320 or 0.58202 N/mm). Adopted is the "
-            "printed text with h read as b.",
+            note="Statics (M = F y with matching ends) determines the signs, the first couple and "
+            "half of L_1 in L_2, but not the radius. The printed text has r in the arcs and "
+            "r + b/2 in L_2 (with h instead of b); the loops then have gaps of b cos α. Closed "
+            "loops require r or r + b/2 everywhere (0.60320 or 0.58202 N/mm). The adopted reading "
+            "is the printed text with b instead of h.",
         ),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Sketch of an accordion spring: centre line, force, clamp and lengths."""
+"""Sketch of an accordion spring with centre line, force, clamp and lengths."""
 
 import math
 from typing import Any
@@ -14,7 +14,7 @@ mm = 1e-3
 
 
 def sketch(q: Any) -> Sketch:
-    """The centre line to scale, with force, clamp and the lengths that the formulas name."""
+    """Sketch of the centre line to scale, with force, clamp and the lengths of the formulas."""
     line = frame.sections(frame.pieces(**q.path, tail="arc")).at.T / mm
     x, y = (place / mm for place in frame.end_point(**q.path, tail="arc"))
     line = np.vstack([[[0.0, 0.0]], line, [[x, y]]])
@@ -25,7 +25,7 @@ def sketch(q: Any) -> Sketch:
     leaf, bottom = line[half + np.argmin(abs(line[half:, 1]))], line[np.argmin(line[:, 1])]
     L0 = frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha) / mm
     return sketches.sketch(
-        f"centre line of the spring, to scale; strip {q.b / mm:.4g} mm × {q.h / mm:.4g} mm",
+        f"centre line of the spring, to scale; section {q.b / mm:.4g} mm × {q.h / mm:.4g} mm",
         sketches.room(0.6 * tall - left, right + 0.5 * tall),
         arrow((left - 0.1 * tall, 0.0), (right + 0.2 * tall, 0.0), style="axis"),
         shape("line", line),

@@ -32,7 +32,7 @@ def engaged(q, dt=1e-5, **how):
 @pytest.mark.parametrize(
     ("case", "changes", "verdict", "words"),
     [
-        (ENGAGEMENT, {}, "locks", "locks: N swings to 62"),
+        (ENGAGEMENT, {}, "locks", "locks: the largest normal force is 62"),
         (
             ENGAGEMENT,
             {"mu_s": 0.05, "mu_c": 0.05},

@@ -18,11 +18,16 @@ Q = CurveSpring()
 STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
 TENFOLD = "stiffness rises tenfold after the loops touch (stage BE)"
 JUDGED = ("no interpenetration of leaves", "slopes do not depend on the contact's stiffness",
-          "slopes do not depend on halving of the mesh", "work is stored or lost in friction",
+          "slopes do not depend on halving of the mesh",
+          "work equals stored energy and friction losses",
           "loading and unloading coincide without friction", TENFOLD)  # fmt: skip
 THIN = tuple(
     f"{what}, closed form for slender leaves"
-    for what in ("displacement where tips touch", "force where tips touch", "stiffness beyond")
+    for what in (
+        "displacement where tips touch",
+        "force where tips touch",
+        "stiffness after the tips touch",
+    )
 )
 
 

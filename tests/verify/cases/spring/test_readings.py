@@ -16,7 +16,7 @@ from verify.cases.spring.width.case import WIDTH
 from verify.core.case import Context
 from verify.core.results import Status
 
-GUIDED = "head guided, tail at mid-leaf"
+GUIDED = "head guided, tail clamped at mid-leaf"
 FREE = "the spring with a free head buckles, tail clamped at its arc"
 
 
@@ -34,7 +34,8 @@ READINGS = [
     pytest.param(STAGES, stages, "line", given(normal=lambda _: "leaf"), f"force at A, {GUIDED}",
                  id="the unloaded leaf's normal"),
     pytest.param(STAGES, stages, "HELD", lambda held: held | {"hinged": []},
-                 "stiffness k_1, head hinged, tail at mid-leaf", id="a hinge without side force"),
+                 "stiffness k_1, head hinged, tail clamped at mid-leaf",
+                 id="a hinge without side force"),
     pytest.param(WIDTH, frame, "stiffness", given(plane_strain=lambda _: False),
                  "shell with held edges, tail clamped at mid-leaf, head guided",
                  id="1 - nu² dropped"),
@@ -63,7 +64,7 @@ def test_one_of_sixteen_readings_meets_the_printed_stiffness():
 def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_figure(
     monkeypatch,
 ):
-    name = "displacement at A of the reading chosen by k_1 beside Eq. 10"
+    name = "displacement at A against Eq. 10, reading with the nearest k_1"
     assert [row.status for row in rows(STAGES, name)] == [Status.CALIBRATED]
     guided = [
         x for x in readings(StageSpring(width_factor=1.09))

@@ -1,4 +1,4 @@
-"""Accordion spring, linear part: Eqs. 1-9 of Wang et al. 2023 and the curved frame behind them."""
+"""Accordion spring in the free stage: Eqs. 1-9 of Wang et al. 2023 against curved frames."""
 
 import math
 from collections.abc import Iterator
@@ -35,23 +35,24 @@ from verify.judging.checks import Order
 from verify.judging.published_checks import Contradiction, PrintedMeasurement
 
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
-EQ_9_SOURCE = "axial and shear energy of the force method, within a tenth of itself"
+EQ_9_SOURCE = "axial and shear energy by the force method, ± 10 %"
 CENTRE_LINE = 0.02  # over the error by the radius: effect of elements and shear
-RADIUS_SOURCE = "force method on the centre line, axial force and shear included"
+RADIUS_SOURCE = "force method on the centre line, with axial force and shear"
 PRINTED = ("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")
 SHARED = "beam theory, small displacements, E I of a narrow strip"
-EXACT = 5e-4, "a nodal frame is exact but for the chords of its arcs"
+EXACT = 5e-4, "the only error of the frame is that chords replace the arcs"
 
 
 def solve_paper(q: Any, level: int) -> Level:
-    """The stiffness that Eqs. 1-9 describe: the paper's spring, of curved elements."""
+    """Stiffness by curved elements with the lengths of Eqs. 1-9."""
     return frames.solve_curved(q.held(PAPER), level)
 
 
 class AccordionSpring(FreeStage):
-    """The energy formula for the stiffness before leaves touch, against two frame models.
+    """Energy formula for the stiffness before the leaves touch, against two frame models.
 
-    They are models of its centre line: straight elements of beam theory, curved quadratic elements.
+    Both models are frames of the centre line: one of straight beam elements, one of curved
+    quadratic elements.
     """
 
     id = "spring-accordion"
@@ -75,59 +76,61 @@ class AccordionSpring(FreeStage):
         ),
     )  # fmt: skip
     readings: ClassVar = (
-        "r is the inner radius and stands for the centre line's in the arcs of Eqs. 1-9, although "
-        "L_2 uses r + b/2, as printed: 3.2 % of the paper's k_1 against the true centre line",
-        "2 L_1/sin α in Eq. 3 is 2 (L_1/2)/sin α, and h/2 there is b/2",
-        "the signs of Eq. 3 alternate from unit to unit; T_0 of the text is T_1 = F (L_1/2 + r)",
-        "the head is free to turn and to move sideways, the tail is clamped at the end of its arc",
+        "r is the inner radius. As printed, Eqs. 1-9 use r as radius of the centre line of the "
+        "arcs, but r + b/2 in L_2; this changes the paper's k_1 by 3.2 % against the true centre "
+        "line",
+        "in Eq. 3, 2 L_1/sin α means 2 (L_1/2)/sin α, and h/2 means b/2",
+        "the signs of Eq. 3 alternate from unit to unit; T_0 in the text is T_1 = F (L_1/2 + r)",
+        "the head is free to rotate and to move sideways; the tail is clamped at the end of its "
+        "arc",
     )
     assumptions: ClassVar = (
         "small displacements, no contact between leaves",
-        "bending only in Eqs. 1-9; axial force and shear enter the frames",
+        "Eqs. 1-9 contain bending only; the frames also contain axial force and shear",
         "narrow strip: E I without 1 − ν²",
     )
 
-    k_N = Quantity("k_N", "N/mm", "stiffness of bending and axial force",
+    k_N = Quantity("k_N", "N/mm", "stiffness with bending and axial force",
                    source=FRAME).reads(lambda q: q._stiffness("thin"))  # fmt: skip
-    k_V = Quantity("k_V", "N/mm", "stiffness of bending, axial force and shear",
+    k_V = Quantity("k_V", "N/mm", "stiffness with bending, axial force and shear",
                    source=FRAME).reads(lambda q: q._stiffness("shear"))  # fmt: skip
 
-    @Quantity("k_1", "N/mm", "stiffness with leaves of the length that Eq. 3 prints",
+    @Quantity("k_1", "N/mm", "stiffness with the printed leaf length of Eq. 3",
               equation="3", form="as printed", form_of="k1")  # fmt: skip
     def k1_printed_leaves(self) -> float:
         leaf = 2 * self.L1 / math.sin(self.alpha) + (2 * self.r + self.h) / math.tan(self.alpha)
         J = flexibility(self.n, self.L1 / 2, self.r, leaf, self.alpha, "alternating", 1.0)
         return self.E * self.h * self.b**3 / 12 / J
 
-    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the head's arc alone",
+    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the arc of the head",
               equation="2", form="as printed", form_of="k1")  # fmt: skip
     def k1_inner_head(self) -> float:
         return self._of_radii(head=self.r, segments=self.R)
 
-    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the inner segments alone",
+    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the inner segments",
               equation="4", form="as printed", form_of="k1")  # fmt: skip
     def k1_inner_segments(self) -> float:
         return self._of_radii(head=self.R, segments=self.r)
 
-    @Quantity("k_1", "N/mm", "stiffness with the tail as Eq. 5 prints it", equation="5",
+    @Quantity("k_1", "N/mm", "stiffness with the printed tail of Eq. 5", equation="5",
               form="as printed", form_of="k1", when=lambda q: q.n % 2)  # fmt: skip
     def k1_printed_tail(self) -> float:
         T = energy.apex_moments(**self._printed)[-1]
         printed, right = (energy.tail_flexibility(n, T, r=self.r) for n in (self.n + 1, self.n))
         return self.E * self.h * self.b**3 / 12 / (self.J + float(printed - right))
 
-    @Quantity("σ_n", "MPa", "bending stress at F or the largest test force, as of a straight bar",
+    @Quantity("σ_n", "MPa", "nominal bending stress at F or the largest test force",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def nominal_stress(self) -> float:
         return self.bending_stress(self.F or TEST_FORCE) / self.kappa
 
     @Quantity("L_0/b", "1", "free length over thickness, arcs of the inner radius",
-              source="without the thickness of the leaves, in favour of the rule")  # fmt: skip
+              source="without the thickness of the leaves, which favours the limit")  # fmt: skip
     def slenderness(self) -> float:
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
 
     def _of_radii(self, head: float, segments: float) -> float:
-        """Stiffness [N/m] with these radii in head and segments, the tail's on the centre line."""
+        """Stiffness [N/m] with radii of head and segments [m]; the tail has the true radius."""
         a = self.L1 / 2
         ends = [float(energy.head_flexibility(L1=self.L1, r=r)) for r in (head, self.R, segments)]
         to_tail = flexibility(self.n, a, segments, self.L2, self.alpha, "alternating", 1.0,
@@ -143,11 +146,11 @@ class AccordionSpring(FreeStage):
 
     @property
     def lengths(self) -> dict[str, Any]:
-        """Lengths of the true centre line, or as in Eqs. 1-9."""
+        """Arguments of the true centre line, or of the centre line of Eqs. 1-9."""
         return self.paper_path if self.ends.inner else self.path
 
     def held(self, ends: Ends) -> Self:
-        """The spring with other ends."""
+        """The spring with the end conditions `ends`."""
         return self.variant(ends=ends)
 
     @property
@@ -156,12 +159,12 @@ class AccordionSpring(FreeStage):
         return self.at(n=5).variant(ends=FIVE)
 
     def reference(self, level: int) -> Level:
-        """Frames of straight and of curved elements with all ends, and of five segments."""
+        """Reference: straight and curved frames with all end conditions, and with five segments."""
         held = (self.held(ends) for ends in (PAPER, *COMBINED))
         return frames.solve((*held, self.of_five), level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Eqs. 1-9 as printed and against curved elements; the force method with all ends."""
+        """Rows: Eqs. 1-9 against print and curved elements; force method with all ends."""
         spring = AccordionSpring
         yield as_printed(spring.k1, "wang2023:k1-theory", name="stiffness by Eqs. 1-9")
         for words, printed in (("shell model", "fea"), ("test", "test")):
@@ -171,7 +174,8 @@ class AccordionSpring(FreeStage):
             ))  # fmt: skip
         yield approximation(
             spring.k1, PAPER.named("k_V"), name="Eqs. 1-9 against the curved beam", order=4,
-            expected=self._neglected(), sensitivity=(5e-4, "frame elements are to settle 0.05 %"),
+            expected=self._neglected(),
+            sensitivity=(5e-4, "required accuracy of frame elements, 0.05 %"),
             printed=PRINTED, shares=SHARED,
         )  # fmt: skip
         yield approximation(
@@ -186,12 +190,12 @@ class AccordionSpring(FreeStage):
             yield approximation(
                 one, COMBINED[0].named("k_V"), order=4, shares=SHARED,
                 name=f"Eqs. 1-9 with the inner radius {where}",
-                expected=underived("a radius of other levers and lengths in one part alone"),
+                expected=underived("this radius applies only in one part of the spring"),
             )  # fmt: skip
         yield approximation(
             spring.k1_printed_leaves, PAPER.named("k_V"), order=4, shares=SHARED,
             name="Eqs. 1-9 with the leaf length of Eq. 3 as printed",
-            expected=underived("the width stands for the thickness, and a factor 2"),
+            expected=underived("width instead of thickness, and a factor of 2"),
         )  # fmt: skip
         yield from self._odd()
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
@@ -212,11 +216,11 @@ class AccordionSpring(FreeStage):
                     name=f"stiffness, {ends.words}: {elements} elements", sensitivity=EXACT,
                     shares=SHARED,
                 )  # fmt: skip
-        yield Order(name="order of the straight elements", symbol="p", unit="1", order=2,
+        yield Order(name="order of convergence of straight elements", symbol="p", unit="1", order=2,
                     errors=errors_of(spring.k_N))  # fmt: skip
 
     def _odd(self) -> Iterator[Comparison]:
-        """Eqs. 1-9 for an odd number of segments, which Eq. 5 as printed does not hold for."""
+        """Rows on Eqs. 1-9 for an odd number of segments, for which the printed Eq. 5 is wrong."""
         five = State(self.of_five, FIVE.key, "five segments", displayed=False)
         more: dict[str, Any] = {"order": 4, "shares": SHARED, "state": five}
         yield approximation(
@@ -226,17 +230,17 @@ class AccordionSpring(FreeStage):
         yield approximation(
             AccordionSpring.k1_printed_tail, FIVE.named("k_V"),
             name="stiffness of five segments with the tail of Eq. 5 as printed",
-            expected=underived("the sign of the tail's arc is that of an even number"), **more,
+            expected=underived("the printed sign applies to an even number of segments"), **more,
         )  # fmt: skip
 
     def _neglected(self) -> Expected:
-        """Increase of the compliance by axial force and shear, known to a tenth."""
+        """Expected increase of the compliance by axial force and shear, ± 10 %."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 
     def _of_inner_radius(self) -> Expected:
-        """Increase of the stiffness by the inner radius in place of the centre line's radius."""
+        """Expected increase of the stiffness if the arcs have the inner radius."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(COMBINED[0]).k_V - 1
         return about(m, CENTRE_LINE * abs(m), RADIUS_SOURCE)
@@ -245,11 +249,11 @@ class AccordionSpring(FreeStage):
     figures = drawn_by(drawn.moments, drawn.open_questions)
 
     def pictures(self) -> Iterator[Picture]:
-        """Bending stress of the paper's spring."""
+        """Picture of the bending stress of the paper's spring."""
         yield drawn.bending_stress(self)
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """All readings of ends, radius, strip and equations."""
+        """Tables of all readings of ends, radius, strip and equations."""
         yield drawn.sensitivity(self)
         yield from definitions.tables(context)
 

@@ -12,9 +12,9 @@ HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
 
 
 class Ends(NamedTuple):
-    """How head and tail are held, and whether arcs have the inner radius, as in Eqs. 1-9.
+    """End conditions of head and tail, and whether arcs have the inner radius, as in Eqs. 1-9.
 
-    `key` is the suffix of its numbers, `words` the suffix of its rows.
+    `key` is the suffix of names of values, `words` is the suffix of names of rows.
     """
 
     key: str
@@ -25,7 +25,7 @@ class Ends(NamedTuple):
     inner: bool = False
 
     def named(self, name: str) -> str:
-        """A number's name with these ends."""
+        """Name of the value `name` with these end conditions."""
         return f"{name}_{self.key}" if self.key else name
 
 
@@ -33,7 +33,7 @@ def _combined() -> Iterator[Ends]:
     for head, tail, hold in product(HEADS, TAILS, HOLDS):
         if (head, hold) == ("free", "hinged"):  # a mechanism
             continue
-        hinged, how = ("", "") if hold == "clamped" else ("_hinged", " hinged")
+        hinged, how = ("", " clamped") if hold == "clamped" else ("_hinged", " hinged")
         key = f"{head}_{tail.replace('-', '_')}{hinged}".replace("free_arc", "")
         yield Ends(key, f"head {head}, tail{how} at {tail}", head, tail, hold)
 

@@ -1,4 +1,4 @@
-"""Figures of the accordion spring: its moments, and the open readings of the paper."""
+"""Figures of the accordion spring: bending moments, and readings that the paper leaves open."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -18,7 +18,7 @@ PRINTED = ("k1-theory", "k1-fea", "k1-test")
 
 
 class Combination(NamedTuple):
-    """An open reading of the paper, and its stiffness [N/m]."""
+    """Reading that the paper leaves open, and its stiffness [N/m]."""
 
     tail: frame.Tail
     head: frame.Head
@@ -28,7 +28,7 @@ class Combination(NamedTuple):
 
 
 def combinations(q: Any) -> list[Combination]:
-    """Tail, head, arc radius and strip in all combinations that the text allows."""
+    """All combinations of tail, head, arc radius and strip that the paper's text allows."""
     return [
         Combination(tail, head, radius, wide, frame.stiffness(
             **path, **strip_of(q), head=head, tail=tail, plane_strain=wide))
@@ -37,7 +37,7 @@ def combinations(q: Any) -> list[Combination]:
 
 
 def moments(context: Context) -> Iterator[Profile]:
-    """Eqs. 1-5 as a moment diagram, with the straight frame at the ends of all pieces."""
+    """Figure of the bending moments by Eqs. 1-5, with the straight frame at the ends of pieces."""
     if not context.converging:
         return
     q = context.inputs
@@ -51,13 +51,13 @@ def moments(context: Context) -> Iterator[Profile]:
         title="Bending moment over force along the spring", x_label="arc length from the head [mm]",
         y_label="M/F [mm]", x=s / mm, y=m / mm, x_fem=at / mm, y_fem=values / mm,
         y_ref=reference / mm, u=u / mm, scale=scale / mm,
-        note="Line: Eqs. 1, 3 and 5; dots: the straight frame where pieces meet, exact there by "
-        "statics, so that only round-off is left below.",
+        note="Line: Eqs. 1, 3 and 5. Dots: straight frame at the joints of leaves and arcs, where "
+        "statics determines the moments exactly. The lower diagram therefore shows round-off only.",
     )  # fmt: skip
 
 
 def open_questions(context: Context) -> Iterator[Dots]:
-    """Every open reading of the paper against the printed values."""
+    """Figure of k_1 by all readings that the paper leaves open, with the printed values."""
     q = context.inputs
     items: list[tuple[str, float, float | None, str]] = []
     for name in PRINTED if context.is_paper else ():
@@ -67,35 +67,35 @@ def open_questions(context: Context) -> Iterator[Dots]:
     items.append(("Eqs. 1-9", q.k1 / 1e3, None, "formula"))
     if context.fem:
         curved = context.series("k_V_paper")[1][-1]
-        items.append(("FE, the same lengths", curved / 1e3, None, "fe"))
+        items.append(("FE, lengths of Eqs. 1-9", curved / 1e3, None, "fe"))
     for one in combinations(q):
         if one.tail == "arc":
             strip = "wide strip" if one.wide else "narrow"
             items.append((f"head {one.head}, {one.radius}, {strip}", one.k / 1e3, None, "formula"))
     yield Dots(
         title="k_1 by readings that the paper leaves open", label="k_1 [N/mm]", items=tuple(items),
-        note="Force method with the tail clamped at its arc, under the readings of head, radius "
-        "and strip that the text allows; the table below has all sixteen.",
+        note="Force method with the tail clamped at its arc, for the readings of head, radius and "
+        "strip that the text allows. The table below contains all sixteen readings.",
     )  # fmt: skip
 
 
 def sensitivity(q: Any) -> Table:
-    """Open readings of the paper: tail, head, radius and strip, all 16 combinations."""
+    """Table of k_1 for all 16 combinations of tail, head, radius and strip."""
     return Table(
-        title="What the paper leaves open: k_1 [N/mm] for every combination",
+        title="k_1 [N/mm] for all combinations that the paper leaves open",
         header=("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]"),
         rows=tuple(
             (one.tail, one.head, one.radius, "E I/(1 − ν²)" if one.wide else "E I",
              round(one.k / 1e3, 4))
             for one in combinations(q)
         ),
-        note="The first row is Eqs. 1-9. Nothing here is fitted; a row chosen because it meets a "
+        note="The first row is Eqs. 1-9. No row is fitted. A row that is chosen because it gives a "
         "printed number would be calibrated.",
     )  # fmt: skip
 
 
 def bending_stress(q: Any) -> Picture:
-    """The paper's spring as a ribbon."""
+    """Picture of the paper's spring with its bending stress."""
     return Picture(
         field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa,
         width=q.h, caption="Bending stress 6 M/(h b²) under 1 N; positive: tension in the left "

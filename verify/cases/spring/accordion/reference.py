@@ -1,4 +1,4 @@
-"""Frames of the accordion spring under 1 N, of straight and of curved elements."""
+"""Frames of straight and of curved elements of the accordion spring under 1 N."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 
 
 def solve(springs: Iterable[Any], level: int) -> Level:
-    """One level of springs of a strip with all ends; the first also has moments and field."""
+    """Results of one level of all `springs`; the first spring also has moments."""
     from fem.beam.straight import solve_frame
     from fem.unit_load import stiffness
 
@@ -43,7 +43,7 @@ def solve(springs: Iterable[Any], level: int) -> Level:
 
 
 def solve_curved(q: Any, level: int) -> Level:
-    """The stiffness of a spring by curved elements."""
+    """Stiffness of a spring by curved elements."""
     from fem.unit_load import stiffness
 
     key = q.ends.named("k_V")
@@ -52,7 +52,7 @@ def solve_curved(q: Any, level: int) -> Level:
 
 
 def line_of(q: Any, level: int) -> "LineMesh":
-    """The centre line of `q` in quadratic elements, `level` along each arc."""
+    """Mesh of the centre line of `q` with `level` quadratic elements along each arc."""
     from meshes.spring.centre_line import centre_line
 
     ends = q.ends
@@ -60,7 +60,7 @@ def line_of(q: Any, level: int) -> "LineMesh":
 
 
 def curved_frame(q: Any, line: "LineMesh") -> "FrameSolution":
-    """The frame of curved elements under 1 N."""
+    """Solution of the frame of curved elements under 1 N."""
     from fem.beam.curved import solve_curved_frame
 
     _, stubby = sections(q)
@@ -69,7 +69,7 @@ def curved_frame(q: Any, line: "LineMesh") -> "FrameSolution":
 
 
 def sections(q: SpringInputs) -> tuple["Section", "Section"]:
-    """The strip's section without shear, and with it."""
+    """Section of the strip without shear flexibility, and with it."""
     from fem.beam.section import Section
 
     A, I = q.b * q.h, q.h * q.b**3 / 12  # noqa: E741
@@ -78,30 +78,30 @@ def sections(q: SpringInputs) -> tuple["Section", "Section"]:
 
 
 def held_and_pulled(q: Any, line: "LineMesh") -> dict[str, Any]:
-    """Supports and the force of 1 N by the nodes of `line`."""
+    """Supports and the force of 1 N at the nodes of `line`, as arguments."""
     tail, head = line.nodes["tail"], line.nodes["head"]
     supports = {tail: TAIL_SUPPORTS[q.ends.hold], head: HEAD_SUPPORTS[q.ends.head]}
     return {"supports": supports, "loads": {head: (1.0, 0.0, 0.0)}}
 
 
 def apexes(q: Any) -> list[tuple[float, float]]:
-    """Ends of leaves and arcs of the centre line."""
+    """Coordinates [m] of the ends of leaves and arcs of the centre line."""
     from meshes.spring.path import accordion
 
     return [piece.end for piece in accordion(**q.lengths, tail=q.ends.tail)]
 
 
 def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Array:
-    """Bending moments (m,) under 1 N at element ends at `places`, signs as in Eqs. 1-5.
+    """Bending moments [N m] under 1 N at the element ends nearest to `places`, shape (m,).
 
-    A clockwise moment, in the sense of the force, is positive.
+    The signs are those of Eqs. 1-5: a clockwise moment, in the sense of the force, is positive.
     """
     ends, moments = solved.stations[:, 1], -solved.section_forces[:, 1, 2]
     return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
 
 
 def bending_field(q: Any, line: "LineMesh", solved: "FrameSolution") -> Field:
-    """Displacements and bending stress along the centre line."""
+    """Field of displacements and bending stress along the centre line."""
     stress = -6 * solved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
     return Field(
         name=q.ends.words, points=line.points, cells=line.elements[:, :2],

@@ -29,17 +29,17 @@ CUBE = 1e-3  # tolerance of the exponent; strain and shear change it by (b/L_1)^
 SPREAD = 0.005  # spread of U_cr over a fourfold thickness
 HINGED_TO = 0.7  # over the free length
 NOT_FOUND = "no equilibrium of the elastica was found before a critical point"
-FEW = 5e-4, "one unit, a few curved elements"
-EXACT = 1e-3, "exact elastica and exact beam"
+FEW = 5e-4, "one unit with a few curved elements"
+EXACT = 1e-3, "exact elastica and geometrically exact beams"
 SHARED = "narrow strip, E I; no contact of leaves"
 WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf"}
 
 
 class BucklingSpring(BucklingFormulas):
-    """The compression at which a spring buckles laterally unless its head is guided.
+    """Compression at which a spring buckles laterally if its head is not guided.
 
-    Haringx's column of the units of the spring and the exact elastica of its leaves and arcs are
-    compared with geometrically exact beams.
+    The formulas are Haringx's column, whose stiffnesses are those of the units of the spring, and
+    the exact elastica of its leaves and arcs. They are compared with geometrically exact beams.
     """
 
     id = "spring-buckling"
@@ -49,23 +49,25 @@ class BucklingSpring(BucklingFormulas):
     levels: ClassVar = (4, beams.SWEPT, 16)
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
-        "a free head: the force has a constant direction and acts at O, which moves and rotates",
-        "buckles: pressed with its head guided and released, the head can move without a change "
-        "of load; what the guide exerted stays as a dead load",
-        "r is the inner radius: the centre line of the arcs has r + b/2",
+        "free head: the force has a constant direction and acts at O, which moves and rotates "
+        "with the head",
+        "definition of buckling: the spring is compressed with a guided head; then the guide is "
+        "replaced by its reactions as dead loads, and the head can move without a change of load",
+        "r is the inner radius: the centre line of the arcs has the radius r + b/2",
     )
     assumptions: ClassVar = (
-        "leaves do not touch: the paper's spring buckles before they do",
-        "narrow strip: E I without 1 − ν², which forces carry and displacements do not",
-        "tail clamped, at the end of its arc or in the middle of its leaf",
+        "leaves do not touch: the paper's spring buckles before its leaves touch",
+        "narrow strip: E I without the factor 1/(1 − ν²), which affects forces but not "
+        "displacements",
+        "the tail is clamped at the end of its arc or in the middle of its leaf",
     )
 
     def reference(self, level: int) -> Level:
-        """A unit, and geometrically exact beams with both tails."""
+        """Reference: a unit of the spring, and geometrically exact beams with both tails."""
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Unit, elastica and column against beams; claims of sweeps."""
+        """Rows: unit, elastica and column against beams; claims on further springs."""
         spring = BucklingSpring
         tails = [State(self.held(tail), KEYS[tail].removeprefix("_"), WHERE[tail])
                  for tail in TAILS]  # fmt: skip
@@ -81,7 +83,7 @@ class BucklingSpring(BucklingFormulas):
             yield approximation(
                 spring.column_U, f"U_cr{KEYS[tail]}", symbol="U_cr", order=4,
                 name=f"Haringx's column, {WHERE[tail]}", shares=SHARED,
-                expected=underived("measured: ends that are no units"),
+                expected=underived("computed: the ends of the spring are not units"),
             )  # fmt: skip
         yield Comparison(quantity=spring.column_U, check=Limit(
             name="Haringx's column with increasing numbers of units, tail clamped at its arc",
@@ -90,11 +92,11 @@ class BucklingSpring(BucklingFormulas):
         yield from _swept()
 
     def refusal(self) -> str:
-        """Springs that are long, that do not buckle, and paths that are not found."""
+        """Reason why nothing is compared: long spring, no buckling, or no equilibrium path."""
         if self.n > MOST:
             return (
-                f"n = {self.n} segments are more than {MOST}: the elastica takes too long; "
-                "Haringx's column is right within 3 % there, check it without --fem"
+                f"n = {self.n} segments are more than {MOST}: the elastica takes too long, but the "
+                "error of Haringx's column is below 3 %, check it without --fem"
             )
         buckles = math.isfinite(self.xi)
         try:
@@ -103,7 +105,7 @@ class BucklingSpring(BucklingFormulas):
         except ArithmeticError as error:
             return f"{NOT_FOUND} ({error}): check it without --fem"
         return (
-            "this spring is too short to buckle sideways before its leaves meet: there is nothing "
+            "this spring is too short to buckle sideways before its leaves touch: there is nothing "
             "to compare, check it without --fem"
         )
 
@@ -113,11 +115,11 @@ class BucklingSpring(BucklingFormulas):
 
 
 def _swept() -> Iterator[Check]:
-    """Powers, ratios and paths of other springs than the given one."""
+    """Rows on springs with other thicknesses and lengths, and on paths of free and hinged heads."""
     yield Agreement(
         name="the buckling force grows with the cube of the thickness", symbol="q", unit="1",
         pair=claims.by_cube, accepted=CUBE / 3, by="theory",
-        source=suites("strain and shear change it by (b/L_1)², far less"),
+        source=suites("the effect of strain and shear, (b/L_1)², is far smaller"),
     )  # fmt: skip
     yield Agreement(
         name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
@@ -125,7 +127,7 @@ def _swept() -> Iterator[Check]:
         source=suites("half of the required sensitivity, 1 %"),
     )  # fmt: skip
     yield Accepted(
-        name="springs of one L_0/b buckle at displacements that differ fivefold",
+        name="springs with equal L_0/b buckle at displacements that differ fivefold",
         symbol="U_cr/L_0", unit="1", margin=claims.one_ratio,
         printed=("wang2023:rule-length-thickness-max",),
     )  # fmt: skip

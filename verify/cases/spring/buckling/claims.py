@@ -1,4 +1,4 @@
-"""Claims of case spring-buckling on sweeps over thickness, length and force."""
+"""Margins and texts of the claims of case spring-buckling on thickness, length and force."""
 
 from collections.abc import Callable
 
@@ -14,16 +14,16 @@ NOISE = 1e-5  # rounding of finite elements of slender springs, with a factor
 
 
 def spread(context: Context) -> Pair:
-    """Largest and least U_cr over thicknesses on a given centre line."""
+    """Largest and smallest U_cr [m] of springs with one centre line and different thicknesses."""
     b, U, _ = stored(context, "by_b").T
     spread = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
-    words = f"{spread:.2%} while L_0/b falls from {z[0]:.0f} to {z[-1]:.0f}"
+    words = f"spread {spread:.2%}; L_0/b decreases from {z[0]:.0f} to {z[-1]:.0f}"
     return Pair(float(U.max()), float(U.min()), NOISE * float(U.min()), words)
 
 
 def by_cube(context: Context) -> Pair:
-    """The exponent of b in F_cr with the largest difference from three, and three."""
+    """Exponent of b in F_cr that differs most from three, and three."""
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
@@ -31,41 +31,45 @@ def by_cube(context: Context) -> Pair:
 
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
-    """Excess over a factor of five of the range of U_cr/L_0 of springs with equal L_0/b."""
+    """Ratio of largest to smallest U_cr/L_0 of springs with equal L_0/b, minus 5, with text."""
     xi = stored(context, "same_ratio")
     return (float(xi.max() / xi.min() - 5), 0.01,
             f"U_cr/L_0 from {xi.min():.2%} to {xi.max():.1%} at L_0/b = {RATIO:g}")  # fmt: skip
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """The least determinant of a free head's path over that at rest: zero at a critical point."""
+    """Function that returns the smallest determinant on the path of a free head, with text.
+
+    The determinant is relative to that of the unloaded spring and vanishes at a critical point.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         F, U, _, left = stored(context, f"free{KEYS[tail]}").T
         k = int(left.argmin())
         share = U[-1] / context.inputs.length
         return float(left[k]), 1e-3, (
-            f"{left[k]:.1%} of the determinant is left at {F[k]:.3g} N, none is lost up to "
-            f"{share:.0%} of the length"
+            f"smallest determinant: {left[k]:.1%} of the initial one, at {F[k]:.3g} N; no "
+            f"critical point up to {share:.0%} of the length"
         )  # fmt: skip
 
     return margin
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Margin for a hinged head on the guided path."""
+    """Function that returns the smallest determinant for a hinged head on the guided path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]
-        return float(left.min()), 1e-3, f"{left.min():.0%} of the determinant is left"
+        return float(left.min()), 1e-3, f"smallest determinant: {left.min():.0%} of the initial one"
 
     return margin
 
 
 def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Haringx over finite elements with more and more units, over the shortening itself.
+    """Shortenings at buckling, errors of Haringx's column, and uncertainties, for more units.
 
-    The ends that are no units are 1/n of the spring, and the shortening is as 1/n^2.
+    The ends of the spring, which are not units, are 1/n of its length. The shortening is
+    proportional to 1/n^2.
     """
     q = context.inputs
     xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)

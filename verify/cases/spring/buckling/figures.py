@@ -35,9 +35,9 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
             title="Lateral buckling and L_0/b",
             header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
             rows=(*same_line, *same_ratio),
-            note="Above: one centre line, the thickness varied: L_0/b changes, U_cr does not. "
-            "Below: springs at the limit of Eq. 13. Finite elements, tail clamped "
-            "at its arc.",
+            note="Upper rows: springs with one centre line and different thicknesses; L_0/b "
+            "changes, U_cr does not. Lower rows: springs at the limit of Eq. 13. Results of finite "
+            "elements, tail clamped at its arc.",
         ),
     )
 
@@ -53,7 +53,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def _slender(context: Context, found: Array | None) -> Curves:
-    """U_cr/L_0 over L_0/L_1: Haringx's column, and finite elements by the number of segments."""
+    """Figure of U_cr/L_0 over L_0/L_1 by Haringx's column and by finite elements."""
     q = context.inputs
     n = np.arange(4, 61)
     x = np.array([q.length_of(int(k), q.L1) for k in n]) / q.L1
@@ -72,12 +72,13 @@ def _slender(context: Context, found: Array | None) -> Curves:
         ])  # fmt: skip
         on = np.isfinite(found) & (at < 12)
         curves.append(
-            dots("FE, head free, leaves of half to double length", at[on], 100 * found[on])
+            dots("FE, head free, leaves of 0.5 to 2 L_1", at[on], 100 * found[on])
         )  # fmt: skip
     return plot(
         "Slenderness at which springs buckle", "L_0/L_1", "U_cr/L_0 [%]", curves,
         y_bottom=0.0, y_top=60.0,
-        note="Left of the end of a line the spring does not buckle. All thicknesses coincide.",
+        note="To the left of the end of a line, the spring does not buckle. The lines apply to all "
+        "thicknesses.",
     )  # fmt: skip
 
 
@@ -89,32 +90,34 @@ def _error(context: Context, found: Array) -> Map:
         for k in MAP_L1
     ])  # fmt: skip
     return Map(
-        title="Haringx's column over segments and leaves", x_label="segments n",
+        title="Error of Haringx's column", x_label="number of segments n",
         y_label="leaf L_1 [mm]", columns=tuple(map(str, MAP_N)),
         rows=tuple(f"{k * q.L1 / mm:.3g}" for k in MAP_L1), error=xi / found - 1,
         checked=np.isfinite(found), without="never buckles",
-        note="Error of U_cr in per cent, head free, tail clamped at its arc: ends are no units.",
+        note="Error of U_cr in per cent, with a free head and the tail clamped at its arc. The "
+        "error arises because the ends of the spring are not units.",
     )  # fmt: skip
 
 
 def _drift(context: Context) -> Curves:
-    """Sideways movement of a free head over the force, and buckling loads by Haringx."""
+    """Figure of the sideways movement of a free head over the force, with buckling loads."""
     curves = []
     for k, tail in enumerate(TAILS):
         F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
         curves.append(line(f"tail clamped at {tail}", np.abs(y) / mm, F, k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
-        curves.append(dashes(f"released, {tail}", [0, np.abs(y).max() / mm], limit, k))
+        curves.append(dashes(f"guide released, {tail}", [0, np.abs(y).max() / mm], limit, k))
     return plot(
-        "A free head drifts", "sideways movement [mm]", "F [N]", curves,
+        "Sideways movement of a free head", "sideways movement [mm]", "F [N]", curves,
         y_bottom=0.0,
-        note="Force of a dead load at O along x. No limit point and no bifurcation: the drift "
-        "grows steadily, also where the guided head would buckle if released (dashes).",
+        note="F is a dead load at O along x. There is no limit point and no bifurcation: the "
+        "movement increases steadily, even at the force at which a guided head would buckle if "
+        "released (dashed).",
     )  # fmt: skip
 
 
 def _guide(context: Context) -> Curves:
-    """Lateral stiffness at the guide over the displacement."""
+    """Figure of the lateral stiffness of the guided head over the displacement."""
     curves = []
     for k, tail in enumerate(TAILS):
         U, _, k_y, _ = stored(context, f"guided{KEYS[tail]}").T
@@ -122,12 +125,13 @@ def _guide(context: Context) -> Curves:
     return plot(
         "Lateral stiffness of the guided head", "U [mm]", "k_y [N/mm]", curves,
         y_bottom=min(float(c.y.min()) for c in curves),
-        note="Below zero the spring pushes its roller off the line: it needs a guide.",
+        note="If the stiffness is negative, the spring pushes its roller sideways, and the head "
+        "needs a guide.",
     )  # fmt: skip
 
 
 def _shapes(context: Context) -> Shapes:
-    """The spring as made, buckled with a guided head, and its shape with a free head."""
+    """Figure of the spring at its critical point with a guided head, and with a free head."""
     q = context.inputs
     panels = []
     for tail in TAILS:
@@ -135,11 +139,11 @@ def _shapes(context: Context) -> Shapes:
                         for name in ("let_go", "free_shape"))  # fmt: skip
         straight = tuple(let_go)
         panels += [
-            Panel(name=f"buckled, tail at {tail}", lines=straight),
-            Panel(name=f"free head, 10 % pressed, tail at {tail}", lines=tuple(free),
+            Panel(name=f"buckled, tail clamped at {tail}", lines=straight),
+            Panel(name=f"free head, compressed by 10 %, tail clamped at {tail}", lines=tuple(free),
                   faint=straight),
         ]  # fmt: skip
     return Shapes(
         title="Guided head and free head", unit="mm", panels=tuple(panels),
-        thickness=q.b / mm, note="True to scale. Faint: guided head, where it would buckle.",
+        thickness=q.b / mm, note="To scale. Faint lines: guided head at its critical point.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Lateral buckling by formulas: Haringx's column of the spring's units, and the exact elastica."""
+"""Formulas of lateral buckling: Haringx's column of the units of a spring, exact elastica."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -25,7 +25,7 @@ EXACT = "exact elastica"
 
 
 def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
-    """The spring's leaves and arcs as an exact elastica."""
+    """Exact elastica of the leaves and arcs of the spring."""
     EA = q.E * q.h * q.b
     GA = 5 / 6 * EA / (2 * (1 + q.nu))
     return Elastica(frame.pieces(**q.path, tail=tail), EI=EA * q.b**2 / 12, EA=EA, GA=GA)
@@ -33,11 +33,11 @@ def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
 
 @lru_cache(maxsize=8)
 def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
-    """The critical point of the elastica with a free head, and its drift before, by quantity.
+    """Critical point of the elastica with a free head, and drift of the head below it, by name.
 
-    Empty if the determinant has one sign in all states of the path. ArithmeticError if a
-    state is not found, which is no statement on the spring. Small steps first, since slender
-    springs buckle early.
+    The result is empty if the determinant does not change its sign on the path. The first steps
+    are small, because slender springs buckle at a small displacement.
+    Raises ArithmeticError if a state is not found; this does not mean that the spring buckles.
     """
     line = elastica(q, tail)
     load = line.linear_load()
@@ -61,7 +61,7 @@ def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
 
 
 class BucklingFormulas(BucklingInputs, Case):
-    """Lateral buckling of a spring; no value if it does not buckle."""
+    """Quantities of the lateral buckling of a spring; nan if it does not buckle."""
 
     tail: ClassVar[frame.Tail] = "arc"  # clamped end of the elastica
 
@@ -78,7 +78,7 @@ class BucklingFormulas(BucklingInputs, Case):
     def drift(self, share: Share) -> float:
         return self._critical.get(f"drift_{share}", math.nan)
 
-    @Quantity("L_0", "mm", "length from the head's leaf to the tail's", role="geometry")
+    @Quantity("L_0", "mm", "length between the leaves of head and tail", role="geometry")
     def L0(self) -> float:
         return self.length
 
@@ -123,32 +123,32 @@ class BucklingFormulas(BucklingInputs, Case):
         return self.C * self.L0**2 / self.B
 
     xi = Quantity(
-        "ξ", "1", "share of the length at which the column with a free head buckles", role="step",
+        "ξ", "1", "relative shortening at buckling, head free", role="step",
         source=HARINGX, tex=r"\frac{\pi^2}{2 \lambda (1 + \sqrt{1 - (1 - C/S) \pi^2/\lambda})}",
     ).reads(lambda q: q._shortening("free"))  # fmt: skip
 
-    @Quantity("(kL)^2", "1", "its square of waves by length, π²/4 for a free head", role="step",
+    @Quantity("(kL)^2", "1", "squared wave number times length squared, π²/4", role="step",
               source=HARINGX, tex=r"\lambda \xi (1 - (1 - C/S) \xi)")  # fmt: skip
     def waves(self) -> float:
         return math.pi**2 / 4 if math.isfinite(self.xi) else math.nan
 
-    @Quantity("U_H", "mm", "displacement at buckling, head free, by Haringx's column",
+    @Quantity("U_H", "mm", "displacement at buckling, free head, Haringx's column",
               source=HARINGX)  # fmt: skip
     def column_U(self) -> float:
         return self.xi * self.L0
 
-    @Quantity("U_H({0})", "mm", "displacement at buckling, head {0}, by Haringx's column",
+    @Quantity("U_H({0})", "mm", "displacement at buckling, {0} head, Haringx's column",
               source=HARINGX).over(HELD_HEADS)  # fmt: skip
     def column_held(self, head: column.Head) -> float:
         return self._shortening(head) * self.L0
 
-    @Quantity("F_H", "N", "force at buckling, head free, by Haringx's column", source=HARINGX,
+    @Quantity("F_H", "N", "force at buckling, free head, Haringx's column", source=HARINGX,
               safe="too low", tex=r"C \xi")  # fmt: skip
     def column_F(self) -> float:
         force = float(column.critical_force("free", **self.path, **strip_of(self)))
         return force if math.isfinite(self.xi) else math.nan
 
-    @Quantity("U_w", "mm", "displacement at F, head guided, small displacements",
+    @Quantity("U_w", "mm", "displacement at F with a guided head, linear theory",
               source="force method", when=loaded)  # fmt: skip
     def deflection(self) -> float:
         return (self.F or 0.0) / frame.stiffness(
@@ -167,19 +167,19 @@ class BucklingFormulas(BucklingInputs, Case):
         return {}
 
     def _shortening(self, head: column.Head) -> float:
-        """Share of the length at which the column buckles; NaN if it never does."""
+        """Shortening at which the column buckles, relative to its length; nan if it does not."""
         xi = float(column.critical_shortening(head, **self.path, b=self.b, nu=self.nu))
         return xi if math.isfinite(xi) else math.nan
 
     def held(self, tail: frame.Tail) -> Self:
-        """The spring with another end of its tail."""
+        """The spring with the tail clamped at `tail`."""
         return self.variant(tail=tail)
 
     def warnings(self) -> Iterator[str]:
-        """Whether a working force requires a guided head, and missing critical points."""
+        """Warnings if the force requires a guided head, or if critical points are missing."""
         free, hinged = self.column_U, self.column_held("hinged")
         if math.isnan(free):
-            yield "too short to buckle laterally with any hold of the head"
+            yield "the spring is too short to buckle laterally, for any support of the head"
             return
         tails = {tail: self.held(tail).U_cr for tail in TAILS}
         if self.F is not None:
@@ -188,11 +188,11 @@ class BucklingFormulas(BucklingInputs, Case):
             for head, limit in (("free", least), ("hinged", hinged)):
                 if limit < self.deflection:
                     yield (
-                        f"F = {self.F:g} N compresses by {self.deflection * 1e3:.3g} mm; with a "
+                        f"F = {self.F:g} N compresses it by {self.deflection * 1e3:.3g} mm; with a "
                         f"{head} head the spring buckles at {limit * 1e3:.3g} mm: the head needs a "
                         "guide"
                     )
         if self.n > MOST:
-            yield f"more than {MOST} segments: by Haringx's column alone"
+            yield f"more than {MOST} segments: results by Haringx's column only"
         elif missing := [tail for tail, U in tails.items() if math.isnan(U)]:
-            yield f"no critical point of the elastica was found, tail {' and '.join(missing)}"
+            yield f"no critical point of the elastica was found for tail = {' and '.join(missing)}"

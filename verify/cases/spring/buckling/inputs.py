@@ -1,4 +1,4 @@
-"""Inputs of case spring-buckling, and further springs of its sweeps."""
+"""Inputs of case spring-buckling, and parameters of the further springs that it computes."""
 
 import math
 from typing import Literal
@@ -19,25 +19,25 @@ MAP_L1 = (0.5, 1.0, 1.5, 2.0)  # lengths over L_1
 
 
 class BucklingInputs(SpringInputs):
-    """A spring and the force that presses it."""
+    """Inputs of a spring and its working force."""
 
     F: float | None = quantity(
-        None, "N", "F", "working force, against the buckling force", omitted=None, gt=0,
+        None, "N", "F", "working force, compared with the buckling force", omitted=None, gt=0,
         example="0.5 N",
     )  # fmt: skip
 
     @property
     def length(self) -> float:
-        """From the head's leaf to the tail's on the centre line [m]."""
+        """Length [m] along the axis, from the leaf of the head to that of the tail."""
         return self.length_of(self.n, self.L1)
 
     def length_of(self, n: int, L1: float) -> float:
-        """Length [m] of a spring with other segments."""
+        """Length [m] of a spring with n segments and leaves of the length L1 [m]."""
         return length_of(n, L1, self.R, self.alpha)
 
     @property
     def P(self) -> float:
-        """Euler's load of a column that bends like the unfolded strip [N]: the size of loads."""
+        """Euler load [N] of a column that bends like the unfolded strip, as a scale of loads."""
         unfolded = (self.n - 2) * (self.leaf + 2 * self.R * self.alpha)
         EI = self.E * self.h * self.b**3 / 12
         return math.pi**2 / 4 * EI / (unfolded * self.length)

@@ -1,4 +1,4 @@
-"""Finite elements of case spring-buckling: a unit, critical points, drift, sweeps and the map."""
+"""Finite elements of case spring-buckling: a unit, critical points, drift, further springs."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -32,7 +32,7 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """One level of a unit and of both tails; a single level also has paths and sweeps."""
+    """Results of one level: a unit and both tails; one level also has paths and further springs."""
     from fem.beam.pressed import PLACES
     from fem.beam.pressed_path import both_paths, deflected, drifts
     from fem.beam.released import gives_way, linear_load
@@ -70,7 +70,7 @@ def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "Pr
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
-    """U_cr over b on one centre line, over n, and at a given L_0/b; U_cr/L_0 over n and L_1."""
+    """Arrays of U_cr over b on one centre line, over n, at a given L_0/b, and over n and L_1."""
     from fem.beam.released import gives_way
 
     own = q.path | {"tail": "arc"}
@@ -96,14 +96,14 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
 
 
 def shortening(one: "PressedFrame", length: float) -> float:
-    """Share of the free length at which a free head buckles; NaN if it never does."""
+    """Relative shortening at which a spring with a free head buckles; nan if it does not."""
     from fem.beam.released import gives_way
 
     return gives_way(one, LAST * length)[0] / length
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
-    """Stiffnesses of a middle unit about its centre, clamped at an end."""
+    """Stiffnesses of a middle unit about its centre, with one end clamped, by name."""
     from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 
@@ -117,7 +117,7 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
 
 
 def shape(one: "PressedFrame", state: Any, name: str) -> Field:
-    """The guided spring at its critical point."""
+    """Displacement field of the guided spring at its critical point."""
     return Field(
         name=name, points=one.points, cells=one.elements[:, :2],
         point_data={"displacement": state.u[:, :2]}, units={"displacement": "m"},

@@ -1,4 +1,4 @@
-"""Accordion spring, linear part, as a plane body: error of the thin frame."""
+"""Accordion spring in the free stage as a plane body: error of the thin frame."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -25,16 +25,17 @@ from verify.core.case import Context
 from verify.core.figures import Dots, Picture
 from verify.form.adapter import adapted
 
-DEMAND = 1e-3, "continuum and frame are to agree within 0.1 %"
-SOURCE = "derived: shear and curvature to (b/R)², ± b/R times these, 1e-5 at least"
+DEMAND = 1e-3, "required agreement of continuum and frame: 0.1 %"
+SOURCE = "derived: effects of shear and curvature up to (b/R)², ± b/R of these, at least 1e-5"
 STRIPS = (("plane stress", False), ("plane strain", True))
 
 
 class PlaneSpring(FreeStage):
-    """Error of the thin frame, measured with plane elasticity on the true centre line.
+    """Error of the thin frame against plane elasticity, with the true centre line.
 
-    The frame neglects shear, axial force, and the bending of a bar whose thickness is not small
-    against its radius. The strip is taken as narrow (plane stress) and as wide (plane strain).
+    The thin frame neglects shear, axial force, and the effect of the ratio of thickness to radius
+    on bending. The strip is computed as a narrow one (plane stress) and as a wide one (plane
+    strain).
     """
 
     id = "spring-continuum"
@@ -49,29 +50,30 @@ class PlaneSpring(FreeStage):
         ),
     )
     readings: ClassVar = (
-        "the arcs' centre line has the radius r + b/2: r is measured inside",
-        "a strip 56 mm wide and loops of 1 mm: E I/(1 − ν²) bounds it from above, E I from below",
+        "r is the inner radius: the centre line of the arcs has the radius r + b/2",
+        "the strip is 56 mm wide, the loops have 1 mm: its bending stiffness is between E I and "
+        "E I/(1 − ν²)",
     )
     assumptions: ClassVar = (
         "head free, tail clamped at the end of its arc",
-        "force and reaction as the parabolic shear stress of a rectangle",
+        "force and reaction act as the parabolic shear stress of a rectangular section",
     )
 
-    k_thick = Quantity("k_b", "N/mm", "stiffness, thick curved frame, plane stress",
+    k_thick = Quantity("k_b", "N/mm", "stiffness of a thick curved frame, plane stress",
                        source=FRAME).reads(lambda q: q._stiffness("thick", wide=False))  # fmt: skip
     k_thick_wide = Quantity(
-        "k_bw", "N/mm", "stiffness, thick curved frame, plane strain", source=FRAME,
+        "k_bw", "N/mm", "stiffness of a thick curved frame, plane strain", source=FRAME,
     ).reads(lambda q: q._stiffness("thick", wide=True))  # fmt: skip
 
     def _stiffness(self, theory: frame.Theory, *, wide: bool) -> float:
         return frame.stiffness(**self.path, **strip_of(self), theory=theory, plane_strain=wide)
 
     def reference(self, level: int) -> Level:
-        """The plane body, narrow and wide."""
+        """Reference: the plane body in plane stress and plane strain."""
         return plane_body.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Thin and thick frame against the plane body."""
+        """Rows: thin and thick frame against the plane body."""
         spring = PlaneSpring
         frames = {False: (spring.k, spring.k_thick), True: (spring.k_wide, spring.k_thick_wide)}
         for strip, wide in STRIPS:
@@ -85,10 +87,10 @@ class PlaneSpring(FreeStage):
                 )  # fmt: skip
 
     def _expected(self, more: Added, neglected: float) -> Expected:
-        """Error of the formula, known to the next order.
+        """Expected error of the formula, with the next order of b/R as its uncertainty.
 
-        If the next order exceeds half the demand, the bar is too thick for an estimate and its
-        error is measured.
+        If the next order exceeds half of the required sensitivity, the bar is too thick for an
+        estimate, and its error is only reported.
         """
         unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # no smaller tolerance
         return about(neglected, unknown, SOURCE)._replace(sharp=unknown <= DEMAND[0] / 2)
@@ -96,14 +98,14 @@ class PlaneSpring(FreeStage):
     refusal = plane_body.refusal
 
     def figures(self) -> Iterator[Drawn]:
-        """Difference of each frame theory from the plane body."""
+        """Figures of the difference of each frame theory from the plane body."""
         for strip, wide in STRIPS:
             yield converged(partial(self._theories, strip, wide))
 
     def _theories(self, strip: str, wide: bool, context: Context) -> Dots:
         body = context.series("k_wide" if wide else "k")[1][-1]
         theories: tuple[tuple[frame.Theory, str], ...] = (
-            ("bending", "thin: bending alone"), ("shear", "with axial force and shear"),
+            ("bending", "thin frame, bending only"), ("shear", "thin frame, axial force, shear"),
             ("thick", "thick curved frame"),
         )  # fmt: skip
         items = tuple(
@@ -111,18 +113,19 @@ class PlaneSpring(FreeStage):
             for theory, what in theories
         )
         return Dots(
-            title=f"Frames against the plane body, {strip}",
+            title=f"Error of frame theories against the plane body, {strip}",
             label="k of the frame / k of the body − 1 [1/10 000]",
             items=(*items, ("plane body", 0.0, None, "fe")),
-            note="What each theory neglects; the bars of the rows above are narrower than a dot.",
+            note="The differences are the effects that each theory neglects. The uncertainties of "
+            "the rows above are smaller than a dot.",
         )
 
     def pictures(self) -> Iterator[Picture]:
-        """Von Mises stress of the narrow spring and of its first loop."""
+        """Pictures of the von Mises stress of the narrow spring and of its first loop."""
         R, top = self.R, self.L1 / 2
         yield picture("plane stress", "von_mises",
                       "Von Mises stress under 1 N, plane stress, cell means")  # fmt: skip
-        yield picture("plane stress", "von_mises", "The same in the head's loop",
+        yield picture("plane stress", "von_mises", "Von Mises stress in the loop of the head",
                       window=(-0.8 * R, top - 0.8 * R, 2.8 * R, top + 1.9 * R))  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""The spring as a plane body of quadratic cells, sheared by 1 N at head and tail."""
+"""Plane body of quadratic cells of the spring, loaded by shear forces of 1 N at head and tail."""
 
 import math
 from collections.abc import Callable
@@ -15,7 +15,7 @@ MOST_UNKNOWNS = 1_000_000  # some six gigabytes
 
 
 def solve(q: AccordionInputs, level: int) -> Level:
-    """One level in plane stress and plane strain."""
+    """Results of one level in plane stress and in plane strain."""
     from fem.plane.material import Assumption, Elastic
     from fem.plane.solve import solve_plane
     from fem.unit_load import stiffness
@@ -40,7 +40,7 @@ def solve(q: AccordionInputs, level: int) -> Level:
 
 
 def sheared(q: AccordionInputs, centre: float, force: float) -> Callable[[Any], Array]:
-    """Shear stress of a rectangle across a face, whose resultant is `force`."""
+    """Function of the parabolic shear stress [Pa] on an end face, with resultant `force` [N]."""
 
     def traction(x: Any) -> Array:
         shape = 1.5 * (1 - (2 * (x[0] - centre) / q.b) ** 2)
@@ -50,22 +50,23 @@ def sheared(q: AccordionInputs, centre: float, force: float) -> Callable[[Any], 
 
 
 def cells_along(q: AccordionInputs, level: int) -> dict[str, int]:
-    """Cells along a leaf and an arc.
+    """Numbers of cells along a leaf and along an arc.
 
-    Quadratic cells of length l bend a piece of length L with an error of (l/L)^2 (l/b)^2.
+    With quadratic cells of length l, the bending of a piece of length L has the error
+    (l/L)^2 (l/b)^2.
     """
     lengths = {"leaf": q.leaf, "arc": q.R * q.alpha}
     return {k: level * max(4, round(2.2 * math.sqrt(v / q.b))) for k, v in lengths.items()}
 
 
 def refusal(q: AccordionInputs) -> str:
-    """A slender strip with many segments needs more cells than memory holds."""
+    """Reason why the mesh would be too large for the memory; empty if it is not."""
     cells = cells_along(q, LEVELS[-1])
     along = cells["leaf"] * q.n + cells["arc"] * 2 * q.n
     unknowns = 2 * (2 * LEVELS[-1] + 1) * (2 * along + 1)
     if unknowns <= MOST_UNKNOWNS:
         return ""
     return (
-        f"n = {q.n} segments of a strip this thin need {unknowns:,} unknowns, more than "
-        f"{MOST_UNKNOWNS:,}: check it without --fem, or as spring-accordion"
+        f"n = {q.n} segments of this thin strip need {unknowns:,} unknowns, more than "
+        f"{MOST_UNKNOWNS:,}: check it without --fem, or use case spring-accordion"
     )

@@ -1,4 +1,4 @@
-"""Accordion spring, the whole curve: geometrically exact beams that touch (Wang et al. 2023)."""
+"""Accordion spring, the whole curve: geometrically exact beams with contact (Wang et al. 2023)."""
 
 import math
 from collections.abc import Iterator
@@ -20,18 +20,19 @@ from verify.form.adapter import adapted
 from verify.judging.published_checks import PrintedMeasurement
 
 LINEAR = "closed form, linear theory"
-FINE = 5e-4, "frame elements are to settle 0.05 %"
+FINE = 5e-4, "required accuracy of frame elements, 0.05 %"
 
 
 def of_paper(q: CurveInputs) -> bool:
-    """Whether Eq. 10 is of this spring."""
+    """Whether Eq. 10 applies to this spring."""
     return q.is_paper
 
 
 class CurveSpring(CurveInputs, Case):
-    """Force over displacement through all stages by geometrically exact beams with friction.
+    """Force over displacement in all stages, by geometrically exact beams with friction.
 
-    The curve is compared with straight lines and, for readings of the paper's spring, with Eq. 10.
+    The curve is compared with the straight lines of linear theory and, for readings of the paper's
+    spring, with Eq. 10.
     """
 
     id = "spring-curve"
@@ -41,17 +42,19 @@ class CurveSpring(CurveInputs, Case):
     levels: ClassVar = beams.LEVELS
     quick: ClassVar = False
     readings: ClassVar = (
-        "r is the radius of the arcs' centre line, as a shell model's middle surface would be "
-        "drawn from the printed dimensions; chosen with tail and head by k_1 alone (calibrated)",
-        "the tail is held in the middle of its leaf, the head moves along the axis and does not "
-        "turn",
-        "k_1 and k_2 of a curve are least-squares lines before and after the leaves touch",
+        "r is the radius of the centre line of the arcs, as in a shell model drawn with the "
+        "printed dimensions; r, tail and head are chosen by k_1 alone (calibrated)",
+        "the tail is clamped in the middle of its leaf; the head moves along the axis without "
+        "rotation",
+        "k_1 and k_2 of a curve are slopes of least-squares lines before and after the leaves "
+        "touch",
         "the width factor f is that of the shell in case spring-width",
     )
     assumptions: ClassVar = (
         "plane deformation of a strip with one bending stiffness; linear elastic",
-        "free ends of leaves are round, b/2 in radius",
-        "friction by Coulomb between leaves; none at the head, whose movement is given",
+        "the free ends of leaves are rounded with the radius b/2",
+        "Coulomb friction between leaves; no friction at the head, whose displacement is "
+        "prescribed",
     )
 
     @Quantity("EI", "N mm^2", "bending stiffness of the strip", role="step",
@@ -64,20 +67,20 @@ class CurveSpring(CurveInputs, Case):
         tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
         r"\gamma=n\cdot r', \quad \kappa=\varphi')",
     ).reads(lambda q: q.linear.k1)  # fmt: skip
-    U_A = Quantity("U_A", "mm", "displacement where leaves touch, linear theory", source=LINEAR,
+    U_A = Quantity("U_A", "mm", "displacement at first contact, linear theory", source=LINEAR,
                    tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
-    F_A = Quantity("F_A", "N", "force where leaves touch, linear theory",
+    F_A = Quantity("F_A", "N", "force at first contact, linear theory",
                    source=LINEAR).reads(lambda q: q.linear.F_A)  # fmt: skip
-    k2 = Quantity("k_2", "N/mm", "stiffness beyond, linear theory",
+    k2 = Quantity("k_2", "N/mm", "stiffness after first contact, linear theory",
                   source=LINEAR).reads(lambda q: q.linear.k2)  # fmt: skip
 
-    @Quantity("U_10", "mm", "displacement where the lines of Eq. 10 cross (N, N/m)", role="step",
+    @Quantity("U_10", "mm", "displacement at the intersection of Eq. 10's lines", role="step",
               source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", fitted=True,
               when=of_paper)  # fmt: skip
     def U_10(self) -> float:
         return eq10().U
 
-    @Quantity("F_10", "N", "force where the lines of Eq. 10 cross (N, N/m)", role="step",
+    @Quantity("F_10", "N", "force at the intersection of Eq. 10's lines", role="step",
               source="Eq. 10", tex=r"613 U_{10} + 0.0055 = 749 U_{10} - 1.62", fitted=True,
               when=of_paper)  # fmt: skip
     def F_10(self) -> float:
@@ -85,23 +88,23 @@ class CurveSpring(CurveInputs, Case):
 
     @shared
     def linear(self) -> Stages:
-        """The closed form's two straight lines."""
+        """Closed form of linear theory: straight lines before and after contact."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail}
         factor = self.width_factor
         return stages(**self.path, **strip_of(self), **ends, width_factor=factor, theory="shear")
 
     def reference(self, level: int) -> Level:
-        """Beams that touch: the curve, other contacts and friction, readings."""
+        """Reference: beams with contact for the curve, its variants and the readings."""
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """The closed form against beams, claims of the curve, Eq. 10 and tests."""
+        """Rows: closed form against beams, claims on the curve, Eq. 10 and tests."""
         spring = CurveSpring
         yield identity(spring.k1, order=4, sensitivity=FINE,
                        shares="beam theory, E I with one width factor")  # fmt: skip
         slender = (
             (spring.U_A, "displacement where tips touch"), (spring.F_A, "force where tips touch"),
-            (spring.k2, "stiffness beyond"),
+            (spring.k2, "stiffness after the tips touch"),
         )  # fmt: skip
         for k, (q, words) in enumerate(slender):
             yield Comparison(quantity=q, check=stated.slender(k, q.symbol, words))
@@ -115,12 +118,15 @@ class CurveSpring(CurveInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Only guided heads are computed: a free head buckles, a hinged head moves sideways."""
+        """Reason why no curve is computed: the head is not guided, or the strip too slender.
+
+        A free head buckles, and a hinged head moves sideways.
+        """
         if self.head != "guided":
             return (
-                f"head = {self.head}: the whole curve is followed for a guided head alone, the "
-                "first stage of another is in spring-stages and its sideways movement in "
-                "spring-buckling"
+                f"head = {self.head}: the whole curve is computed only for a guided head; for "
+                "other heads, case spring-stages has the first stage and case spring-buckling "
+                "the sideways movement"
             )
         return too_slender(self)
 
@@ -129,12 +135,12 @@ class CurveSpring(CurveInputs, Case):
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Heads that buckle, other width factors, tips that do not touch."""
+        """Warnings on heads that buckle, other width factors, and tips that do not touch."""
         if self.head == "free":
-            yield "a free head buckles laterally early: see case spring-buckling for the load"
+            yield "a spring with a free head buckles laterally at a low load: see spring-buckling"
         yield from other_width(self.width_factor, h=self.h, leaf=self.leaf, nu=self.nu)
         if not math.isfinite(self.U_A):
-            yield "by linear theory no leaves touch with these ends"
+            yield "by linear theory, no leaves touch with these end conditions"
 
 
 CURVE = adapted(CurveSpring)

@@ -32,18 +32,18 @@ STIFFER = 10.0  # over k_2, once all loops touch
 
 
 def curve(context: Context, level: int = FINE) -> Array:
-    """U, F and the sum of normal forces (3, k) of the inputs' spring."""
+    """Displacement, force and sum of normal forces of the spring of the inputs, shape (3, k)."""
     U, F, press = (stored(context, f"curve {level} {key}") for key in ("U", "F", "press"))
     return np.array([U, F, press.sum(axis=1)])
 
 
 def lines(context: Context, level: int = FINE) -> FittedLines:
-    """Fitted lines of the curve of the inputs."""
+    """Fitted lines of the curve of the spring of the inputs."""
     return fitted(curve(context, level), context.inputs.stroke)
 
 
 def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
-    """Every reading with every strip: name, factor, its lines, and U and F (2, k)."""
+    """Name, width factor, fitted lines, and U and F (2, k) of every reading with every factor."""
     q: CurveInputs = context.inputs
     found = []
     for name, _ in readings(q):
@@ -55,25 +55,25 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
 
 
 def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
-    """Fitted lines of the coarse curve of the inputs and of the `other` (3, k), common states."""
+    """Fitted lines of the coarse curve of the inputs and of `other` (3, k), at common states."""
     stroke = context.inputs.stroke
     own, other = on_common(curve(context, COARSE), other, stroke)
     return fitted(own, stroke), fitted(other, stroke)
 
 
 def apart(context: Context, other: Array) -> float:
-    """Largest relative difference of slopes of the inputs' curve and the `other`."""
+    """Largest relative difference of the slopes of the inputs' curve and of `other`."""
     own, other_lines = beside(context, other)
     return own.apart(other_lines)
 
 
 def without(context: Context) -> str:
-    """Statement on the missing values if no leaves touch within the stroke."""
-    return "" if np.isfinite(lines(context).k2) else "; k_2: no leaves touch for long enough"
+    """Text that k_2 is missing if no leaves touch within the stroke; otherwise empty."""
+    return "" if np.isfinite(lines(context).k2) else "; no k_2: too few states with contact"
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """Relative difference of a fitted number from the coarse mesh."""
+    """Function that returns the relative difference of a fitted number between both meshes."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -84,18 +84,18 @@ def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
 
 def depth(context: Context) -> tuple[float, float, str]:
     b, deepest = context.inputs.b, float(stored(context, f"curve {FINE} depth").max())
-    return deepest / b, 0.0, f"surfaces overlap by {deepest / b:.1e} b at most"
+    return deepest / b, 0.0, f"the largest overlap of surfaces is {deepest / b:.1e} b"
 
 
 def same_contact(context: Context) -> tuple[float, float, str]:
     off = max(apart(context, stored(context, f"contact {times:g}")) for times in TIMES)
-    words = f"slopes change by {off:.1e} at most with a contact 10 times softer or stiffer"
+    words = f"largest change of slopes {off:.1e} with a tenth or ten times the contact stiffness"
     return off, 0.0, words + without(context)
 
 
 def halved(context: Context) -> tuple[float, float, str]:
     off = apart(context, curve(context))
-    words = f"slopes change by {off:.1e} at most from {COARSE} to {FINE} cells"
+    words = f"largest change of slopes {off:.1e} from {COARSE} to {FINE} cells"
     return off, 0.0, words + without(context)
 
 
@@ -104,19 +104,22 @@ def balance(context: Context) -> tuple[float, float, str]:
         stored(context, f"curve {FINE} {key}") for key in ("work", "stored", "dissipated")
     )
     off = float(abs(work - energy - lost).max() / work.max())
-    words = f"work less stored and lost energy is {off:.1e} of the work at most"
+    words = f"largest difference of work and energies {off:.1e} of the work"
     return off, 0.0, words
 
 
 def retraced(context: Context) -> tuple[float, float, str]:
-    """Force of unloading against that of loading, without friction."""
+    """Largest relative difference of unloading and loading forces without friction, with text."""
     U, F, _ = stored(context, "there and back")
     off = two_lines.retraced(U, F)
-    return off, 0.0, f"forces of unloading differ by {off:.1e}"
+    return off, 0.0, f"unloading forces differ from loading forces by {off:.1e}"
 
 
 def ends_early(context: Context) -> bool:
-    """Whether an equilibrium was not found before the force doubled or the last displacement."""
+    """Whether the curve ends because no equilibrium was found.
+
+    It ends regularly at the last displacement or when the force has doubled.
+    """
     U, F, _ = curve(context)
     stroke = context.inputs.stroke
     at_stroke = F[stroke * (1 + ROUNDING) >= U][-1]
@@ -124,10 +127,10 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Slope at the end of the third stage over k_2; NaN if the curve ends early."""
+    """Margin of the ratio of the final slope to k_2 over STIFFER; nan if the curve ends early."""
     U, F, _ = curve(context)
     if ends_early(context):
-        return np.nan, 0.0, f"no result, no equilibrium was found beyond {U[-1] / mm:.4g} mm"
+        return np.nan, 0.0, f"no result: no equilibrium was found beyond {U[-1] / mm:.4g} mm"
     ratio = float((F[-1] - F[-2]) / (U[-1] - U[-2])) / lines(context).k2
     if not np.isfinite(ratio):
         return ratio, 0.0, without(context).removeprefix("; ")
@@ -136,20 +139,20 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """Margin of the deviation from a number of Eq. 10 below `figure`."""
+    """Function that returns the margin of the difference from a value of Eq. 10 below `figure`."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:
             return float(getattr(found, key))
 
         off = own(lines(context)) / printed() - 1
-        return figure - abs(off), drift(own)(context), f"{off:+.2%} of the printed one"
+        return figure - abs(off), drift(own)(context), f"{off:+.2%} from the printed value"
 
     return margin
 
 
 def nearest(context: Context) -> tuple[float, float, str]:
-    """Margin in k_1 of the inputs' reading over the next reading; k_1 determines the choice."""
+    """Margin in the error of k_1 of the inputs' reading to that of the next reading, with text."""
     q: CurveInputs = context.inputs
     given = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
     off = {
@@ -158,29 +161,33 @@ def nearest(context: Context) -> tuple[float, float, str]:
     }  # fmt: skip
     next_one = min((key for key in off if key != given), key=off.__getitem__)
     words = (
-        f"{off[given]:.2%} off; next is {next_one[0]}, f = {next_one[1]:.4g}: {off[next_one]:.2%}"
+        f"difference {off[given]:.2%}; next reading: {next_one[0]}, f = {next_one[1]:.4g}, "
+        f"difference {off[next_one]:.2%}"
     )
     return off[next_one] - off[given], 0.0, words
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Largest deviation of F(U) from Eq. 10 at 1 ... 17 mm."""
+    """Margin of the largest difference of F(U) from Eq. 10 at 1 to 17 mm below FORCE."""
     U, off = deviations(context, FINE)
     worst = int(np.argmax(abs(off)))
     u = float(abs(off - deviations(context, COARSE)[1]).max())
-    words = f"{off[worst]:+.2%} at {U[worst] / mm:g} mm is the largest, {off[-1]:+.2%} at the end"
+    words = f"largest {off[worst]:+.2%} at {U[worst] / mm:g} mm; {off[-1]:+.2%} at the end"
     return FORCE - abs(off[worst]), u, words
 
 
 def deviations(context: Context, level: int) -> tuple[Array, Array]:
-    """U = 1 ... 17 mm, and force over Eq. 10, minus one."""
+    """Displacements U = 1 to 17 mm [m], and relative differences of the force from Eq. 10."""
     U = np.arange(1.0, 18.0) * mm
     reached, F = (stored(context, f"curve {level} {key}") for key in ("U", "F"))
     return U, np.interp(U, reached, F) / eq10().force(U) - 1
 
 
 def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:
-    """Nonlinear beam over closed form for increasingly slender leaves: U_A, F_A or k_2."""
+    """Function that returns the error of U_A, F_A or k_2 for increasingly slender leaves.
+
+    The reference is the nonlinear beam. The function returns sizes, errors and uncertainties.
+    """
     name = ("U_A", "F_A", "k2")[k]
 
     def points(context: Context) -> tuple[list[float], list[float], list[float]]:

@@ -1,4 +1,4 @@
-"""Rows of the whole curve: contact, energy, limits, and Eq. 10 against its readings."""
+"""Rows of the whole curve: contact, energy, limits, and readings against Eq. 10."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -14,13 +14,13 @@ HALVED = 0.003  # relative change of a slope on a mesh of half the size
 BALANCE = 1e-5  # relative to the work
 RETRACED = 1e-5  # relative to the force: contact within 1e-4 b changes it by a few 1e-6
 K1, K2, CROSSING = 0.01, 0.05, 0.05  # relative to Eq. 10
-FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
+FITTED = "calibrated: the reading whose k_1 is nearest to that of Eq. 10"
 ASKED = "the required sensitivity of slopes, 1 %"
-LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"
+LIMIT = "linear theory is exact for vanishing rotation; 0.2 % is sufficient for the closed form"
 
 
 def slender(k: int, symbol: str, words: str) -> Limit:
-    """The closed form's U_A, F_A or k_2 as a limit of slender leaves."""
+    """Row on U_A, F_A or k_2 of the closed form as the limit of slender leaves."""
     return Limit(
         name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
         unit="1", points=claims.parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT,
@@ -29,39 +29,40 @@ def slender(k: int, symbol: str, words: str) -> Limit:
 
 
 def deviations() -> Iterator[Deviation]:
-    """Contact, mesh, energy and reversal of the beams."""
+    """Rows on contact, mesh, energy and unloading of the beams."""
     slopes: dict[str, Any] = {"symbol": "Δk/k", "unit": "1", "whole": "slopes k_1, k_2"}
     yield Deviation(name="no interpenetration of leaves", symbol="δ/b", unit="1",
                     size=claims.depth, accepted=PENETRATION, whole="thickness",
-                    source="what contact is settled to")  # fmt: skip
+                    source="tolerance of the contact algorithm")  # fmt: skip
     yield Deviation(name="slopes do not depend on the contact's stiffness", **slopes,
                     size=claims.same_contact, accepted=SAME_CONTACT,
-                    source=suites(f"a fifth of {ASKED}"))  # fmt: skip
+                    source=suites(f"one fifth of {ASKED}"))  # fmt: skip
     yield Deviation(name="slopes do not depend on halving of the mesh", **slopes,
                     size=claims.halved, accepted=HALVED,
-                    source=suites(f"a third of {ASKED}"))  # fmt: skip
-    yield Deviation(name="work is stored or lost in friction", symbol="W − V − D", unit="1",
-                    size=claims.balance, accepted=BALANCE, whole="work",
-                    source=suites("no more than contact that is settled to 1e-4 b"))  # fmt: skip
+                    source=suites(f"one third of {ASKED}"))  # fmt: skip
+    yield Deviation(name="work equals stored energy and friction losses", symbol="W − V − D",
+                    unit="1", size=claims.balance, accepted=BALANCE, whole="work",
+                    source=suites("effect of the contact tolerance of 1e-4 b"))  # fmt: skip
     yield Deviation(name="loading and unloading coincide without friction", symbol="ΔF/F",
-                    unit="1", size=claims.retraced, accepted=RETRACED, whole="force there",
-                    source=suites("contact is settled to 1e-4 b"))  # fmt: skip
+                    unit="1", size=claims.retraced, accepted=RETRACED,
+                    whole="force at the same displacement",
+                    source=suites("the contact tolerance is 1e-4 b"))  # fmt: skip
 
 
 def accepted() -> Iterator[Accepted]:
-    """The third stage, and the paper's spring against Eq. 10."""
+    """Rows on the third stage, and on the paper's spring against Eq. 10."""
     yield Accepted(name="stiffness rises tenfold after the loops touch (stage BE)", symbol="dF/dU",
                    unit="1", margin=claims.stiffens)  # fmt: skip
     fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED, "paper_only": True}
-    yield Accepted(name="the reading is the nearest by k_1 alone", symbol="k_1",
+    yield Accepted(name="the chosen reading has the k_1 nearest to Eq. 10", symbol="k_1",
                    margin=claims.nearest, **fitted)  # fmt: skip
-    yield Accepted(name="k_1 of the reading beside Eq. 10", symbol="k_1",
+    yield Accepted(name="k_1 of the chosen reading against Eq. 10", symbol="k_1",
                    margin=claims.near("k1", K1, lambda: eq10().k1), **fitted,
                    printed=("wang2023:k1-fea",))  # fmt: skip
-    yield Accepted(name="k_2 of the reading beside Eq. 10", symbol="k_2",
+    yield Accepted(name="k_2 of the chosen reading against Eq. 10", symbol="k_2",
                    margin=claims.near("k2", K2, lambda: eq10().k2), **fitted,
                    printed=("wang2023:k2-fea",))  # fmt: skip
-    yield Accepted(name="where the lines cross, beside Eq. 10", symbol="U",
+    yield Accepted(name="displacement at the intersection of both lines against Eq. 10", symbol="U",
                    margin=claims.near("U", CROSSING, lambda: eq10().U), **fitted)  # fmt: skip
-    yield Accepted(name="F(U) at 1 ... 17 mm beside Eq. 10", symbol="F", margin=claims.along,
+    yield Accepted(name="F(U) at 1 to 17 mm against Eq. 10", symbol="F", margin=claims.along,
                    **fitted)  # fmt: skip

@@ -1,4 +1,4 @@
-"""The accordion spring of the whole curve as a line of geometrically exact beams that touch."""
+"""Model of the accordion spring for the whole curve: geometrically exact beams with contact."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 
 @dataclass(frozen=True)
 class Spring:
-    """A spring as it is modelled [SI]: centre line, strip with its width factor, ends, friction."""
+    """Data of the modelled spring [SI]: centre line, strip, width factor, ends, friction."""
 
     line: dict[str, Any]
     b: float
@@ -37,7 +37,7 @@ def fem_compress(
     spring: Spring, U: Sequence[float] | Array, *, per_arc: int, times: float = 1.0,
     beyond: Sequence[float] | Array = (),
 ) -> "Curve":  # fmt: skip
-    """The spring with its head moved to each of the displacements U [m]; see `compress`."""
+    """Curve of the spring whose head is displaced to each value of U [m]; see `compress`."""
     from fem.beam.section import Section
     from fem.beam.touching_curve import TouchingLine, compress
     from meshes.spring.centre_line import centre_line

@@ -1,4 +1,4 @@
-"""Figures of the whole curve: force over displacement, states, readings, points."""
+"""Figures and tables of the whole curve: force over displacement, shapes, readings, points."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -37,13 +37,13 @@ def _own(context: Context) -> tuple[Array, Array]:
 
 
 def _curve(context: Context) -> Curves:
-    """Up to the stroke, less 0.6 times the first slope's line would hide: the lines themselves."""
+    """Figure of force over displacement up to the stroke, with linear theory, Eq. 10 and tests."""
     q = context.inputs
     U, F = _own(context)
     within = q.stroke * (1 + 1e-9) >= U
     at = np.linspace(0, q.stroke, 200)
     curves = [
-        line("beams that touch", U[within] / mm, F[within], 1),
+        line("beams with contact", U[within] / mm, F[within], 1),
         dashes("closed form (linear)", at / mm, q.linear.force(at)),
     ]
     if context.is_paper:
@@ -54,10 +54,10 @@ def _curve(context: Context) -> Curves:
             dashes("slopes of the tests", at / mm, test, 4),
         ]
     kink = (
-        "The kink is where the leaves of head and tail touch their neighbours (A)."
-        if np.isfinite(lines(context).U_A) else "No leaves touch up to here."
+        "At the kink (A), the leaves of head and tail touch the adjacent leaves."
+        if np.isfinite(lines(context).U_A) else "No leaves touch within the stroke."
     )  # fmt: skip
-    tests = " The paper prints slopes of its tests, no constants: they start at zero here."
+    tests = " The paper prints the slopes of its tests only; their lines are drawn from zero."
     return plot(
         "Force over displacement until the loops touch", "U [mm]", "F [N]", curves,
         note=kink + tests * context.is_paper,
@@ -67,10 +67,11 @@ def _curve(context: Context) -> Curves:
 def _whole(context: Context) -> Curves:
     U, F = _own(context)
     return plot(
-        "The whole curve", "U [mm]", "F [N]", line("beams that touch", U / mm, F, 1),
-        note="Stages OA, AB and BE: free, leaves in contact, loops in contact. It ends where "
-        + ("no equilibrium was found: this is no limit of the spring." if ends_early(context) else
-        "the force has doubled after the stroke, or after a quarter of the stroke more."),
+        "The whole curve", "U [mm]", "F [N]", line("beams with contact", U / mm, F, 1),
+        note="Stages: OA free, AB leaves in contact, BE loops in contact. The curve ends "
+        + ("because no equilibrium was found; this is not a limit of the spring."
+           if ends_early(context) else
+           "when the force after the stroke has doubled, or a quarter of the stroke beyond it."),
     )  # fmt: skip
 
 
@@ -83,7 +84,7 @@ def _slope(context: Context) -> Curves:
     at = np.array([0, kink, kink, q.stroke])
     level = np.array([form.k1, form.k1, form.k2, form.k2], float) / N_PER_MM
     curves = [
-        line("beams that touch", middle / mm, k, 1),
+        line("beams with contact", middle / mm, k, 1),
         dashes("closed form (linear)", at / mm, level),
     ]
     if context.is_paper:
@@ -93,13 +94,14 @@ def _slope(context: Context) -> Curves:
     return plot(
         "Stiffness over displacement", "U [mm]", "dF/dU [N/mm]", curves,
         y_bottom=0.9 * float(k.min()), y_top=1.6 * float(k[0]),
-        note="The free stage softens, then stiffens, as the leaves turn; linear theory has two "
-        "levels." if np.isfinite(lines(context).U_A) else "No leaves touch up to here.",
+        note="In the free stage, the stiffness decreases and then increases, because the leaves "
+        "rotate; linear theory has two constant values."
+        if np.isfinite(lines(context).U_A) else "No leaves touch within the stroke.",
     )  # fmt: skip
 
 
 def points(context: Context) -> dict[str, int]:
-    """States by name: O (-1), A at the first contact of leaves, B with half of the pairs, E."""
+    """Indices of states by name: O (-1), A (first contact), B (half of the pairs), E (end)."""
     press, F = (stored(context, f"curve {FINE} {key}") for key in ("press", "F"))
     found = {"O": -1}
     touching = press.sum(axis=1) > TOUCH * F
@@ -124,13 +126,13 @@ def _states(context: Context) -> Shapes:
         panels.append(Panel(name=words, lines=(line,), dots=own))
     return Shapes(
         title="Deformed shapes", unit="mm", panels=tuple(panels),
-        thickness=context.inputs.b / mm, dots_name="in touch",
-        note="Centre lines as thick as the strip. B: half of the neighbouring leaves press.",
+        thickness=context.inputs.b / mm, dots_name="contacts",
+        note="Centre lines have the thickness of the strip. B: half of the adjacent leaves touch.",
     )  # fmt: skip
 
 
 def _readings(context: Context) -> Curves:
-    """Deviation of each reading from Eq. 10 over the displacement, with the strip's factor."""
+    """Figure of the difference of each reading from Eq. 10 over the displacement."""
     curves = []
     for k, (name, found) in enumerate(_stable(context)):
         U, F = found
@@ -139,10 +141,10 @@ def _readings(context: Context) -> Curves:
                   k % 6)
         )  # fmt: skip
     return plot(
-        "Readings of the paper's spring beside Eq. 10", "U [mm]", "F over Eq. 10, less one [%]",
-        curves,
-        note="Tail, head, radius of the arcs' centre line, each with the width factor f. Heads "
-        "that are free buckle sideways at 1.5 mm and are not drawn.",
+        "Readings of the paper's spring against Eq. 10", "U [mm]",
+        "difference of F from Eq. 10 [%]", curves,
+        note="The readings state tail, head and radius of the centre line of the arcs; all have "
+        "the width factor f. Springs with a free head buckle at 1.5 mm and are not drawn.",
     )  # fmt: skip
 
 
@@ -165,9 +167,9 @@ def _points(context: Context) -> Table:
     found, form = lines(context), context.inputs.linear
     most = float(abs(stored(context, f"curve {FINE} side") / F).max())
     rows: list[tuple[str, float, float, str]] = []
-    words = {"B": "half of the neighbouring leaves press", "E": "end of the curve"}
+    words = {"B": "half of the adjacent leaves touch", "E": "end of the curve"}
     if np.isfinite(found.U_A):
-        rows.append(("A", found.U_A / mm, found.F_A, "leaves of head and tail begin to press"))
+        rows.append(("A", found.U_A / mm, found.F_A, "leaves of head and tail touch first"))
     rows += [(name, U[k] / mm, F[k], words[name]) for name, k in points(context).items()
              if name in words]  # fmt: skip
     if context.is_paper:
@@ -176,10 +178,11 @@ def _points(context: Context) -> Table:
     if np.isfinite(form.U_A):
         rows.append(("A, linear", float(form.U_A) / mm, float(form.F_A), "closed form"))
     return Table(
-        title="Points of the curve", header=("point", "U [mm]", "F [N]", "what happens"),
+        title="Points of the curve", header=("point", "U [mm]", "F [N]", "event"),
         rows=tuple((name, round(u, 3), round(f, 3), what) for name, u, f, what in rows),
-        note="C and D of the paper, between which the tail slides on its base, do not occur: the "
-        f"tail is clamped; the side force on its clamp is {most:.2g} of F at most.",
+        note="In the paper, the tail slides on its base between the points C and D. These points "
+        f"do not occur, because the tail is clamped. The side force on the clamp is at most "
+        f"{most:.2g} F.",
     )  # fmt: skip
 
 
@@ -194,15 +197,15 @@ def _forces(context: Context) -> Table:
         for u, f, p, t, c in zip(U, F, eq10().force(U), theory, form, strict=True)
     )  # fmt: skip
     return Table(
-        title="F(U) beside Eq. 10", rows=rows,
-        header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams over Eq. 10",
-                "0.601 U over beams", "closed form over beams"),
-        note="The reading was chosen by k_1 alone; everything else here is predicted by it.",
+        title="F(U) against Eq. 10", rows=rows,
+        header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams against Eq. 10",
+                "0.601 U against beams", "closed form against beams"),
+        note="The reading is chosen by k_1 alone; all other values are predictions.",
     )  # fmt: skip
 
 
 def _combinations(context: Context) -> Table:
-    """All readings with their strips."""
+    """Table of all readings with all width factors."""
     test = {k: published(f"wang2023:{k}-test").value * N_PER_MM for k in ("k1", "k2")}
     rows = []
     for name, factor, found, forces in read(context):
@@ -212,10 +215,11 @@ def _combinations(context: Context) -> Table:
         rows.append((name, round(factor, 4), *_beside(found, forces, test)))
     return Table(
         title="Readings of the paper's spring at large displacement", rows=tuple(rows),
-        header=("tail, head, arcs", "f", "k_1 [N/mm]", "of Eq. 10", "k_2 [N/mm]", "of Eq. 10",
-                "lines cross, of Eq. 10", "F at 17 mm", "k_1, k_2 of the tests"),
-        note="k_1 and k_2 by least squares before and after the leaves touch, as Eq. 10 was "
-        "made. Free heads buckle sideways at about 1.5 mm and 0.9 N: they have no such lines.",
+        header=("tail, head, arcs", "f", "k_1 [N/mm]", "against Eq. 10", "k_2 [N/mm]",
+                "against Eq. 10", "U of intersection against Eq. 10", "F at 17 mm against Eq. 10",
+                "k_1, k_2 against the tests"),
+        note="k_1 and k_2 are slopes of least-squares lines before and after the leaves touch, as "
+        "in Eq. 10. Springs with a free head buckle at about 1.5 mm and 0.9 N and have no lines.",
     )  # fmt: skip
 
 

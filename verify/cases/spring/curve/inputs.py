@@ -17,26 +17,25 @@ LONGEST = 0.72
 
 
 class CurveInputs(SpringInputs):
-    """The accordion spring with both end leaves whole, pressed beyond the touching of its tips."""
+    """Inputs of the accordion spring with whole end leaves, compressed beyond tip contact."""
 
     width_factor: float = quantity(
         1.0957, "1", "f",
-        "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)", ge=1, le=1.3,
+        "width factor: stiffness of the strip over that of a narrow strip, at most 1/(1 - ν²)",
+        ge=1, le=1.3,
     )  # fmt: skip
     mu: float = quantity(
-        0.15, "1", "μ", "friction between the leaves", ge=0, le=0.5,
+        0.15, "1", "μ", "friction coefficient between the leaves", ge=0, le=0.5,
         claims="wang2023:fea-friction-coefficient",
     )  # fmt: skip
     stroke: float = quantity(
-        "17 mm", "mm", "U_max", "displacement up to which the curve is followed", gt=0, le=1e4
+        "17 mm", "mm", "U_max", "largest displacement of the computed curve", gt=0, le=1e4
     )
     head: Head = word(
         "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
-    tail: Tail = word(
-        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
-    )
-    arcs: Arcs = word("r", "radius of the arcs' centre line: r as printed, or r + b/2")
+    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")
+    arcs: Arcs = word("r", "radius of the centre line of the arcs: r as printed, or r + b/2")
 
     @model_validator(mode="after")
     def _factor(self) -> Self:
@@ -49,22 +48,22 @@ class CurveInputs(SpringInputs):
                                alpha=self.alpha)  # fmt: skip
         if not SHORTEST * L0 <= self.stroke <= LONGEST * L0:
             raise ValueError(
-                f"the curve is followed over {SHORTEST:.0%} to {LONGEST:.0%} of the free length "
+                f"the stroke must be between {SHORTEST:.0%} and {LONGEST:.0%} of the free length "
                 f"L_0 = {L0 * 1e3:.4g} mm, got stroke = {self.stroke * 1e3:g} mm"
             )
         return self
 
     @property
     def R(self) -> float:
-        """Radius of the arcs' centre line [m], as the reading has it."""
+        """Radius [m] of the centre line of the arcs, by the reading of the inputs."""
         return self.r if self.arcs == "r" else self.r + self.b / 2
 
     @property
     def is_paper(self) -> bool:
-        """Whether Eq. 10 and the readings are of this spring."""
+        """Whether this is the spring of the paper, to which Eq. 10 and the readings apply."""
         return self == type(self)()
 
     @property
     def factor(self) -> float:
-        """Stiffening by the strip's width."""
+        """Width factor of the strip."""
         return self.width_factor

@@ -1,4 +1,4 @@
-"""Solutions of case spring-curve: the curve, other contacts and friction, readings, limits."""
+"""Solutions of case spring-curve: curve, variants of contact and friction, readings, limits."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -26,7 +26,7 @@ THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # displacements over the radius of the loo
 
 
 def spring_of(q: CurveInputs, **changed: Any) -> Spring:
-    """The spring of the inputs, or a reading of it."""
+    """Model of the spring of the inputs, with changes for a reading."""
     own: dict[str, Any] = {
         "line": q.path, "b": q.b, "h": q.h, "E": q.E, "nu": q.nu, "factor": q.width_factor,
         "head": q.head, "tail": q.tail, "mu": q.mu,
@@ -35,7 +35,7 @@ def spring_of(q: CurveInputs, **changed: Any) -> Spring:
 
 
 def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
-    """Open readings of the paper: tail, head and arcs, without friction and width factor."""
+    """Names and models of all readings of tail, head and arcs, without friction and factor."""
     arcs = {"r": q.r, "r + b/2": q.r + q.b / 2}
     for tail, head, (name, radius) in product(
         ("arc", "mid-leaf"), ("free", "guided"), arcs.items()
@@ -45,12 +45,12 @@ def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
 
 
 def grid(q: CurveInputs, states: int) -> Array:
-    """Displacements [m] over the stroke."""
+    """Equidistant displacements [m] up to the stroke, shape (states,)."""
     return np.linspace(0, q.stroke, states + 1)[1:]
 
 
 def solve(q: CurveInputs, level: int) -> Level:
-    """The initial stiffness on every level; curves, variants and readings on a level each."""
+    """Initial stiffness; one level each also has the coarse curve, the readings, the fine curve."""
     own = spring_of(q)
     rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
     once, twice = rest.F / rest.U
@@ -69,7 +69,7 @@ def solve(q: CurveInputs, level: int) -> Level:
 
 
 def _variants(q: CurveInputs) -> dict[str, Any]:
-    """Other contact stiffnesses, and there and back without friction, on the coarse mesh."""
+    """Curves on the coarse mesh: other contact stiffnesses, and unloading without friction."""
     there, found = grid(q, QUARTER), {}
     for times in TIMES:
         varied = fem_compress(spring_of(q), there, per_arc=COARSE, times=times)
@@ -80,7 +80,7 @@ def _variants(q: CurveInputs) -> dict[str, Any]:
 
 
 def _read(q: CurveInputs) -> dict[str, Any]:
-    """The readings, and the limit of slender leaves."""
+    """Curves of the readings, and values for increasingly slender leaves."""
     held, found = grid(q, QUARTER), {}
     for name, spring in readings(q):
         within = held if spring.head != "free" else held[:1]  # it buckles soon after
@@ -90,7 +90,7 @@ def _read(q: CurveInputs) -> dict[str, Any]:
 
 
 def thin(q: CurveInputs, share: float) -> Spring:
-    """A guided spring with loops of `share` of its leaves; slopes of the leaves are also `share`.
+    """Guided spring whose loops have the radius `share` L_1, with leaf slopes of the order `share`.
 
     For small `share` all angles are of this order, and linear theory becomes exact.
     """

@@ -1,4 +1,4 @@
-"""Validity of Eqs. 1-9 of the accordion spring: radius, displacement, guide of the head."""
+"""Range of validity of Eqs. 1-9 of the accordion spring: radius, displacement, guided head."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -31,12 +31,12 @@ from verify.judging.published_checks import Contradiction
 from verify.judging.tolerance_checks import Agreement, demanded, suites
 
 WAY = 0.01  # relative to the force at the end of a straight path
-EXACT = 1e-3, "exact elastica and exact beam"
+EXACT = 1e-3, "exact elastica and geometrically exact beams"
 SHARED = "narrow strip, E I; no contact of leaves"
 
 
 def _maps(context: Context) -> Iterator[Figure]:
-    """The maps as solved; for the paper's numbers the finer measurement if available."""
+    """Maps of the errors; for the paper's spring, those of the long study if available."""
     q, finer = context.inputs, measured(DEEP_MAP) if context.is_paper else None
     if not context.fem:
         return
@@ -55,10 +55,10 @@ def _maps(context: Context) -> Iterator[Figure]:
 
 
 class MapSpring(MapFormulas):
-    """The formula's error over thickness, segments, leaves and angle.
+    """Error of Eqs. 1-9 over thickness, number of segments, leaf length and angle.
 
-    At small displacement only the arcs' radius has an effect; at the displacements that Eq. 12
-    allows, the formula is compared with geometrically exact beams without contact.
+    At small displacement, only the radius of the arcs causes an error. At the displacements that
+    Eq. 12 allows, the formula is compared with geometrically exact beams without contact.
     """
 
     id = "spring-map"
@@ -68,21 +68,23 @@ class MapSpring(MapFormulas):
     levels: ClassVar = (4, beams.MAPPED, 16)
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm,0.4mm"), star=True),)
     readings: ClassVar = (
-        "r is the inner radius: Eqs. 1-9 take it for the arcs' radius, finite elements r + b/2",
-        "Eqs. 1-9 leave the head free to turn and to move sideways, a roller's slot guides it",
+        "r is the inner radius: the arcs have the radius r in Eqs. 1-9, r + b/2 in the finite "
+        "elements",
+        "in Eqs. 1-9 the head can rotate and move sideways; in a clutch, the slot of the roller "
+        "guides it",
     )
     assumptions: ClassVar = (
-        "leaves do not touch: at 60 % of the length those of the paper's spring have touched",
-        "narrow strip: E I without 1 − ν², on both sides",
-        "the roller's travel begins where the spring is unloaded, its head does not turn",
+        "leaves do not touch, although those of the paper's spring touch before 60 % of the length",
+        "narrow strip: both models use E I without the factor 1/(1 − ν²)",
+        "the travel of the roller begins at the unloaded spring; the head does not rotate",
     )
 
     def reference(self, level: int) -> Level:
-        """Geometrically exact beams of the spring, and the maps."""
+        """Reference: geometrically exact beams of the spring, and of all springs of the maps."""
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: elastica and Eq. 9 against beams; claims of the paper on Eqs. 1-9."""
+        """Rows: elastica and Eq. 9 against beams; statements of the paper on Eqs. 1-9."""
         spring = MapSpring
         exact: dict[str, Any] = {"order": 4, "sensitivity": EXACT, "shares": SHARED}
         for share in PARTS:
@@ -94,7 +96,7 @@ class MapSpring(MapFormulas):
         for share, q in zip(PARTS, (spring.linear_0_3, spring.linear_0_6), strict=True):
             yield approximation(
                 q, f"F_{share}", name=f"Eq. 9 at {share:.0%} of the length, head guided",
-                symbol="F", order=4, expected=underived("measured: radius, guide and displacement"),
+                symbol="F", order=4, expected=underived("radius, guide and displacement"),
                 shares=SHARED,
             )  # fmt: skip
         yield from _of_paper()
@@ -105,10 +107,10 @@ class MapSpring(MapFormulas):
 
 
 def _of_paper() -> Iterator[Comparison]:
-    """The paper's claims of its stiffness, of a free head, of the path and of the tests."""
+    """Rows on statements of the paper: stiffness, free head, path of the roller, tests."""
     k1 = MapSpring.k1
     yield Comparison(quantity=k1, check=Accepted(
-        name="Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",
+        name="error of Eqs. 1-9 is below 10 % for L_0/b >= 240, n <= 24, small displacement",
         symbol="k_1", unit="1", margin=claims.within_claim,
         printed=("wang2023:k1-error-large-z",),
     ))  # fmt: skip
@@ -122,8 +124,8 @@ def _of_paper() -> Iterator[Comparison]:
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
-        name="a straight path replaces the roller's within 1 % of the force", symbol="F_x",
-        unit="N", pair=claims.travel, accepted=WAY, source=suites("as far off as rows may be"),
+        name="force on a straight path within 1 % of that on the roller's path", symbol="F_x",
+        unit="N", pair=claims.travel, accepted=WAY, source=suites("the required sensitivity, 1 %"),
         **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
@@ -138,10 +140,10 @@ MAP = adapted(MapSpring)
 # the record of a measurement, which names this function and these inputs
 DEEP_MAP = core.Case(
     id="spring-map-deep",
-    title="Range of validity of Eqs. 1-9 of the accordion spring, finer",
+    title="Range of validity of Eqs. 1-9 of the accordion spring, finer maps",
     paper="wang2023",
     place="Eqs. 1-9, Eqs. 12 and 13, Fig. 10",
-    lead="The maps of spring-map with every number of segments and angle between.",
+    lead="The maps of case spring-map with more numbers of segments and more angles.",
     inputs=MapInputs,
     analytic=lambda _: {},
     reference=beams.deep_fem,

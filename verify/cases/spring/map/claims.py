@@ -1,4 +1,4 @@
-"""Claims of case spring-map on its maps, a free head and the roller's path."""
+"""Claims of case spring-map on its maps, on a free head and on the path of the roller."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Eqs. 1-9 over finite elements minus one (rows, columns, 3); NaN without a value."""
+    """Relative errors of Eqs. 1-9, shape (rows, columns, 3); nan without a reference value."""
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):
@@ -30,11 +30,11 @@ def within_claim(context: Context) -> tuple[float, float, str]:
     m = errors(q, cells, stored(context, "slender"))[..., 0]
     z = np.array([[c.length / c.b for c in row] for row in cells])
     worst = float(np.nanmax(np.abs(m[z > FROM * 0.999])))
-    return CLAIMED - worst, NOISE, f"{worst:.1%} at most"
+    return CLAIMED - worst, NOISE, f"largest error {worst:.1%}"
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least decrease of the error at small displacement with decreasing b, on a centre line."""
+    """Smallest decrease of the error at small displacement if b decreases on one centre line."""
     q = context.inputs
     b, z, k = stored(context, "on_line").T
     k1 = np.array([
@@ -42,21 +42,21 @@ def falls(context: Context) -> tuple[float, float, str]:
         for t in b
     ])  # fmt: skip
     m = np.abs(k1 / k - 1)
-    words = f"from {m[-1]:.1%} at L_0/b = {z[-1]:.0f} to {m[0]:.1%} at {z[0]:.0f}"
+    words = f"error {m[-1]:.1%} at L_0/b = {z[-1]:.0f}, {m[0]:.1%} at L_0/b = {z[0]:.0f}"
     return float(np.diff(m).min()), NOISE, words
 
 
 def free_head(context: Context) -> tuple[float, float, str]:
-    """Margin of a free head's force below a third of Eq. 9's force at 0.3 of the length."""
+    """Margin of the force with a free head below a third of that by Eq. 9, at 0.3 of the length."""
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
-    words = f"{F[-1]:.3g} N, Eq. 9 gives {promised:.3g} N"
+    words = f"{F[-1]:.3g} N with a free head, {promised:.3g} N by Eq. 9"
     return THIRD - F[-1] / promised, 3 * abs(F[-1] - F[-2]) / promised, words
 
 
 def travel(context: Context) -> Pair:
-    """The forces at the end of the straight and the slanted path."""
+    """Axial forces [N] at the end of the straight and of the slanted path."""
     v = context.fem[-1].values
     m = v["F_x_straight"] / v["F_x"] - 1
-    words = f"{m:+.2%}; the transverse force is {v['F_y'] / v['F_x']:+.1%} of it"
+    words = f"difference {m:+.2%}; transverse over axial force {v['F_y'] / v['F_x']:+.1%}"
     return Pair(v["F_x_straight"], v["F_x"], NOISE * v["F_x"], words)

@@ -1,4 +1,4 @@
-"""Finite elements of case spring-map: a spring on every level, maps on a single level."""
+"""Finite elements of case spring-map: the spring on every level, the maps on one level."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # thicknesses over b, on the same centre l
 
 
 def solve(q: MapInputs, level: int) -> FemResult:
-    """One level of the spring; a single level also has the maps."""
+    """Results of one level of the spring; one level also has the maps."""
     from fem.beam.pressed_path import free_force, slanted_force, stable_forces
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -37,7 +37,7 @@ def solve(q: MapInputs, level: int) -> FemResult:
 
 
 def deep_fem(q: MapInputs, row: int) -> FemResult:
-    """A row of the finer maps; rows of the first map precede rows of the second."""
+    """Results of one row of the finer maps; rows of the first map precede those of the second."""
     rows = [cells for grid in points(q, deep=True).values() for cells in grid]
     return FemResult(
         h=1.0, values={}, arrays={"cells": np.array([measured(q, cell) for cell in rows[row]])}
@@ -49,11 +49,11 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> "PressedFra
 
 
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
-    """Stiffness of a free head at small displacement, and secant stiffnesses of a guided head.
+    """Stiffness with a free head at small displacement, and secant stiffnesses with a guided head.
 
-    Zero if the strip is no leaf spring (b >= r); the secant values are zero if the guided spring
-    becomes unstable before the largest share. A path that is not found raises ArithmeticError: it
-    is no statement on the spring.
+    All values are zero if b >= r. The secant stiffnesses are zero if the guided spring becomes
+    unstable before the largest displacement.
+    Raises ArithmeticError if an equilibrium path is not found; this states nothing on the spring.
     """
     from fem.beam.pressed_path import UnstableError, stable_forces
 
@@ -69,7 +69,7 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
 
 
 def on_line(q: MapInputs, b: float) -> tuple[float, float, float]:
-    """b, L_0/b and the stiffness on the centre line of the inputs."""
+    """Thickness b, L_0/b, and stiffness of a spring with the centre line of the inputs."""
     R = q.r + q.b / 2
     cell = Cell(q.n, b, R - b / 2, q.L1, q.alpha)
     return b, cell.length / b, spring(q, cell, PER_ARC, PER_LEAF).stiffness

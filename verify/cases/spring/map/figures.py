@@ -1,4 +1,4 @@
-"""Maps of the error of Eqs. 1-9, and the effect of the roller's path."""
+"""Maps of the error of Eqs. 1-9, and a table on the effect of the path of the roller."""
 
 import math
 from collections.abc import Sequence
@@ -23,15 +23,15 @@ from verify.form.plots import dots, plot
 
 mm = 1e-3
 WHAT = (
-    ("at small displacement", "head free in both"),
-    *((f"at {share:.0%} of the length", "head guided, no contact") for share in SHARES),
+    ("at small displacement", "the head is free in both models"),
+    *((f"at {share:.0%} of the length", "the head is guided, no contact") for share in SHARES),
 )
 
 
 def maps(name: str, m: Array, date: str) -> list[Map]:
-    """A map for small displacement and one for each share of the length.
+    """Maps of the error: one for small displacement and one for each share of the length.
 
-    `date` is the date of the measurement of the finer cells, empty for cells of the run.
+    `date` is the date of the long study; it is empty if the maps are those of the present run.
     """
     deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} of its length"
     columns: Sequence[float]
@@ -50,14 +50,14 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
             columns=tuple(f"{c:g}" for c in columns), rows=tuple(f"{row:g}" for row in rows),
             error=m[..., k], checked=np.isfinite(m[..., k]), without=without,
             note=f"Error of the force in per cent; {how}."
-            + (f" Measured by freewheel deep on {date}." if deep else ""),
+            + (f" Computed by `freewheel deep` on {date}." if deep else ""),
         )
         for k, (when, how) in enumerate(WHAT)
     ]  # fmt: skip
 
 
 def radius(over: list[tuple[Array, Array]]) -> Curves:
-    """All cells of both maps at small displacement over b/R."""
+    """Figure of the errors at small displacement of all springs of both maps, over b/R."""
     curves = [
         dots(name, x[np.isfinite(m)], 100 * m[np.isfinite(m)], k)
         for k, (name, (x, m)) in enumerate(
@@ -67,8 +67,8 @@ def radius(over: list[tuple[Array, Array]]) -> Curves:
     return plot(
         "Error at small displacement over b/R", "b/R", "error of k_1 [%]", curves,
         y_bottom=0.0,
-        note="The inner radius in place of the centre line's: no other number of the spring "
-        "matters as much.",
+        note="The error is caused by the inner radius, which Eqs. 1-9 use as radius of the centre "
+        "line. It depends mainly on b/R.",
     )  # fmt: skip
 
 
@@ -78,21 +78,21 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     slope = math.degrees(math.atan2(q.y_r, q.x_r))
     longer = math.hypot(q.x_r, q.y_r) / q.x_r - 1
     rows = [
-        ("slanted path over its straight part", f"{longer:+.2%}"),
-        ("direction of the path against the spring's axis", f"{slope:.2f}°"),
-        ("rotation of the chamber's wall along the path", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
-        ("bow of the wall over the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
-        ("force at the end of a straight path, Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
-        ("the same, guided elastica", f"{q.F_x_straight:.4g} N"),
+        ("excess length of the slanted path over x_r", f"{longer:+.2%}"),
+        ("angle between path and axis of the spring", f"{slope:.2f}°"),
+        ("rotation of the chamber wall along the path", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
+        ("sagitta of the chamber wall along the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
+        ("force at the end of a straight path, by Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
+        ("force at the end of a straight path, by the guided elastica", f"{q.F_x_straight:.4g} N"),
         ("axial force at the end of the slanted path", f"{q.F_x:.4g} N"),
-        ("transverse force there", f"{q.F_y:.4g} N"),
+        ("transverse force at the end of the slanted path", f"{q.F_y:.4g} N"),
     ]
     return (
         Table(
-            title="The roller's path, taken as straight",
-            header=("what", "value"),
+            title="Path of the roller, approximated by a straight line",
+            header=("quantity", "value"),
             rows=tuple(rows),
-            note="The head is guided without rotation from the unloaded spring on. The transverse "
-            "force is added to the lateral force of the spring on a straight path.",
+            note="The head is guided without rotation, beginning at the unloaded spring. The "
+            "transverse force is added to the lateral force of the spring on a straight path.",
         ),
     )

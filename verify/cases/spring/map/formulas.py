@@ -1,4 +1,4 @@
-"""Eqs. 1-9 of the accordion spring and the exact elastica of a guided head."""
+"""Eqs. 1-9 of the accordion spring, and the exact elastica with a guided head."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -22,10 +22,10 @@ EXACT = "exact elastica"
 
 @lru_cache(maxsize=4)
 def pressed(q: MapInputs) -> Mapping[str, float]:
-    """The exact axial and lateral forces of a guided head at the shares of its length, by quantity.
+    """Exact axial and lateral forces [N] on a guided head at the shares of its length, by name.
 
-    Empty if Newton's method finds no state on the path, for any reason: refusal and
-    warnings then state that there is no result.
+    The result is empty if Newton's method finds no state on the path. The reason of refusal and a
+    warning then state this.
     """
     try:
         return _pressed(q)
@@ -50,14 +50,14 @@ def _pressed(q: MapInputs) -> Mapping[str, float]:
 
 
 def of_paper(q: Case) -> bool:
-    """Whether the paper's tests are of this spring."""
+    """Whether this is the spring of the paper's tests."""
     return q.is_default
 
 
 class MapFormulas(MapInputs, Case):
-    """Forces by Eq. 9 and by the elastica; the elastica may have no solution."""
+    """Forces by Eq. 9 and by the elastica; nan if the elastica has no solution."""
 
-    @Quantity("J", "mm^3", "integral of the squared lever of the force", equation="7",
+    @Quantity("J", "mm^3", "integral of the squared lever arm of the force", equation="7",
               role="step", tex=r"\int (M/F)^2 ds")  # fmt: skip
     def J(self) -> float:
         return float(energy.flexibility(**self.cell.eqs))
@@ -66,7 +66,7 @@ class MapFormulas(MapInputs, Case):
     def k1(self) -> float:
         return float(energy.stiffness(**self.cell.eqs, h=self.h, E=self.E))
 
-    @Quantity("L_0", "mm", "length from the head's leaf to the tail's", role="geometry")
+    @Quantity("L_0", "mm", "length between the leaves of head and tail", role="geometry")
     def L0(self) -> float:
         return self.length
 
@@ -94,7 +94,7 @@ class MapFormulas(MapInputs, Case):
     F_y = Quantity("F_y", "N", "transverse force at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 
-    @Quantity("e_r", "%", "force of Eq. 9 below that of Eq. 10 at the tests' largest force",
+    @Quantity("e_r", "%", "deficit of Eq. 9 against Eq. 10 at the largest test force",
               source="Eqs. 9 and 10", when=of_paper)  # fmt: skip
     def error_of_tests(self) -> float:
         U = (TEST_FORCE - published("wang2023:eq10-ab-intercept").value) / (
@@ -104,7 +104,7 @@ class MapFormulas(MapInputs, Case):
 
     @property
     def cell(self) -> Cell:
-        """The spring as a cell of the maps."""
+        """The spring of the inputs as a cell of the maps."""
         return Cell(self.n, self.b, self.r, self.L1, self.alpha)
 
     @shared
@@ -112,7 +112,7 @@ class MapFormulas(MapInputs, Case):
         return pressed(self) if self.n <= MOST else {}
 
     def refusal(self) -> str:
-        """Reason to refuse: long springs, and springs without a computed equilibrium."""
+        """Reason why nothing is compared: too many segments, or no equilibrium was found."""
         if self.n > MOST:
             return f"n = {self.n} segments are more than {MOST}: check it without --fem"
         return "" if self._pressed else f"{NOT_FOUND}: check it without --fem"
@@ -124,6 +124,6 @@ class MapFormulas(MapInputs, Case):
         for share, linear in zip(PARTS, (self.linear_0_3, self.linear_0_6), strict=True):
             if math.isfinite(F := self.F(share)) and abs(m := linear / F - 1) > 0.02:
                 yield (
-                    f"at {share:.0%} of the length Eq. 9 is {m:+.1%} off the guided spring's force"
-                    " (leaves that touch not counted)"
+                    f"at {share:.0%} of the length, the error of Eq. 9 is {m:+.1%} against the "
+                    "force of the guided spring (without contact of leaves)"
                 )

@@ -1,4 +1,4 @@
-"""Inputs of case spring-map and the springs that its maps are made of."""
+"""Inputs of case spring-map, and the springs of its maps."""
 
 import math
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ DEEP_ANGLES = (50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0)
 
 
 class MapInputs(SpringInputs):
-    """A spring in the middle of the maps, and the travel of its roller."""
+    """Inputs of a spring around which the maps are computed, and of the travel of its roller."""
 
     x_r: float = quantity(
         "8.3 mm", "mm", "x_r", "travel of the roller along the spring", gt=0, le=1e3,
@@ -45,20 +45,20 @@ class MapInputs(SpringInputs):
             )
         if self.y_r > 0.2 * self.x_r:
             raise ValueError(
-                f"a path taken as straight needs y_r <= 0.2 x_r, got x_r = "
+                f"the path must be nearly straight: y_r <= 0.2 x_r, got x_r = "
                 f"{self.x_r * 1e3:g} mm, y_r = {self.y_r * 1e3:g} mm"
             )
         return self
 
     @property
     def length(self) -> float:
-        """Free length [m] from the head's leaf to the tail's, between centre lines."""
+        """Free length [m] between the centre lines of the leaves of head and tail."""
         return Cell(self.n, self.b, self.r, self.L1, self.alpha).length
 
 
 @dataclass(frozen=True)
 class Cell:
-    """One spring of a map: segments, thickness, inner radius, leaf [m] and angle [rad]."""
+    """Spring of a map: number of segments, thickness, inner radius, leaf [m] and angle [rad]."""
 
     n: int
     b: float
@@ -68,27 +68,27 @@ class Cell:
 
     @property
     def R(self) -> float:
-        """Radius of the arcs' centre line [m]."""
+        """Radius [m] of the centre line of the arcs."""
         return self.r + self.b / 2
 
     @property
     def length(self) -> float:
-        """Free length [m] from the head's leaf to the tail's, between centre lines."""
+        """Free length [m] between the centre lines of the leaves of head and tail."""
         return length_of(self.n, self.L1, self.R, self.alpha)
 
     @property
     def path(self) -> dict[str, Any]:
-        """Arguments of the centre line."""
+        """Arguments that define the centre line."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha, "tail": "arc"}
 
     @property
     def eqs(self) -> dict[str, Any]:
-        """Geometry for Eqs. 1-9."""
+        """Geometry as arguments of the functions for Eqs. 1-9."""
         return {"n": self.n, "b": self.b, "r": self.r, "L1": self.L1, "alpha": self.alpha}
 
 
 def slender(q: MapInputs, n: int, ratio: float) -> Cell:
-    """The spring of inner radius r and n segments whose L_0/b is `ratio`; L_0 has a share of b."""
+    """Spring with the inner radius r, n segments and L_0/b = `ratio`; L_0 depends on b."""
     b = Cell(n, q.b, q.r, q.L1, q.alpha).length / ratio
     for _ in range(60):
         b = Cell(n, b, q.r, q.L1, q.alpha).length / ratio

@@ -1,4 +1,4 @@
-"""Accordion spring beyond its free stage: the tips that touch (Wang et al. 2023, Eq. 10)."""
+"""Accordion spring beyond its free stage: contact of the tips (Wang et al. 2023, Eq. 10)."""
 
 from collections.abc import Iterator
 from typing import ClassVar, Self
@@ -28,14 +28,14 @@ from verify.form.adapter import adapted
 from verify.judging.checks import Accepted, Order
 from verify.judging.published_checks import PrintedMeasurement
 
-CHORDS = 5e-4, "a nodal frame is exact but for the chords of its arcs"
+CHORDS = 5e-4, "the only error of the frame is that chords replace the arcs"
 SHARED = "beam theory, small displacements, rigid contact without friction"
 
 
 class StageSpring(StageFormulas):
-    """Contact of the free tips with their neighbours (point A), and the stiffness beyond it.
+    """First contact of the free tips with the adjacent leaves (point A), and stiffness beyond it.
 
-    Closed forms are compared with a frame with rigid links, with linear theory on both sides.
+    Closed forms are compared with a frame with rigid links. Both use linear theory.
     """
 
     id = "spring-stages"
@@ -47,29 +47,29 @@ class StageSpring(StageFormulas):
         Scan(vary=("n=6,10,14", "b=0.05mm,0.1mm,0.2mm", "alpha=70deg,80deg"), star=True),
     )
     readings: ClassVar = (
-        "head and tail are whole leaves: the force acts in the middle of the head's, the tail's is "
-        "held in its middle (mid-leaf) or along its whole length (arc)",
-        "r is measured inside: the arcs' centre line has r + b/2",
-        "a tip's corner touches the face of the leaf: b/2 of the tip and b/(2 sin α) of the leaf "
-        "are taken from the gap",
-        "the force between tip and leaf acts along the axis: at A the leaf has turned until it is "
-        "parallel to the tip; the normal of the unloaded leaf instead changes U_A by 1 % and k_2 "
-        'by 1 % (rows "normal of the leaf")',
-        "of the readings of the paper one is chosen by k_1 alone; its k_2 and point A are "
+        "head and tail are whole leaves: the force acts in the middle of the head leaf; the tail "
+        "leaf is clamped in its middle (mid-leaf) or along its whole length (arc)",
+        "r is the inner radius: the centre line of the arcs has the radius r + b/2",
+        "the corner of a tip touches the face of the leaf: the gap between the centre lines is "
+        "reduced by b/2 of the tip and by b/(2 sin α) of the leaf",
+        "the force between tip and leaf acts along the axis, because at A the leaf has rotated "
+        "until it is parallel to the tip; a force normal to the unloaded leaf changes U_A by 1 % "
+        'and k_2 by 1 % (rows "contact force normal to the leaf")',
+        "one of the readings of the paper is chosen by k_1 alone; its k_2 and its point A are "
         "calibrated",
     )
     assumptions: ClassVar = (
-        "small displacements, although U_A is half of the paper's free length",
-        "no friction between tip and leaf; no other parts touch",
+        "small displacements, although U_A is half of the free length of the paper's spring",
+        "no friction between tip and leaf; no other contacts",
         "bending and axial force; the strip is narrow (E I) unless a width factor is given",
     )
 
     def reference(self, level: int) -> Level:
-        """Frames with tips linked to the leaves at their contacts."""
+        """Reference: frames whose tips are linked to the leaves at the contacts."""
         return linked_frame.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: closed forms against the frame; the reading chosen by k_1 against Eq. 10."""
+        """Rows: closed forms against the frame; the reading with the nearest k_1 against Eq. 10."""
         spring = StageSpring
         first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at A"),
                  (spring.U_A, "displacement at A"), (spring.k2, "stiffness k_2"))  # fmt: skip
@@ -85,11 +85,11 @@ class StageSpring(StageFormulas):
         for ends in ENDS:
             F_A = {f"{ends.words}, F_A": self._spring(ends).F_A}
             yield balance(
-                f"push_{ends.key}", f"force of a link that is closed at A, {ends.words}", "C", "N",
-                of=F_A, bound=1e-9, because="the two lines meet at A but for round-off",
+                f"push_{ends.key}", f"force in the closing link at point A, {ends.words}", "C", "N",
+                of=F_A, bound=1e-9, because="both lines intersect at A within round-off",
             )  # fmt: skip
-        yield Order(name="order of the straight elements in k_2", symbol="p", unit="1", order=2,
-                    errors=errors_of(spring.k2, state=self._held(ENDS[0])))  # fmt: skip
+        yield Order(name="order of convergence of straight elements in k_2", symbol="p", unit="1",
+                    order=2, errors=errors_of(spring.k2, state=self._held(ENDS[0])))  # fmt: skip
         yield from self._calibrated()
         yield from self._beside_prints()
 
@@ -101,13 +101,13 @@ class StageSpring(StageFormulas):
 
     @property
     def _reading(self) -> State:
-        """The paper's spring as the reading has it whose k_1 is nearest."""
+        """The paper's spring by the reading whose k_1 is nearest to the printed one."""
         x = paper.chosen(self)
         spring = self.model_copy(update={
             "tail": x.tail, "head": x.head, "inner": x.radius == "r", "width_factor": x.factor,
             "theory": "bending",
         })  # fmt: skip
-        return State(spring, "reading", "that reading", displayed=False)
+        return State(spring, "reading", "reading with the nearest k_1", displayed=False)
 
     def _calibrated(self) -> Iterator[Comparison]:
         spring = StageSpring
@@ -118,7 +118,7 @@ class StageSpring(StageFormulas):
             (spring.F_A, "F", paper.ACCEPTED, "force at A", ()),
         ):
             yield Comparison(quantity=q, state=self._reading, check=Accepted(
-                name=f"{words} of the reading chosen by k_1 beside Eq. 10", symbol=q.symbol,
+                name=f"{words} against Eq. 10, reading with the nearest k_1", symbol=q.symbol,
                 unit=q.unit, margin=paper.keeps(key, figure), fem_needed=False,
                 fitted=paper.FITTED, printed=printed, paper_only=True,
             ))  # fmt: skip
@@ -130,7 +130,7 @@ class StageSpring(StageFormulas):
             (spring.k1, "k_1", test, "k1-test"), (spring.k2, "k_2", test, "k2-test"),
             (spring.intercept, "constant of the second line", "paper's line", "eq10-ab-intercept"),
         ):  # fmt: skip
-            name = f"{words} of that reading against the {what}"
+            name = f"{words} of the reading with the nearest k_1 against the {what}"
             yield _beside(q, self._reading, name, printed)
         most = self.widest if self.width_factor is None else self.width_factor
         guided = self.model_copy(update={
@@ -145,12 +145,12 @@ class StageSpring(StageFormulas):
     refusal = too_slender
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Force over displacement, with the frame and Eq. 10."""
+        """Figures of force over displacement, with the frame and Eq. 10."""
         yield drawn.judged(self)
         yield Drawn(drawn.beside)
 
     def pictures(self) -> Iterator[Picture]:
-        """Bending stress at A."""
+        """Picture of the bending stress at point A."""
         yield drawn.bending_stress(self)
 
     tables = paper.tables
@@ -158,7 +158,7 @@ class StageSpring(StageFormulas):
 
 
 def _beside(q: Quantity, state: State, name: str, printed: str) -> Comparison:
-    """A printed measurement against the formula in a state."""
+    """Row on a printed measurement against the formula `q` in a state."""
     return Comparison(quantity=q, state=state, check=PrintedMeasurement(
         name=name, symbol=q.symbol, unit=q.unit, analytic=f"{q.name}_{state.key}",
         reference=f"wang2023:{printed}",

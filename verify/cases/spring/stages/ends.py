@@ -8,9 +8,9 @@ from analytic.spring.stages import Head
 
 
 class Ends(NamedTuple):
-    """How both ends are held, and the direction in which tip and leaf press.
+    """End conditions of head and tail, and direction of the contact force of the tips.
 
-    `key` is the suffix of its numbers, `words` the suffix of its rows.
+    `key` is the suffix of names of values, `words` is the suffix of names of rows.
     """
 
     head: Head
@@ -24,8 +24,8 @@ class Ends(NamedTuple):
 
     @property
     def words(self) -> str:
-        across = "" if self.normal == "force" else ", normal of the leaf"
-        return f"head {self.head}, tail at {self.tail}{across}"
+        across = "" if self.normal == "force" else ", contact force normal to the leaf"
+        return f"head {self.head}, tail clamped at {self.tail}{across}"
 
 
 HEADS: tuple[Head, ...] = ("guided", "free", "hinged")

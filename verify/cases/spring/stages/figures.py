@@ -19,25 +19,25 @@ MPa, mm = 1e6, 1e-3
 
 
 def judged(q: StagesInputs) -> AlongLine:
-    """Force over displacement as the inputs hold the spring, with the frame on it."""
+    """Figure of force over displacement with the end conditions of the inputs, with the frame."""
     line = q.held(theory="thin")
     at = SHARES * frame.end_point(**q.path, tail=q.tail)[0]
     return AlongLine(
         title=f"Force over displacement, head {q.head}, tail clamped at {q.tail}, linear theory",
         x=("U", "mm"), y=("F", "N"), curve=line.force, reference="force", at=at, order=2.0,
         points=np.linspace(0, at[-1], 200), scale=float(line.force(at[-1])),
-        scale_name="the largest force drawn",
+        scale_name="largest force of the figure",
         note="Line: closed form; dots: straight elements with rigid links between tips and leaves.",
     )  # fmt: skip
 
 
 def beside(context: Context) -> Iterator[Curves]:
-    """Eq. 10 for the paper's spring, other ends for others."""
+    """Figures with Eq. 10 for the paper's spring, or with all end conditions for other inputs."""
     yield from _beside_eq_10(context.inputs) if context.is_paper else (_bounds(context.inputs),)
 
 
 def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
-    """Readings with the printed k_1, and the reading of the inputs, over the lines of Eq. 10."""
+    """Figures of readings with the printed k_1, and of the inputs, with the lines of Eq. 10."""
     lines = eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
     U = np.linspace(0.0, EQ10_END, 60)
@@ -46,24 +46,24 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
     found = [("Eq. 10, the paper's shell model", printed, "line", 0),
              ("slopes of the tests, from the origin", tested, "dots", 5)]  # fmt: skip
     found += [
-        (f"meets k_1: {x}", x.stages.force(U), "dashes", i)
+        (f"printed k_1: {x}", x.stages.force(U), "dashes", i)
         for i, x in enumerate(meeting(q)[:3], start=1)
     ]
     strip = "E I" if q.width_factor is None else f"{q.width_factor:.4g} E I"
-    name = f"tail at {q.tail}, head {q.head}, r + b/2, {strip}"
+    name = f"tail clamped at {q.tail}, head {q.head}, r + b/2, {strip}"
     found.append((name, q.held().force(U), "dashes", 4))
     note = (
-        "To 11 N, where the tests end. The constants of the tests' lines are not printed: their "
-        "slopes are drawn from the origin, with Eq. 10's point A."
+        "The tests end at 11 N. The paper prints the slopes of the lines of its tests, not their "
+        "constants: the lines are drawn from the origin, with point A of Eq. 10."
     )
     yield plot(
-        "Closed form beside Eq. 10: A and k_2 of readings chosen by k_1", "U [mm]",
+        "Closed form and Eq. 10, for readings with the printed k_1", "U [mm]",
         "F [N]",
         (_curve(name, U / mm, F, style, c) for name, F, style, c in found),
         note=note,
     )  # fmt: skip
     yield plot(
-        "The same less Eq. 10's first slope: contact of the tips", "U [mm]",
+        "Force minus the first line of Eq. 10: effect of the contact of the tips", "U [mm]",
         "F − 0.613 N/mm U [N]",
         (
 _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
@@ -73,14 +73,16 @@ _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
 
 
 def _bounds(q: StagesInputs) -> Curves:
-    """The spring of the inputs, narrow and wide, and with its other ends."""
+    """Figure of the spring of the inputs with all end conditions."""
     top = 1.5 * float(q.held().U_A)
     curves = []
     for i, head in enumerate(("guided", "free")):
         for style, tail in (("line", "mid-leaf"), ("dashes", "arc")):
             s = q.held(head=head, tail=tail)
             U = np.unique(np.clip([0.0, float(s.U_A), float(s.U_B), top], 0.0, top))
-            curves.append(_curve(f"head {head}, tail at {tail}", U / mm, s.force(U), style, i))
+            curves.append(
+                _curve(f"head {head}, tail clamped at {tail}", U / mm, s.force(U), style, i)
+            )
     return plot(
         "Force over displacement for all end conditions", "U [mm]", "F [N]", curves,
         note="Closed form, linear theory.",
@@ -92,10 +94,10 @@ def _curve(name: str, U: Any, F: Any, style: str, colour: int) -> Curve:
 
 
 def bending_stress(q: StagesInputs) -> Picture:
-    """The spring at A as a ribbon."""
+    """Picture of the spring at point A, with its bending stress."""
     body = max(frame.end_point(**q.path, tail="mid-leaf")[0], q.L1 + 2 * q.R)
     return Picture(
         field="point A", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa, width=q.h,
         share=float(q.held().U_A) / body,
-        caption="Bending stress 6 M/(h b²) where the tips touch, displacements to scale",
+        caption="Bending stress 6 M/(h b²) when the tips touch, displacements to scale",
     )  # fmt: skip

@@ -11,29 +11,27 @@ from verify.core.inputs import quantity, word
 
 
 def refuse_wider(width_factor: float | None, nu: float) -> None:
-    """ValueError for a factor above the limit of a very wide strip."""
+    """Raise ValueError if the width factor is above the limit of a very wide strip."""
     most = 1 / (1 - nu**2)
     if width_factor is not None and width_factor > most * (1 + 1e-6):
         raise ValueError(
-            f"a strip is stiffened by its width by 1/(1 - ν²) = {most:.5g} at most, got "
+            f"the width factor must not exceed 1/(1 - ν²) = {most:.5g}, got "
             f"width_factor = {width_factor:g}"
         )
 
 
 class StagesInputs(AccordionInputs):
-    """The accordion spring with whole end leaves, and its supports."""
+    """Inputs of the accordion spring with whole end leaves, and of its supports."""
 
     width_factor: float | None = quantity(
         1.0957, "1", "f",
-        "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)", omitted=None,
-        ge=1, le=1.3, example="1.09",
+        "width factor: stiffness of the strip over that of a narrow strip, at most 1/(1 - ν²)",
+        omitted=None, ge=1, le=1.3, example="1.09",
     )  # fmt: skip
     head: Head = word(
         "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
-    tail: Tail = word(
-        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
-    )
+    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")
 
     @model_validator(mode="after")
     def _factor(self) -> "StagesInputs":
@@ -42,10 +40,10 @@ class StagesInputs(AccordionInputs):
 
     @property
     def factor(self) -> float:
-        """The width factor of the judged rows."""
+        """Width factor of the judged rows, 1 if none is given."""
         return 1.0 if self.width_factor is None else self.width_factor
 
     def held(self, **other: Any) -> Stages:
-        """The stages of the spring as the inputs hold it, or with `other` ends."""
+        """Stages of the spring with the end conditions of the inputs, or with `other` ends."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail, "width_factor": self.factor}
         return stages(**self.path, **strip_of(self), **(ends | other))

@@ -1,4 +1,4 @@
-"""Straight-element frames of the accordion spring whose tips touch, by rigid links."""
+"""Frames of straight elements of the accordion spring; rigid links model the contact of tips."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -20,7 +20,7 @@ SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 
 
 def solve(q: StagesInputs, level: int) -> Level:
-    """One level of the spring with all ends."""
+    """Results of one level of the spring with all end conditions."""
     from fem.beam.section import Section
     from meshes.spring.centre_line import centre_line
 
@@ -47,14 +47,14 @@ def solve(q: StagesInputs, level: int) -> Level:
 
 
 def force_over_displacement(found: dict[str, float], length: float) -> Any:
-    """Forces (m,) at the displacements SHARES x `length`, straight between the points."""
+    """Forces [N] at the displacements SHARES `length`, (m,), linear between contacts."""
     U, A, B = SHARES * length, found["U_A"], found["U_B"]
     second = np.where(U > A, found["F_A"] + found["k2"] * (U - A), found["k1"] * U)
     return np.where(U > B, found["F_B"] + found["k3"] * (U - B), second)
 
 
 def linked(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "LinkedFrame":
-    """The spring on a mesh with tips and nodes at their future contacts."""
+    """Frame of the spring, with nodes at the future contacts of its tips."""
     from fem.beam.linked_stages import LinkedFrame, opposite
     from fem.beam.links import Link, divide
 
@@ -82,7 +82,7 @@ def linked(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) ->
 
 
 def field(frame: "LinkedFrame", force: float, q: StagesInputs) -> Field:
-    """The spring under `force` before any tip has touched, and its bending stress."""
+    """Displacements and bending stress of the spring under `force`, before a tip touches."""
     solved = frame.solve(force)
     stress = -6 * solved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
     return Field(

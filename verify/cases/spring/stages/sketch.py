@@ -16,7 +16,7 @@ mm = 1e-3
 
 
 def sketch(q: Any) -> Sketch:
-    """The whole centre line to scale, with the gaps that the tips close."""
+    """Sketch of the whole centre line to scale, with the gaps between tips and leaves."""
     line = frame.sections(frame.pieces(**q.path, tail="mid-leaf")).at.T / mm
     x, y = (place / mm for place in frame.end_point(**q.path, tail="mid-leaf"))
     a, toward = q.L1 / 2 / mm, -1.0 if q.n % 2 == 0 else 1.0  # direction of the tail's leaf

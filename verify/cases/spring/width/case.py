@@ -1,4 +1,4 @@
-"""Accordion spring as a strip of finite width: the paper's shell model (Wang et al. 2023)."""
+"""Accordion spring as a strip of finite width, with shells as in the paper (Wang et al. 2023)."""
 
 from collections.abc import Iterator
 from typing import ClassVar, Self
@@ -36,13 +36,13 @@ MOST = 30  # largest number of segments for which shells are solved
 FOIL = 3000  # length over thickness of a leaf, above which narrow shells are ill-conditioned
 PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
-HELD = 5e-4, "a shell with held edges is a beam"
-PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
-FIFTH = "a fifth of the acceptance figure"
+HELD = 5e-4, "a shell with held edges is equivalent to a beam"
+PLATES = 5e-4, "a thin leaf is a Kirchhoff plate"
+FIFTH = "one fifth of the accepted difference"
 HALF = "half of the required sensitivity, 1 %"
-CURVE = "half of what case spring-curve may be off by"
+CURVE = "half of the accepted difference of case spring-curve"
 THEORY = "difference between shell theory and a thin solid"
-FITTED = "these ends were chosen because they meet the printed stiffness"
+FITTED = "these end conditions are chosen because they give the printed stiffness"
 FRAME = "force method on the true centre line"
 RITZ = "a leaf as Kirchhoff's plate, by Ritz's method"
 SMALL = "small displacements"
@@ -50,10 +50,11 @@ LOOPS = ("20 times as wide as thick", "100 times as wide as thick", "at the spri
 
 
 class WideSpring(WidthInputs, Case):
-    """Stiffening of the spring by its width, as a factor on E I.
+    """Stiffening of the spring by its width, as a factor f of E I (width factor).
 
-    It is computed by a shell of the whole spring, solids of a loop, and a leaf as a plate by Ritz's
-    method. Limits are a beam in plane stress and an infinite strip in plane strain.
+    The factor is computed with shells of the whole spring, with solids of a loop, and with a plate
+    model of a leaf by Ritz's method. Its limits are a beam in plane stress and an infinite strip in
+    plane strain.
     """
 
     id = "spring-width"
@@ -68,17 +69,18 @@ class WideSpring(WidthInputs, Case):
         ),
     )
     readings: ClassVar = (
-        "the force moves a line across the head that stays straight, as a roller's",
-        "r is the inner radius: the centre line of the arcs has r + b/2",
-        "the holds of tail and head are not printed: all four combinations are reported",
+        "the force acts on a line across the head, which remains straight, as at a roller",
+        "r is the inner radius: the centre line of the arcs has the radius r + b/2",
+        "the paper does not print the supports of tail and head: all four combinations are "
+        "reported",
     )
     assumptions: ClassVar = (
         "small displacements, no contact",
-        "the tail is clamped over the whole width, edges are free",
-        "symmetric about the middle of the width",
+        "the tail is clamped over the whole width, the edges are free",
+        "the deformation is symmetric about the middle of the width",
     )
 
-    @Quantity("R", "mm", "radius of the arcs' centre line", role="geometry",
+    @Quantity("R", "mm", "radius of the centre line of the arcs", role="geometry",
               tex=r"r + \frac{b}{2}")  # fmt: skip
     def radius(self) -> float:
         return self.R
@@ -88,18 +90,18 @@ class WideSpring(WidthInputs, Case):
     def leaf_length(self) -> float:
         return self.leaf
 
-    @Quantity("h/l", "1", "width over a leaf's length", role="step", tex=r"\frac{h}{l}")
+    @Quantity("h/l", "1", "width over the length of a leaf", role="step", tex=r"\frac{h}{l}")
     def h_over_l(self) -> float:
         return self.h / self.leaf
 
-    @Quantity("f", "1", "factor of one leaf, the estimate", source=RITZ,
+    @Quantity("f", "1", "width factor, estimated by that of one leaf", source=RITZ,
               tex=r"\frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
               r"+ \frac{l^4}{h^4} w_{\eta\eta}^2 + 2 \frac{l^2}{h^2} (\nu w_{\xi\xi} "
               r"w_{\eta\eta} + (1-\nu) w_{\xi\eta}^2)\, d\xi\,d\eta")  # fmt: skip
     def f(self) -> float:
         return float(width_factor(self.h, self.leaf, nu=self.nu))
 
-    @Quantity("f_max", "1", "factor at most, 1 at least", role="step",
+    @Quantity("f_max", "1", "upper limit of the width factor", role="step",
               tex=r"\frac{1}{1 - \nu^2}")  # fmt: skip
     def f_wide(self) -> float:
         return self.widest
@@ -109,7 +111,7 @@ class WideSpring(WidthInputs, Case):
     k_wide = Quantity("k_PE", "N/mm", "stiffness of an infinitely wide strip",
                       source=FRAME).reads(lambda q: q._stiffness(plane_strain=True))  # fmt: skip
 
-    @Quantity("k_1", "N/mm", "stiffness with the factor of one leaf", source=FRAME)
+    @Quantity("k_1", "N/mm", "stiffness with the width factor of one leaf", source=FRAME)
     def k(self) -> float:
         return self.f * self.k_narrow
 
@@ -130,11 +132,11 @@ class WideSpring(WidthInputs, Case):
         return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
 
     def held(self, tail: frame.Tail, head: frame.Head) -> Self:
-        """The spring with other end conditions."""
+        """The spring with the end conditions `tail` and `head`."""
         return self.model_copy(update={"tail": tail, "head": head})
 
     def reference(self, level: int) -> Level:
-        """Shells of the spring and of leaves, shells and solids of a loop."""
+        """Reference: shells of the spring and of leaves, shells and solids of a loop."""
         return shells.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
@@ -153,8 +155,9 @@ class WideSpring(WidthInputs, Case):
             yield identity(q, symbol="f", uncertainty=self._left(ratio), sensitivity=PLATES,
                            shares=SMALL)  # fmt: skip
         figure = Expected(-claims.ESTIMATE, claims.ESTIMATE, suites(CURVE), sharp=self.is_default)
-        yield approximation(spring.f, name="factor of the spring by one leaf's", expected=figure,
-                            sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS), shares=SMALL)  # fmt: skip
+        yield approximation(spring.f, name="factor of the spring, estimated by one leaf",
+                            expected=figure, sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS),
+                            shares=SMALL)  # fmt: skip
         yield approximation(
             spring.k_narrow, "k", name="k_1 by E I of a narrow strip, against the shell", order=2,
             expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1; {RITZ}"), shares=SMALL,
@@ -162,7 +165,7 @@ class WideSpring(WidthInputs, Case):
         yield from _limits()
         yield from _accepted()
         yield Accepted(
-            name="k_1 of the shell, head free, tail clamped at mid-leaf, beside the paper's",
+            name="k_1 of the shell, head free, tail clamped at mid-leaf, against the paper's shell",
             symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED,
             paper_only=True,
         )  # fmt: skip
@@ -175,18 +178,18 @@ class WideSpring(WidthInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Reason to refuse: the strip is a foil, or the spring is too long."""
+        """Reason why no shells are computed: the strip is a foil, or the spring is too long."""
         if self.leaf > FOIL * self.b:
             return (
-                f"leaves {self.leaf / self.b:.0f} times as long as thick are more than {FOIL}: "
-                "shells of such foils are ill-conditioned, and a leaf's plate is exact but for its "
-                "arcs"
+                f"the length of the leaves is {self.leaf / self.b:.0f} times the thickness, more "
+                f"than {FOIL}: shells of such foils are ill-conditioned; the plate model of a leaf "
+                "is exact except for the arcs"
             )
         if self.n <= MOST:
             return ""
         return (
-            f"n = {self.n} segments are more than the {MOST} that shells are solved for: the "
-            f"factor does not depend on n, check it with n = {MOST}"
+            f"n = {self.n} segments are more than {MOST}, the limit for shells: the factor does "
+            f"not depend on n, check it with n = {MOST}"
         )
 
     figures = drawn_by(drawn.figures)
@@ -202,19 +205,20 @@ class WideSpring(WidthInputs, Case):
         """Warnings if the factor of a leaf does not represent the spring."""
         if self.h < PLATE * self.b:
             yield (
-                f"a strip {self.h / self.b:.2g} times as wide as thick is no plate: its factor is "
-                "nearer to 1"
+                f"a strip {self.h / self.b:.2g} times as wide as thick is not a plate: its factor "
+                "is nearer to 1"
             )
         elif self.h < self.leaf:
             yield (
-                f"a strip {self.h / self.leaf:.2g} times as wide as a leaf is long: its arcs, "
-                "which cannot curve across, stiffen it more than a leaf, by at most "
-                f"{self.widest - 1:.1%} in all (measure it with --fem)"
+                f"the width is {self.h / self.leaf:.2g} times the length of a leaf: the arcs, "
+                "which cannot bend across the width, stiffen the spring more than its leaves; the "
+                f"factor is at most 1 + {self.widest - 1:.1%} (compute it with --fem)"
             )
         if self.R * self.alpha > SLENDER * self.leaf:
             yield (
-                f"arcs {self.R * self.alpha / self.leaf:.0%} as long as leaves: a leaf's factor "
-                "does not represent such a spring (measure it with --fem)"
+                f"the length of the arcs is {self.R * self.alpha / self.leaf:.0%} of that of the "
+                "leaves: the factor of a leaf does not apply to such a spring (compute it with "
+                "--fem)"
             )
 
 
@@ -239,32 +243,33 @@ def _limits() -> Iterator[Comparison]:
 
 
 def _accepted() -> Iterator[Comparison | Check]:
-    """Rows within an acceptance figure: other elements, widths, ends, factor of another case."""
+    """Rows with an accepted difference: other elements, widths, ends, factor of another case."""
     for name, what in zip(widths_of_both(WidthInputs()), LOOPS, strict=True):
         yield _agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
                       THEORY, by="solids")  # fmt: skip
     for name, pair, accepted, why in (
-        ("one leaf's factor within 0.1 % of the spring's", claims.estimate, claims.ESTIMATE, CURVE),
-        ("one leaf's factor within 0.5 % of the spring's over all widths", claims.estimates,
-         claims.SWEEP, HALF),
+        ("factor of one leaf within 0.1 % of that of the spring", claims.estimate,
+         claims.ESTIMATE, CURVE),
+        ("factor of one leaf within 0.5 % of that of the spring, over all widths",
+         claims.estimates, claims.SWEEP, HALF),
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
     yield _agrees("the factor is the same for all end conditions", claims.ends, claims.HEAD,
-                  "half of the tolerance of one leaf's factor", by="the softest ends")  # fmt: skip
+                  "half of the tolerance of the factor of a leaf", by="lowest factor")  # fmt: skip
     yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
-                  claims.UNIFORM, "a tenth of the tolerance of the ends",
+                  claims.UNIFORM, "one tenth of the tolerance of the ends",
                   by="a uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,
         name="the factor that case spring-curve uses", symbol="f", unit="1", pair=claims.taken,
-        accepted=claims.TAKEN, source=suites("a fifth of the required sensitivity, 1 %"),
+        accepted=claims.TAKEN, source=suites("one fifth of the required sensitivity, 1 %"),
     )  # fmt: skip
 
 
 def _agrees(
     name: str, pair: claims.OfContext, accepted: float, why: str, by: str = ""
 ) -> Agreement:
-    """Row: two factors are equal within `accepted`."""
+    """Row that requires two factors to be equal within `accepted`."""
     return Agreement(
         name=name, symbol="f", unit="1", pair=pair, accepted=accepted, source=suites(why), by=by
     )

@@ -1,4 +1,4 @@
-"""Claims of case spring-width on its shells: acceptance figures, limits, other elements."""
+"""Claims of case spring-width on its shells: accepted differences, limits, other elements."""
 
 import math
 from collections.abc import Callable
@@ -34,14 +34,14 @@ MET = 0.01  # largest difference from the printed stiffness, relative to it
 
 
 def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
-    """Standard uncertainty of the finest value of `key`; infinite if it does not converge."""
+    """Relative standard uncertainty of the finest value of `key`; infinite without convergence."""
     h, v = context.series(key)
     grid = grid_convergence(h, v, formal=formal, scale=abs(v[-1]))
     return judge.numerical_uncertainty(grid) / abs(v[-1])
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Standard uncertainty of swept factors: difference of their mesh from the finest mesh.
+    """Relative standard uncertainty of factors on the mesh of the sweep, against the finest mesh.
 
     The difference is taken at the width of the inputs and at the narrowest width.
     """
@@ -50,14 +50,14 @@ def sweep_uncertainty(context: Context) -> float:
 
 
 def sweep(context: Context) -> Array:
-    """Widths [m] and factors (m, 2), narrow to wide."""
+    """Widths [m] and factors, shape (m, 2), in order of increasing width."""
     names = ("narrow", "medium", "wide")
     found: Any = [row for name in names for row in stored(context, f"sweep_{name}")]
     return np.array(sorted(map(tuple, found)))
 
 
 def limits(context: Context) -> tuple[float, float]:
-    """Factors of a narrow and of a wide spring by formula."""
+    """Factors of an infinitely narrow and of an infinitely wide spring."""
     return 1.0, context.analytic["k_wide"] / context.analytic["k_narrow"]
 
 
@@ -76,23 +76,23 @@ def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
 
 
 def at_end(which: int) -> OfContext:
-    """The limit and the factor at the narrow (0) or wide (-1) end of the sweep."""
+    """Function that returns limit and factor at the narrow (0) or wide (-1) end of the sweep."""
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
         limit = limits(context)[which]
         U = judge.expanded(sweep_uncertainty(context)) * f
-        return Pair(limit, f, U, f"{f / limit - 1:+.3%} at h = {h * 1e3:.4g} mm")
+        return Pair(limit, f, U, f"difference {f / limit - 1:+.3%} at h = {h * 1e3:.4g} mm")
 
     return pair
 
 
 def taken(context: Context) -> Pair:
-    """The factor used for curves, and the factor by the shell."""
+    """Width factor that case spring-curve uses, and factor by the shell."""
     default = CurveInputs.model_fields["width_factor"].default
     f = context.series("f")[1][-1]
     U = judge.expanded(relative_uncertainty(context, "f")) * f
-    return Pair(default, f, U, f"{default:g} taken, {f:.5f} by the shell")
+    return Pair(default, f, U, f"{default:g} in spring-curve, {f:.5f} by the shell")
 
 
 def estimate(context: Context) -> Pair:
@@ -103,7 +103,7 @@ def estimate(context: Context) -> Pair:
 
 
 def leaf_factor(q: WidthInputs, h: Any) -> Array:
-    """The factor of a middle leaf of width h [m] (m,)."""
+    """Factors of a middle leaf of the widths h [m], shape (m,)."""
     return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
 
 
@@ -114,19 +114,23 @@ def estimates(context: Context) -> Pair:
     off = leaves / f - 1
     found = farthest(leaves, f, judge.expanded(sweep_uncertainty(context)))
     worst = int(abs(off).argmax())
-    words = f"leaf {off[worst]:+.2%} at most, at h = {h[worst] * 1e3:.3g} mm"
+    words = f"largest difference of the leaf {off[worst]:+.2%}, at h = {h[worst] * 1e3:.3g} mm"
     return replace(found, words=words)
 
 
 def solids(name: str) -> OfContext:
-    """Stiffness of a loop by shell and by solid, each over its value in plane strain."""
+    """Function that returns the stiffness of a loop by shell and by solid.
+
+    Each stiffness is relative to the value of its model in plane strain.
+    """
 
     def pair(context: Context) -> Pair:
         keys = f"shell_{name}", f"solid_{name}"
         shell, solid = (context.series(key)[1][-1] for key in keys)
         u = (relative_uncertainty(context, key, formal=4) for key in keys)  # quadratic elements
         U = judge.expanded(math.hypot(*u)) * solid
-        words = f"shell {shell:.5f}, solid {solid:.5f} of plane strain: {shell / solid - 1:+.1e}"
+        words = f"relative to plane strain: shell {shell:.5f}, solid {solid:.5f}, difference " \
+            f"{shell / solid - 1:+.1e}"  # fmt: skip
         return Pair(shell, solid, U, words)
 
     return pair
@@ -139,9 +143,9 @@ def ends(context: Context) -> Pair:
 
 
 def uniform(context: Context) -> Pair:
-    """Stiffness with a straight head and with a uniform force on the head, on a common mesh."""
+    """Factors with a straight head and with a uniform force on the head, on a common mesh."""
     line, force = map(float, stored(context, "uniform"))
-    words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
+    words = f"relative increase of the displacement by a uniform force: {1 - force / line:+.1e}"
     return Pair(line, force, 0.0, words)
 
 
@@ -154,13 +158,13 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Margin to MET of the difference between the shell with these ends and that of the paper."""
+    """Function that returns the margin of the difference from the paper's shell below MET."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM
         k = readings(context)[tail, head][1]
         U = judge.expanded(sweep_uncertainty(context), 0.5 / math.sqrt(3) / printed)
         off = k / printed - 1
-        return MET - abs(off), U, f"{k / N_PER_MM:.4f} N/mm, {off:+.2%} of the printed one"
+        return MET - abs(off), U, f"{k / N_PER_MM:.4f} N/mm, {off:+.2%} from the printed value"
 
     return margin

@@ -1,4 +1,4 @@
-"""Figures on the width of the strip: factor over the width, shapes, end conditions."""
+"""Figures and tables on the width of the strip: factor over width, shapes, end conditions."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -26,7 +26,7 @@ mm, MPa = 1e-3, 1e6
 
 
 def sketch(q: WidthInputs) -> Sketch:
-    """The spring with its whole end leaves and the supports of the inputs; gaps have no factor."""
+    """Sketch of the spring with whole end leaves and the supports of the inputs."""
     return stages_sketch(StagesInputs(**q.model_dump(), width_factor=None))
 
 
@@ -37,11 +37,11 @@ def tables(_: WidthInputs, context: Context) -> Sequence[Table]:
 
 
 def _readings(context: Context) -> Table:
-    """Stiffness by the shell for all end conditions, with the printed values."""
+    """Table of the stiffness by the shell for all end conditions, with the printed values."""
     header: tuple[str, ...] = ("tail clamped at", "head", "k_1 of E I [N/mm]", "f, shell",
                                "k_1, shell [N/mm]")  # fmt: skip
     if context.is_paper:
-        header += ("beside the paper's shell model, 0.613", "beside its test, 0.610")
+        header += ("against the paper's shell model, 0.613", "against the paper's test, 0.610")
     rows = []
     for (tail, head), (f, k) in readings(context).items():
         row: tuple[Any, ...] = (tail, head, round(k / f / N_PER_MM, 4), round(f, 4),
@@ -53,12 +53,13 @@ def _readings(context: Context) -> Table:
             )
         rows.append(row)
     note = (
-        "Arcs of the radius r + b/2. The paper does not state the clamping of the tail or the "
-        "guidance of the head: the ends that meet its shell model are a reading chosen by it."
+        "The arcs have the radius r + b/2. The paper does not state the clamp of the tail or the "
+        "guide of the head. The end conditions that give the stiffness of its shell model are "
+        "therefore chosen by this stiffness."
     )
     return Table(
         title="Stiffness of the shell by end conditions", header=header, rows=tuple(rows),
-        note=note if context.is_paper else "Arcs of the radius r + b/2.",
+        note=note if context.is_paper else "The arcs have the radius r + b/2.",
     )  # fmt: skip
 
 
@@ -67,15 +68,16 @@ def _widths(context: Context) -> Table:
     h, f = sweep(context).T
     leaf = leaf_factor(q, h)
     return Table(
-        title="The factor over the width, shell of the whole spring and plate of one leaf",
-        header=("h [mm]", "h/b", "h/l", "spring, shell", "leaf, plate", "leaf over spring"),
+        title="Factor over the width, by a shell of the spring and by a plate model of a leaf",
+        header=("h [mm]", "h/b", "h/l", "spring, shell", "leaf, plate", "leaf against spring"),
         rows=tuple(
             (float(f"{w / mm:.4g}"), float(f"{w / q.b:.4g}"), float(f"{w / q.leaf:.3g}"),
              round(float(a), 5), round(float(b), 5), f"{100 * (b / a - 1):+.3f} %")
             for w, a, b in zip(h, f, leaf, strict=True)
         ),
-        note="Narrower than thick the strip is no plate; where its width is less than a leaf's "
-        "length the arcs, whose anticlastic bending is suppressed, stiffen it more than leaves do.",
+        note="A strip that is narrower than thick is not a plate. If the width is smaller than the "
+        "length of a leaf, the arcs, whose anticlastic bending is suppressed, stiffen the spring "
+        "more than the leaves.",
     )  # fmt: skip
 
 
@@ -90,17 +92,17 @@ def _over_width(context: Context) -> Profile:
     h, f = sweep(context).T
     at = np.geomspace(h[0], h[-1], 40)
     return Profile(
-        title="Stiffness over that of a narrow strip: the whole spring beside one leaf",
+        title="Width factor of the whole spring and of one leaf",
         x_label="log10 of h/b", y_label="f", x=np.log10(at / q.b), y=leaf_factor(q, at),
         x_fem=np.log10(h / q.b), y_fem=f, y_ref=leaf_factor(q, h),
         u=np.full(len(h), sweep_uncertainty(context)), scale=1.0, scale_name="a narrow strip",
         neglects=True,
-        note="Line: a leaf as a plate between straight lines; dots: the spring as a shell.",
+        note="Line: plate model of a leaf with straight ends. Dots: shell of the spring.",
     )  # fmt: skip
 
 
 def _elements(context: Context) -> Curves:
-    """Stiffness of the loop over its value in plane strain, by shells and solids, with limits."""
+    """Figure of the factors of spring and loop by shells and solids, with both limits."""
     q = context.inputs
     h, f = sweep(context).T
     low, high = limits(context)
@@ -113,7 +115,7 @@ def _elements(context: Context) -> Curves:
         for kind, what, colour in (("shell", "shell", 2), ("solid", "27-node solids", 3))
     ]  # fmt: skip
     return plot(
-        "Between plane stress and plane strain: spring and loop by shells, loop by solids", "h/b",
+        "Factors of spring and loop by shells, of the loop by solids", "h/b",
         "f",
         dashes("plane stress", ends, low, 4),
         dashes("plane strain", ends, high, 5),
@@ -122,8 +124,8 @@ def _elements(context: Context) -> Curves:
         loops,
         y_bottom=low - 0.05 * (high - low), x_names=tuple(
         (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
-        ), note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over that in "
-        "plane strain, times that limit.",
+        ), note="The loop consists of two half leaves and two quarter arcs. Its factor is "
+        "its stiffness relative to that in plane strain, times the factor of plane strain.",
     )  # fmt: skip
 
 
@@ -133,15 +135,16 @@ def _lifted(context: Context) -> Curves:
         y, lifted = context.fem[-1].arrays[f"lifted_{ratio}"].T
         curves.append(line(f"h/l = {ratio:g}", y, 100 * lifted, colour))
     return plot(
-        "How a thin leaf curves across: its edge above its middle", "place along the leaf, over l",
-        "% of the head's movement", curves,
+        "Transverse curvature of a thin leaf: deflection of the edge relative to the middle",
+        "position along the leaf / l", "deflection / displacement of head [%]", curves,
         y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
-        note="The ends are straight lines; wide leaves only curl within a length l of their edges.",
+        note="The ends are straight lines. The edges of wide leaves curl only within a distance l.",
     )  # fmt: skip
 
 
 ACROSS = Picture(
     field="loop", data="across", symbol="σ_z", unit="MPa", factor=MPa,
-    caption="Bending stress across a loop, half its width, edge in front: ν times that along it "
-    "except at the free edge, under 2 N on the whole width",
+    caption="Transverse bending stress in a loop under 2 N on the whole width. Half of the width "
+    "is drawn, with the free edge in front. Except at the free edge, the stress is ν times the "
+    "longitudinal bending stress",
 )  # fmt: skip

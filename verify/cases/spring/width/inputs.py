@@ -6,11 +6,9 @@ from verify.core.inputs import word
 
 
 class WidthInputs(SpringInputs):
-    """The accordion spring between its head and the support of its tail."""
+    """Inputs of the accordion spring with the end conditions of head and tail."""
 
     head: Head = word(
         "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
-    tail: Tail = word(
-        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
-    )
+    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")

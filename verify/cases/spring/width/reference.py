@@ -37,7 +37,7 @@ ROUND_OFF = 1e-12  # relative to the energy
 
 
 def solve(q: WidthInputs, level: int) -> Level:
-    """One level of spring, leaves and loops; a single level also has the sweeps."""
+    """Results of one level of spring, leaves and loops; one level also has the sweeps."""
     values: dict[str, float] = {}
     for tail, head in ENDS:
         values[f"k_wide_{key_of(tail, head)}"] = fem_spring(q, q.h, level, tail, head, held=True)
@@ -60,12 +60,12 @@ def solve(q: WidthInputs, level: int) -> Level:
 
 
 def key_of(tail: Tail, head: Head) -> str:
-    """Suffix of the keys of results with these end conditions."""
+    """Suffix of the names of values with the end conditions `tail` and `head`."""
     return f"{tail}_{head}".replace("-", "_")
 
 
 def thread(q: WidthInputs) -> float:
-    """Unit width [m] of narrow springs: the thickness, or THREAD times a leaf if larger."""
+    """Unit of the widths [m] of narrow springs: the larger of b and THREAD times a leaf length."""
     return max(q.b, THREAD * q.leaf)
 
 
@@ -75,7 +75,7 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
-    """Factors over widths, with other end conditions, and under a uniform force on the head."""
+    """Arrays of factors over the width, for all end conditions, and under a uniform force."""
     swept = {
         "narrow": [ratio * thread(q) for ratio in NARROW],
         "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
@@ -94,7 +94,7 @@ def factor(
     q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
     uniform: bool = False,
 ) -> float:  # fmt: skip
-    """Stiffness over that in plane stress on the same mesh, with the given end conditions."""
+    """Ratio of the stiffness to that in plane stress on the same mesh."""
     ends = tail or q.tail, head or q.head
     plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
     return fem_spring(q, h, level, *ends, uniform=uniform) / plane
@@ -122,7 +122,7 @@ def fem_spring(
 
 
 def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
-    """Cells across half the width: one in plane strain, few if the edge zone covers the width."""
+    """Number of cells across half the width: one in plane strain, few for narrow strips."""
     if held:
         return 1
     return level if h <= NARROW[-1] * q.b else 3 * level
@@ -135,7 +135,7 @@ def fem_steel(q: WidthInputs) -> "Elastic":
 
 
 def fem_plane_stress(q: WidthInputs) -> "Elastic":
-    """Material whose plane-strain stiffness equals the plane-stress stiffness of the steel."""
+    """Elastic material whose stiffness in plane strain equals that of the steel in plane stress."""
     from fem.plane.material import Elastic
 
     return Elastic(E=q.E * (1 + 2 * q.nu) / (1 + q.nu) ** 2, nu=q.nu / (1 + q.nu))
@@ -144,7 +144,7 @@ def fem_plane_stress(q: WidthInputs) -> "Elastic":
 def fem_mesh(
     path: "Sequence[Piece]", b: float, h: float, level: int, *, across: int
 ) -> "ShellMesh":
-    """Mesh of half the width of the strip; cells are small in the edge layer of width b."""
+    """Shell mesh of half the width of the strip, with small cells in the edge layer of width b."""
     from meshes.shell.strip import swept_path
 
     return swept_path(path, width=h / 2, per_arc=level, per_leaf=3 * level, across=across,
@@ -155,7 +155,7 @@ def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
-    """Solution under 1 N along x on the head for half the width (2 N on the whole width)."""
+    """Solution under a force of 1 N along x on the head of half the width (2 N in total)."""
     from fem.shell.solve import solve_shell
 
     supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
@@ -169,10 +169,10 @@ def fem_pulled(
 
 
 def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
-    """Factor of a leaf thin enough for Kirchhoff's plate theory, and its transverse curvature.
+    """Factor of a leaf thin enough for Kirchhoff's plate theory, and its transverse deflection.
 
-    The curvature (k, 2) is stated by the position over the length of the leaf, and the deflection
-    of the edge relative to the middle, over the displacement of the head.
+    The second result (k, 2) contains positions relative to the length of the leaf, and deflections
+    of the edge against the middle, relative to the displacement of the head.
     """
     from meshes.shell.strip import swept_path
     from meshes.spring.path import Piece
@@ -197,7 +197,7 @@ def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[n
 
 
 def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
-    """Half a leaf, two quarter arcs, and half a leaf."""
+    """Pieces of a loop: half a leaf, two quarter arcs, half a leaf."""
     from meshes.spring.path import Piece
 
     a, R, turn = q.L1 / 2, q.R, -math.pi / 2
@@ -210,7 +210,7 @@ def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
 
 
 def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
-    """Stiffness of a loop of width h over that in plane strain, with its solution."""
+    """Ratio of the stiffness of a loop of width h to that in plane strain; mesh and solution."""
     path = fem_loop(q)
     mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
     solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
@@ -220,12 +220,12 @@ def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh,
 
 
 def solid_loop(q: WidthInputs, h: float, level: int) -> float:
-    """The same by 27-node solid elements, one through the thickness."""
+    """Ratio of the stiffness of a loop to that in plane strain, by 27-node solid elements."""
     return fem_solid(q, h, level, held=False) / fem_solid(q, h, level, held=True)
 
 
 def fem_solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
-    """Stiffness [N/m] of the loop as a solid; the shear stress on its ends is a parabola."""
+    """Stiffness [N/m] of the loop as a solid, with parabolic shear stress on its ends."""
     from fem.solid.solve import solve_solid
     from meshes.solid.strip import solid_strip
 

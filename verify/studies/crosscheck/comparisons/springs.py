@@ -243,7 +243,7 @@ SPRINGS = (
             pose=partial(accordion, tail, head),
             quantities=(
                 Quantity(name="k", symbol="k", unit="N/mm", **SLENDER,
-                         row=f"stiffness, head {head}, tail at {tail}: curved elements"),
+                         row=f"stiffness, head {head}, tail clamped at {tail}: curved elements"),
             ),
         )
         for head in ("free", "guided") for tail in ("arc", "mid-leaf")
