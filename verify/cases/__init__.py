@@ -1,1 +1,1 @@
-"""The cases, one module per subject."""
+"""Cases of the suite, with one package per subject."""

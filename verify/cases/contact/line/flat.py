@@ -178,7 +178,7 @@ class RollerOnFlat(FlatInputs):
         return Comparison(check=check, quantity=q)
 
     def profile(self) -> Comparison:
-        """Row: difference of the pressure profile to the one of the exact disc, in L2."""
+        """Row: L2 difference between the pressure profiles of finite elements and exact disc."""
         check = ProfileError(
             name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
             analytic="zero", scale="one", formal=1, demand=PROFILE, demand_reason=LIMITS,

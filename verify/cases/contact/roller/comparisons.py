@@ -171,7 +171,7 @@ def size(value: float, scale: Scale) -> float:
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Accepted minus computed share of the load that slices misplace, U, and a text."""
+    """Accepted minus computed share of the load that slices misplace, with uncertainty."""
     share, U, error = misplaced_load(context, "slices")
     return (
         SHARE - share,
@@ -181,7 +181,7 @@ def misplaced(context: Context) -> tuple[float, float, str]:
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """Load share misplaced by independent slices minus that of slices, U, and a text."""
+    """Load share misplaced by independent slices minus that of slices, with uncertainty."""
     share, U, _ = misplaced_load(context, "slices")
     alone, U_alone, _ = misplaced_load(context, "independent")
     return (
@@ -192,7 +192,7 @@ def nearer(context: Context) -> tuple[float, float, str]:
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Load share that a model misplaces, its uncertainty U, and L2 error of the line load."""
+    """Load share that a model misplaces, its uncertainty, and L2 error of the line load."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

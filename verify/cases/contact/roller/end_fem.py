@@ -56,7 +56,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
 
 
 def stations_fem(q: "EndFace", level: int) -> Array:
-    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one is at l/2 - d."""
+    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one at l/2 - d."""
     from meshes.revolution.section import stations
 
     found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)

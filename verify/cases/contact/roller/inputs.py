@@ -64,7 +64,7 @@ class Roller(Case):
     E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = given(
-        "0.5 mm", "mm", "d", "length of the end zones whose load is reported", omitted=0.5e-3,
+        "0.5 mm", "mm", "d", "length of each end zone, whose load is reported", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 

@@ -144,7 +144,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """Difference of load-transfer ratios of the widest and the narrowest contact, and U."""
+    """Difference of load-transfer ratios of widest and narrowest contact; uncertainty."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])

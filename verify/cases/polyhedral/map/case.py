@@ -150,7 +150,10 @@ def shares(context: Context) -> Pair:
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least decrease of |K_mid - K_∞| between successive numbers of flats from 12, U, text."""
+    """Least decrease of |K_mid - K_∞| from one number of flats (12 on) to the next.
+
+    With its uncertainty and a text.
+    """
     limit, over = context.inputs.K_many, [z for z in FLATS if z >= FROM]
     on = [
         np.array([abs(level.values[f"K_mid_{z}"] - limit) for z in over]) for level in context.fem
@@ -166,7 +169,7 @@ def near_lame(context: Context) -> Pair:
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:
-    """Inward displacement of the corners of three flats, −1/K_corner, with U and a text."""
+    """Inward displacement of the corners of three flats, -1/K_corner, with its uncertainty."""
     K = context.series(f"K_corner_{FLATS[0]}")[1]
     return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2]), f"K_corner is {K[-1]:.4g}"
 

@@ -17,7 +17,10 @@ Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 
 class MapInputs(RoundRing):
-    """Inputs of rings with varied flats, wall and fillet; δ_1 and ρ are fixed in one map each."""
+    """Inputs of rings with varied flats, wall and fillet.
+
+    ρ is fixed in the map over walls, δ_1 in the map over fillets.
+    """
 
     rho: float = given("2 mm", "mm", "ρ", "fillet radius of the corners of the bore", gt=0, le=1e4)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)

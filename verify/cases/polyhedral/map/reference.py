@@ -13,7 +13,10 @@ DEFINITIONS = ("mid", "mean", "corner")
 
 
 def solve(q: MapInputs, level: int) -> Level:
-    """Results for all numbers of flats; on one level also both maps, on the last η."""
+    """Results for all numbers of flats, on the mesh of `level`.
+
+    One level also has both maps, the last level the load-transfer ratios.
+    """
     arrays: dict[str, Array] = {}
     if level == MAPPED:
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet)):

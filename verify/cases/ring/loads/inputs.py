@@ -62,7 +62,7 @@ class LoadsInputs(Case):
 
     @property
     def half_width(self) -> float:
-        """Half-width of Hertz's contact [m], also that of the loaded patch of finite elements."""
+        """Half-width of Hertz's contact [m]; the loaded patch of finite elements is as wide."""
         bend = 1 / self.R + (-1 if self.loaded == "bore" else 1) / self.radius
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
