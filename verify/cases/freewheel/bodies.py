@@ -1,7 +1,7 @@
 """Common base of both kinds of roller freewheels, by the names of their parts.
 
-The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for a
-cup with flats around a shaft, for which the sense that draws a roller into the wedge is reversed.
+The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for
+a cup with flats around a shaft. In a cup, rollers are drawn into the wedge in the opposite sense.
 """
 
 from typing import Protocol

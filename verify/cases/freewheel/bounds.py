@@ -10,29 +10,32 @@ from verify.cases.freewheel.star import Star
 
 WIDEST = 8e-3  # interval with which a row of a user's star is sharp enough
 
-BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
+BRACKET = (
+    "α of a layer and of two discs that enclose the star; wind-up of the star; terms (a/r)² of "
+    "Hertz's theory"
+)
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
 
 
 def parts(q: OneClutch) -> FreewheelParts:
-    """The sizes and the material of a star or a cup."""
+    """Dimensions and material of a star or a cup."""
     return FreewheelParts(sense=q.sense, race=q.race, flat=q.flat, r=q.r, z=q.z, L=q.L,
                  r_b=q.r_b, R_a=q.R_a, E=q.E, nu=q.nu)  # fmt: skip
 
 
 def sizes(state: RollerClutchState) -> Loaded:
-    """What bounds read of a state of the formulas."""
+    """Force, torque, angle, approaches and half-widths of a state, as needed by the bounds."""
     s = state
     return Loaded(N=float(s.N), T=float(s.T), alpha=float(s.alpha), d_i=float(s.d_i),
                   d_o=float(s.d_o), a_i=float(s.a_i), a_o=float(s.a_o))  # fmt: skip
 
 
 def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
-    """The bounds of a star in a state."""
+    """Error bounds of the formulas of a star in the given state."""
     return StarBounds(parts(q), sizes(state))
 
 
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
-    """The interval; for a user's star it may be too wide to judge by."""
+    """Expected interval; not sharp if it is wider than `WIDEST` for a user's star."""
     low, high = interval
     return Expected(low, high, source, sharp=q.is_default or high - low <= WIDEST)

@@ -18,7 +18,7 @@ LIGHTER, THICKER = 4, 4
 
 
 def light(q: Any) -> Any:
-    """A quarter of the torque, and of an axial load: contacts half as wide."""
+    """Inputs with a quarter of the torque and of any axial load: contacts half as wide."""
     more = {"T": q.T / LIGHTER}
     if hasattr(q, "F_ax"):
         more["F_ax"] = q.F_ax / LIGHTER
@@ -26,12 +26,12 @@ def light(q: Any) -> Any:
 
 
 def thick_ring(q: Any) -> Any:
-    """A ring with a thicker wall around a star."""
+    """Inputs of a star with a wall of the ring `THICKER` times as thick."""
     return q.model_copy(update={"R_a": q.R + THICKER * (q.R_a - q.R)})
 
 
 def thick_cup(q: Any) -> Any:
-    """A cup with a thicker wall about its flats."""
+    """Inputs of a cup with a wall twice as thick."""
     return q.model_copy(update={"R_a": q.X_o + 2 * (q.R_a - q.X_o)})
 
 
@@ -40,21 +40,22 @@ def rerun(**more: Any) -> Rerun:
 
 
 LIGHT = rerun(what="a quarter of the load: contacts half as wide", inputs=light, levels=(4,))
-WALL = rerun(what="a ring four times as thick", inputs=thick_ring, levels=(4,))
+WALL = rerun(what="a ring with four times the wall thickness", inputs=thick_ring, levels=(4,))
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               changes=plane_stress(PROBLEM), levels=(4,))  # fmt: skip
-BOTH = Without(Cause.PLANE, "plane strain on both sides")
-ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
+BOTH = Without(Cause.PLANE, "plane strain in both formula and reference")
+ALONG = Without(Cause.PLANE, "plane strain and axial displacement")
 
 ROLLED = ("wind-up by exact rolling*",)
-UNTURNED = "neither the load nor the wall changes it, nothing else was rerun"
+UNTURNED = "neither the load nor the wall changes this difference; no other cause was varied"
 TURNED = Left(ROLLED, UNTURNED)
 THIN = Left(
     (*ROLLED, "travel of the rollers*", "approach of roller and cup*",
-     "normal force at a given angle", "largest torque*"), "of cups only one twice as thick was run"
+     "normal force at a given angle", "largest torque*"),
+    "for cups, only a wall twice as thick was tried"
 )  # fmt: skip
 
-STAR = Left(("approach of roller and star*",), "the size of the star was not rerun")  # fmt: skip
+STAR = Left(("approach of roller and star*",), "the size of the star was not varied")  # fmt: skip
 
 STATEMENTS: Mapping[str, Statement] = {
     "freewheel-torque": Statement(
@@ -66,7 +67,7 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected(
                 "clamping angle under torque, taken as α_0 (Eq. 4)",
                 "alpha",
-                "the angle without load, beside that under torque",
+                "it is the clamping angle without load, but compared with the angle under torque",
             ),
             Corrected("clamping angle under torque, Eq. 4 as printed", "alpha"),
             Corrected("clamping angle under torque, Eq. 5 as printed", "alpha"),
@@ -78,14 +79,17 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
     ),
     "freewheel-cup": Statement(
-        reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
+        reruns=(
+            LIGHT,
+            rerun(what="a cup with twice the wall thickness", inputs=thick_cup, levels=(4,)),
+        ),
         without=(BOTH,),
         left=(THIN,),
         corrected=(
             Corrected(
                 "clamping angle under torque, taken as α_0 (Eq. 4 for a cup)",
                 "alpha",
-                "the angle without load, beside that under torque",
+                "it is the clamping angle without load, but compared with the angle under torque",
             ),
             Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),
         ),
@@ -99,7 +103,7 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
     ),
     "freewheel-paths": Statement(
-        left=(Left(("axial load at slip*",), "of a path of loads no cause was rerun"),),
+        left=(Left(("axial load at slip*",), "no cause was varied for the load paths"),),
         without=(ALONG,),
     ),
     "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE), left=(TURNED,)),

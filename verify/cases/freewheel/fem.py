@@ -16,7 +16,7 @@ NAMES = {
 
 
 def pitch(q: OneClutch) -> Pitch:
-    """The pitch of a star (`sense` +1) or cup (-1)."""
+    """Pitch of a star (`sense` +1) or cup (-1)."""
     return Pitch(
         sense=q.sense, race=q.race, flat=q.flat, r=q.r, r_b=q.r_b, R_a=q.R_a, z=q.z, E=q.E,
         nu=q.nu, names=NAMES[q.sense], mesh=fem_mesh,
@@ -24,12 +24,12 @@ def pitch(q: OneClutch) -> Pitch:
 
 
 def overlapping(q: OneClutch, d_i: float, d_o: float) -> Place:
-    """The position of the roller at which its contacts overlap by the given values [m]."""
+    """Position of the roller at which its contacts approach by `d_i` and `d_o` [m]."""
     return Place.overlapping(pitch(q), d_i, d_o)
 
 
 def fem_mesh(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
-    """The pitch with `cells` on half of each fine zone about contacts of these half-widths [m]."""
+    """Mesh of the pitch with `cells` on half of the fine zones, for half-widths `widths` [m]."""
     from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
 
     q = place.q

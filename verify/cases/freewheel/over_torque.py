@@ -1,4 +1,4 @@
-"""Curves over the torque that star and cup have in common."""
+"""Curves over the torque, common to star and cup."""
 
 import math
 from typing import Any
@@ -18,17 +18,17 @@ WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # x/a of a contact, mor
 
 
 def angle(q: Any, *, ends: str) -> AlongLine:
-    """Clamping angle, beginning at alpha_0; `ends` closes the note."""
+    """Figure of the clamping angle over torque, from alpha_0; `ends` completes the note."""
     return AlongLine(
         title="Clamping angle over torque", x=("T", "N m"), y=("α", "°"),
         curve=lambda T: loaded(q.clutch, T).alpha, reference="alpha_over_T", at=GRID * q.T,
         points=FINE * q.T, order=2, scale=q.alpha, scale_name="α(T)", neglects=True,
-        note=f"It begins at α_0 = {q.alpha_0 * DEGREE:.4g}°{ends}",
+        note=f"At zero torque it is α_0 = {q.alpha_0 * DEGREE:.4g}°{ends}",
     )  # fmt: skip
 
 
 def travel(q: Any) -> AlongLine:
-    """Arc s of the roller's centre."""
+    """Figure of the travel s of the roller's centre over torque."""
     return AlongLine(
         title="Travel of the roller's centre (Eq. 6)", x=("T", "N m"), y=("s", "µm"),
         curve=lambda T: loaded(q.clutch, T).s, reference="s_over_T", at=GRID * q.T,
@@ -37,7 +37,7 @@ def travel(q: Any) -> AlongLine:
 
 
 def torsion(context: Context, *, printed: str, note: str) -> Curves:
-    """Exact rolling, Eq. 7 as `printed`, and the wind-up by the energy of finite elements."""
+    """Figure of the wind-up: exact rolling, Eq. 7 as `printed`, and energy of finite elements."""
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
     return plot(
@@ -50,12 +50,12 @@ def torsion(context: Context, *, printed: str, note: str) -> Curves:
 
 
 def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves:
-    """Deviation of both contact forces from the bisector, over torque or normal force (`x`)."""
+    """Figure of the deviation of both contact forces from the bisector, over `x` (T or F_n)."""
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
     return plot(
-        "Deviation of the line of the forces from the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
+        "Deviation of the contact forces from the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
         dots(f"FE, on the {cam}", load, on_cam),
         dots(f"FE, on the {race}", load, on_race, 2),
         line("rigid surfaces", [0.0, load[-1]], np.zeros(2)),
@@ -64,10 +64,12 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 
 
 def pressure(where: str) -> AlongLine:
-    """Shape of the pressure on a part in the heaviest state, against Hertz."""
+    """Figure of the pressure on a part, over its maximum, in the state of largest load."""
     return AlongLine(
-        title=f"Pressure on the {where}, in the heaviest state", x=("x/a", "1"), y=("p/p_0", "1"),
+        title=f"Pressure on the {where}, in the state of largest "
+              "load", x=("x/a", "1"), y=("p/p_0", "1"),
         curve=lambda x: np.sqrt(1 - x**2), reference=f"p_on_{where}", at=ACROSS, points=WIDTH,
         order=1, scale=1.0, neglects=True,
-        note="a from the moments of the pressure, p_0 = 2P/(πa): the shape is compared.",
+        note="a follows from the moments of the pressure, and p_0 = 2P/(πa): only the shape is "
+             "compared.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Pictures of sectors of star and cup under their loads."""
+"""Pictures of loaded sectors of star and cup."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -15,19 +15,19 @@ def around_roller(q: Any) -> tuple[float, float, float, float]:
 
 
 def heaviest(q: Any) -> Iterator[Picture]:
-    """Von Mises stress of the pitch and about the roller."""
+    """Pictures of the von Mises stress in the pitch and around the roller."""
     yield picture("sector", "log_mises", displacement="",
-                  caption="One pitch in the heaviest state of the sweep, von Mises' stress"
+                  caption="One pitch in the state of largest load of the sweep, von Mises stress"
                   )  # fmt: skip
     yield picture(
         "sector", "log_mises", displacement="", window=around_roller(q),
-        caption="The roller between both races: the forces run from contact to contact; "
-        "below 10 MPa in one colour",
+        caption="The roller between both races: the force flow connects both contacts; stresses "
+                "below 10 MPa have one colour",
     )  # fmt: skip
 
 
 def pulled(displacement: str, shear: str, **window: Any) -> Iterator[Picture]:
-    """Displacement and shear stress along the axis with these captions."""
+    """Pictures of displacement and shear stress along the axis, with these captions."""
     yield Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
                   displacement="", caption=displacement)  # fmt: skip
     yield Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,

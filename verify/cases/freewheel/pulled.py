@@ -1,4 +1,4 @@
-"""A roller freewheel under torque and axial load, with the available friction."""
+"""A roller freewheel under torque and axial load, with given friction."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from verify.cases.freewheel.star import Star
 
 
 class Pulled(Star):
-    """The clutch of `Star`, pulled along its axis while it is locked."""
+    """The clutch of `Star` under torque, with an axial load while it is locked."""
 
     F_ax: float = given("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
     mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=0.01,
@@ -31,7 +31,7 @@ class Pulled(Star):
         return self.F_ax / self.z
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
-              source="a separate symbol, as it is no tangent of α; Eq. 8 by forces",
+              source="a separate symbol, as it is not the tangent of α; Eq. 8 with forces",
               tex=r"\frac{\sqrt{F_t^2 + F_a^2}}{F_n} = "
               r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:
@@ -46,12 +46,12 @@ class Pulled(Star):
 
     @property
     def lever(self) -> float:
-        """F_a/F_t = F_ax R/T."""
+        """Ratio F_a/F_t = F_ax R/T."""
         return self.F_ax * self.R / self.T
 
     @property
     def bears_axial_load(self) -> bool:
-        """Whether friction exceeds tan(alpha) under the torque."""
+        """Whether friction exceeds tan(alpha), so that the clutch carries axial load."""
         limit = self.largest_axial_load(self.T)
         return bool(np.isfinite(limit) and limit > 0)
 

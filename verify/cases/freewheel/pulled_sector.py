@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def one_pulled(q: "pulled.Pulled") -> Pulled:
-    """The pitch with its loads and its friction."""
+    """Pitch with its loads and its friction."""
     return Pulled(pitch(q), L=q.L, T=q.T, F_ax=q.F_ax, mu=q.mu)
 
 
 def field(state: State) -> Field:
-    """The sector under both loads: u_z and the shear stress along z."""
+    """Field of the sector under both loads: u_z and the shear stress along z."""
     solution = state.solution
     cells = solution.plane.cells()
     assert solution.along is not None

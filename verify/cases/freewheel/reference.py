@@ -1,4 +1,4 @@
-"""Results of the sweep of a sector, of star or cup: under a torque, at N_0, at an angle."""
+"""Results of the sweep of a sector of star or cup: under T, at N_0 and at a given angle."""
 
 from typing import Any
 
@@ -22,7 +22,7 @@ SPLINE = 5e-6  # relative error of splines between the states; twice for phi
 
 
 def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
-    """Angle, force, travel and wind-up under T, approaches and contacts at N_0; statics."""
+    """Values under T (angle, force, travel, wind-up), at N_0 (approaches, contacts), statics."""
     T, N_0, place = q.T, rigid_force(q), sweep.place(q.T)
     values = {
         "alpha": place.psi / 2,
@@ -37,7 +37,7 @@ def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
 
 
 def over_torque(q: OneClutch, sweep: Sweep) -> dict[str, Array]:
-    """Profiles over the torque, the states, and pressures of the state with the largest load."""
+    """Profiles over the torque, all states, and pressures of the state of largest load."""
     grid, at = GRID * q.T, sweep.at_states
     psi, d = np.array([(p.psi, p.to_race) for p in map(sweep.place, grid)]).T
     names, touches = sweep.q.names, sweep.last.solution.touches
@@ -54,6 +54,6 @@ def over_torque(q: OneClutch, sweep: Sweep) -> dict[str, Array]:
 
 
 def field(state: State) -> Field:
-    """The sector with displacements and von Mises' stress."""
+    """Field of the sector with displacements and von Mises stress."""
     plane: Any = state.solution.plane
     return plane_field(plane, "stress", "von_mises", "log_mises", name="sector")

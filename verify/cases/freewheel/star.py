@@ -1,7 +1,7 @@
 """A roller freewheel with a flat star under torque: inputs, clutch, state and results.
 
-The paper prints no dimensions of its two clutches; 5 µm of X change the clamping angle by
-0.08 deg, so that they cannot be guessed: the default clutch is synthetic.
+The paper prints no dimensions of its two clutches. They cannot be estimated, because 5 µm of X
+change the clamping angle by 0.08 deg: the default clutch is synthetic.
 """
 
 import math
@@ -29,7 +29,7 @@ Load = Literal["T", "N_0", "ψ"]
 
 
 def of_one_steel(q: OneClutch, cam: Cam) -> RollerClutch:
-    """The elastic clutch whose parts are all of one material."""
+    """Elastic clutch with all parts of one material."""
     steel = ContactMaterial(E=q.E, nu=q.nu)
     return RollerClutch(
         cam=cam, L=q.L, r_b=q.r_b, R_a=q.R_a, roller=steel, inner=steel, outer=steel
@@ -37,7 +37,7 @@ def of_one_steel(q: OneClutch, cam: Cam) -> RollerClutch:
 
 
 class Rollers(Case):
-    """Common base of stars and cups: the elastic clutch, and the force of a rigid clutch."""
+    """Common base of stars and cups: the elastic clutch, and the normal force of a rigid clutch."""
 
     load: ClassVar[Load] = "T"  # load that defines the state of the formulas
 
@@ -48,16 +48,16 @@ class Rollers(Case):
 
     @shared
     def bodies(self: Any) -> Compliance:
-        """Constants of the approaches of both parts and half a roller."""
+        """Compliance constants of both parts, each with half a roller."""
         return compliance(self.clutch)
 
     @property
     def rigid_force(self: Any) -> float:
-        """N_0 [N] of a clutch with the constant angle alpha_0."""
+        """Normal force N_0 [N] at the constant angle alpha_0."""
         return float(self.T / (self.z * self.race * np.tan(self.cam.alpha0)))
 
     def loaded_by(self, load: Load) -> Self:
-        """The clutch at N = N_0, or at the given angle psi."""
+        """The clutch in another state: at N = N_0, or at the given angle psi."""
         return self.variant(load=load)
 
 
@@ -81,7 +81,7 @@ class Star(Rollers):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         for low, high, rule in (
-            ("r_b", "X", "the star needs a wall"), ("R", "R_a", "the ring needs a wall"),
+            ("r_b", "X", "the star must have a wall"), ("R", "R_a", "the ring must have a wall"),
         ):  # fmt: skip
             inner, outer = getattr(self, low), getattr(self, high)
             if not inner < outer:
@@ -95,8 +95,8 @@ class Star(Rollers):
             raise ValueError(in_millimetres(str(error))) from error
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large for friction; "
-                f"rollers hold below about {math.degrees(LARGEST_ANGLE):g}°: X is too small for R "
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large: friction holds "
+                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; X is too small for R "
                 "and r"
             )
         return self
@@ -104,7 +104,7 @@ class Star(Rollers):
     # common to sectors of stars and cups: see `verify.cases.freewheel.bodies`
     @property
     def sense(self) -> int:
-        """+1: load widens the angle."""
+        """+1: load increases the angle."""
         return 1
 
     @property
@@ -119,12 +119,12 @@ class Star(Rollers):
 
     @property
     def cam(self) -> InnerCam:
-        """The clutch's wedges; ValueError if it has none."""
+        """The cam; raises ValueError if rollers and races form no wedge."""
         return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
 
     @shared
     def state(self) -> RollerClutchState:
-        """The state under what `load` names."""
+        """State under the load named by `load`; raises ValueError if no equilibrium exists."""
         if self.load == "T":
             return self.under(self.T)
         if self.load == "N_0":
@@ -134,32 +134,33 @@ class Star(Rollers):
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
 
     def under(self, T: float) -> RollerClutchState:
-        """The state under a torque [N m]; ValueError if the rollers are beyond their flats."""
+        """State under T [N m]; raises ValueError if rollers are beyond their flats."""
         state = loaded(self.clutch, T)
         if not np.isfinite(state.N):
             raise ValueError(
-                f"under T = {T:g} N m the contacts are wider than half the rollers' radius: these "
-                "formulas end there"
+                f"under T = {T:g} N m the contacts are wider than half the roller radius, beyond "
+                "the range of these formulas"
             )
         x, half = float(self.cam.centre(d_i=state.d_i, d_o=state.d_o)[0]), float(self.cam.corner)
         if x >= half:
             raise ValueError(
                 f"under T = {T:g} N m the rollers are beyond the ends of their flats: "
-                f"{x * 1e3:.4g} mm from the middle of flats that end at {half * 1e3:.4g} mm"
+                f"{x * 1e3:.4g} mm from the middle of the flats, which end at {half * 1e3:.4g} mm"
             )
         return state
 
     def _known(self, state: RollerClutchState) -> RollerClutchState:
         if not np.isfinite(state.N):
             raise ValueError(
-                f"under N = T/(z R tan α_0) = {self.rigid_force:.4g} N, a rigid clutch's, the "
-                "contacts are wider than half the rollers' radius: these formulas end there"
+                "under the normal force of a rigid clutch, N = T/(z R tan α_0) = "
+                f"{self.rigid_force:.4g} N, the contacts are wider than half the roller radius, "
+                "beyond the range of these formulas"
             )
         return state
 
     alpha_0 = Quantity(
         "α_0", "deg", "clamping angle without load", equation="4", form="corrected",
-        source="R for r_RO in the numerator",
+        source="with R instead of r_RO in the numerator",
         tex=r"\arccos\left(\sqrt{\frac{R + X}{2 (R - r)}}\right) = "
         r"\frac{1}{2} \arccos\left(\frac{X + r}{R - r}\right)",
     ).reads(lambda q: q.cam.alpha0)  # fmt: skip
@@ -172,15 +173,15 @@ class Star(Rollers):
         tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}",
     ).reads(lambda q: q.state.a_o)  # fmt: skip
     l = Quantity(  # noqa: E741
-        "l", "mm", "distance of the rigid contact on the flat from the axis", role="step",
+        "l", "mm", "distance of the undeformed contact on the flat from the axis", role="step",
         tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}",
     ).reads(lambda q: q.bodies.inner.l)  # fmt: skip
     k_i = Quantity(
-        "k_i", "1", "constant of a disc that is clamped in its bore", role="step",
+        "k_i", "1", "compliance constant of a disc that is clamped in its bore", role="step",
         source="series over all loads on the star",
     ).reads(lambda q: q.bodies.inner.k)  # fmt: skip
     k_o = Quantity(
-        "k_o", "1", "constant of a ring that is free outside", role="step",
+        "k_o", "1", "compliance constant of a ring that is free at its rim", role="step",
         source="series over all loads on the ring",
     ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
     c_o = Quantity("c_o", "1", "curvature term of the ring", role="step",
@@ -191,7 +192,7 @@ class Star(Rollers):
         r"2 \ln\left(\frac{l}{a_i}\right) + k_i)",
     ).reads(lambda q: q.state.d_i)  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and ring", source="ring free outside",
+        "d_o", "µm", "approach of roller and ring", source="ring free at its rim",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
         r"2 \ln\left(\frac{R}{a_o}\right) + k_o + \frac{c_o a_o}{R})",
     ).reads(lambda q: q.state.d_o)  # fmt: skip
@@ -211,28 +212,28 @@ class Star(Rollers):
         return float(np.tan(self.state.alpha))
 
     def refusal(self) -> str:
-        """Reason to refuse: displacements under N_0 are not small."""
+        """Reason why finite elements do not cover the inputs: displacements under N_0 not small."""
         same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
         for one in (self, same, self.loaded_by("ψ")):
             _ = one.state  # ValueError if it has none
         wide = max(same.a_i, same.a_o) / self.r
         if wide > WIDE:
             return (
-                f"contacts are {wide:.3g} r wide {under}, beyond {WIDE:g}: displacements "
-                "are not small; check it without --fem"
+                f"contacts are {wide:.3g} r wide {under}, more than {WIDE:g} r: displacements are "
+                "not small; check it without --fem"
             )
         wall = self.R_a - self.R
         if same.d_o > BENT * wall:
             return (
-                f"the ring deflects by {same.d_o * 1e6:.4g} µm {under}, more than "
-                f"{BENT:g} of its wall of {wall * 1e3:.4g} mm: displacements are not small; check "
-                "it without --fem"
+                f"the ring deflects by {same.d_o * 1e6:.4g} µm {under}, more than {BENT:g} of its "
+                f"wall thickness of {wall * 1e3:.4g} mm: displacements are not small; check it "
+                "without --fem"
             )
         x = float(self.cam.centre(d_i=BEYOND * same.d_i, d_o=BEYOND * same.d_o)[0])
         left = float(self.cam.corner) - x
         if left < EDGE * same.a_i:
             return (
-                f"{under} the rollers come within {left * 1e3:.3g} mm of the flats' "
-                "corners; check it without --fem"
+                f"{under} the rollers come within {left * 1e3:.3g} mm of the ends of the flats; "
+                "check it without --fem"
             )
         return ""

@@ -14,7 +14,7 @@ SIDE = 0.62  # over the height of the drawing: space for labels on both sides
 
 
 def ray(angle: float) -> Array:
-    """Unit vector at an angle [rad] from the upright, clockwise."""
+    """Unit vector at an angle [rad] from the vertical, clockwise."""
     return np.array([math.sin(angle), math.cos(angle)])
 
 
@@ -29,7 +29,7 @@ def label(name: str, metres: float, digits: int = 5) -> str:
 
 
 def sketch(q: Any) -> Sketch:
-    """One pitch to scale, in metres; radii and X are measured from the axis, which lies below."""
+    """Sketch of one pitch, to scale, in metres; the axis, where radii and X start, lies below."""
     cam, half = q.cam, math.pi / q.z
     psi = 2 * float(cam.alpha0)
     corner = min(q.X / math.cos(half), q.R)
@@ -38,9 +38,9 @@ def sketch(q: Any) -> Sketch:
     low, top = q.r_b * math.cos(half), q.R_a
     tall, wide = top - low, max(q.R_a * math.sin(half + psi), q.R * math.sin(half))
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale, the axis lies below: T on the ring draws the "
-        "roller into the gap that narrows to the right; both section planes of star and "
-        "ring deform equally",
+        f"one of {q.z} pitches, to scale, with the axis below the drawing: T on the ring draws the "
+        "roller into the gap that narrows to the right; both section planes of star and ring "
+        "deform equally",
         shape("modelled",
               np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
         shape("modelled",
@@ -57,7 +57,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def _forces(q: Any, centre: Array, psi: float, tall: float) -> tuple[Shape, ...]:
-    """Normal forces at both contacts, within the walls."""
+    """Arrows of the normal forces at both contacts, within the walls."""
     up, out = ray(0.0), ray(psi)
     star, ring = centre - q.r * up, centre + q.r * out
     short, long = 0.55 * min(0.3 * tall, q.X - q.r_b), 0.8 * min(0.25 * tall, q.R_a - q.R)
@@ -70,7 +70,7 @@ def _forces(q: Any, centre: Array, psi: float, tall: float) -> tuple[Shape, ...]
 
 
 def _turning(q: Any, half: float, psi: float, tall: float) -> tuple[Shape, ...]:
-    """The angle between the normals of flat and ring, and the torque with its sense."""
+    """Angle between the normals of flat and ring, and arrow of the torque."""
     r = q.R_a + 0.1 * tall
     far = r + 0.05 * tall
     over = far * ray(psi / 2) + np.array([0.0, 0.06 * tall])
@@ -86,7 +86,7 @@ def _turning(q: Any, half: float, psi: float, tall: float) -> tuple[Shape, ...]:
 
 
 def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Shape, ...]:
-    """X from the axis: the measure's foot lies beyond the drawing."""
+    """Dimension X from the axis, which lies below the drawing."""
     at, edge = -wide - 0.08 * tall, -q.X * math.tan(half)
     return (
         arrow((edge, q.X), (at - 0.03 * tall, q.X), style="faint"),
@@ -97,7 +97,7 @@ def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Sh
 def _radii(
     q: Any, centre: Array, half: float, psi: float, tall: float, wide: float
 ) -> tuple[Shape, ...]:
-    """Radii in a column on the right, each with an arrow to its circle."""
+    """Labels of the radii in a column on the right, each with an arrow to its circle."""
     foot = min(q.R * math.cos(half + psi) - 0.06 * tall, q.R_a - 0.2 * tall)
     below = min(q.r_b, foot - 0.3 * tall)
     named = (

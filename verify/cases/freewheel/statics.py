@@ -1,4 +1,4 @@
-"""Further comparisons of a sector of star or cup: forces in balance, limit without load."""
+"""Further rows of a sector of star or cup: equilibrium of forces, limit without load."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,9 +11,9 @@ from verify.cases.freewheel.bodies import OneClutch
 from verify.core.case import Context
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
 
-TORQUE = suites("as the torque")
-BOTH = suites("2e-3 of either contact")
-OTHER = suites("as the torque of the other contact")
+TORQUE = suites("the tolerance of the torque")
+BOTH = suites("twice the tolerance 2e-3 of one contact")
+OTHER = suites("the tolerance of the torque of the other contact")
 NOISE = 5e-6  # least difference of F_t/N between meshes
 
 Points = tuple[list[float], list[float], list[float]]
@@ -23,10 +23,10 @@ def accepted(
     q: Quantity, name: str, share: str, words: str, *, within: float, symbol: str = "",
     source: str = SUBJECT, by: str = "", inverse: bool = False,
 ) -> Comparison:  # fmt: skip
-    """The formula `q` with the forces of the reference, within a figure stated beforehand.
+    """Row of the formula `q` evaluated with the forces of the reference, within a given tolerance.
 
-    `share` names its ratio to the reference minus 1 (inverse ratio if `inverse`). The difference
-    of the last meshes is its uncertainty. `words` precede the error in the row.
+    `share` names the ratio of formula to reference minus 1 (inverse ratio if `inverse`). The
+    difference of the last meshes is the uncertainty. `words` precede the error in the row.
     """
 
     def pair(context: Context) -> Pair:
@@ -41,7 +41,7 @@ def accepted(
 
 @dataclass(frozen=True, kw_only=True)
 class Named:
-    """Words of a kind of clutch in the names and reasons of its rows."""
+    """Names of parts and reasons in the rows of a kind of clutch."""
 
     cam: str
     race: str
@@ -55,7 +55,7 @@ class Named:
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
-    """Forces of the reference in the formulas of the class `clutch`.
+    """Rows of the forces of the reference in the formulas of the class `clutch`.
 
     `of_cam` is the torque of both forces on the flats.
     """
@@ -74,17 +74,17 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
                    f"{n.unlike_forces} to either side of the bisector: difference", within=4e-3,
                    source=BOTH, by="the flat's")  # fmt: skip
-    yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,
-                   words=f"tangential forces deform {n.rolling}: rolling is off by")  # fmt: skip
+    yield accepted(clutch.phi, "wind-up ∫dU/T against exact rolling", "rolling", within=5e-3,
+                   words=f"tangential forces deform {n.rolling}; error of rolling")  # fmt: skip
     yield balance("forces", "balance of both contact forces on a roller", "ΣF", "1",
                   of={"one": 1.0}, bound=1e-9,
-                  because="the solver's balance of a free body")  # fmt: skip
+                  because="equilibrium of a free body by the solver")  # fmt: skip
 
 
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:
-    """(F_t/N)² of the reference over tan² alpha_0, less 1, contacts overlapping less and less.
+    """(F_t/N)² of the reference over tan² alpha_0, minus 1, at decreasing approach of the contacts.
 
-    Times R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
+    Multiplied by R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
     """
     found, tan = [], np.tan(alpha_0)
     for level in levels[-2:]:

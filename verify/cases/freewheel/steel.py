@@ -7,9 +7,9 @@ FRICTION = 0.1  # upper estimate for oiled steel
 
 
 def pressed(*pressures: float) -> Iterator[str]:
-    """A warning if a peak pressure [Pa] exceeds `HARD`."""
+    """Warning if a peak pressure [Pa] exceeds `HARD`."""
     if (p := max(pressures)) > HARD:
         yield (
-            f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
-            "hardened rollers (ISO 76)"
+            f"pressure {p / 1e6:.4g} MPa exceeds {HARD / 1e6:g} MPa, the limit of hardened rollers "
+            "in static contact (ISO 76)"
         )

@@ -1,7 +1,7 @@
-"""The sector of a roller freewheel over its load, by finite elements.
+"""States of the sector of a roller freewheel over its load, by finite elements.
 
-The states have overlaps of the contacts from nearly zero to the normal force of a rigid
-clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T.
+The approaches of the contacts range from nearly zero to beyond the torque T and the normal force
+N_0 = T/(z R tan(alpha_0)) of a rigid clutch.
 """
 
 from functools import lru_cache
@@ -19,12 +19,12 @@ GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
 
 
 def rigid_force(q: OneClutch) -> float:
-    """N_0 = T/(z R tan(alpha_0)) [N]: normal force of a rigid clutch."""
+    """Normal force N_0 = T/(z R tan(alpha_0)) [N] of a rigid clutch."""
     return flat_start.rigid_force(pitch(q), q.T)
 
 
 def given_angle(q: OneClutch) -> float:
-    """An angle psi [rad] that N_0 does not reach: both approaches `GIVEN` N_0/(L E') together."""
+    """Angle psi [rad] beyond that at N_0: both approaches together are `GIVEN` N_0/(L E')."""
     d = GIVEN * rigid_force(q) / q.L * (1 - q.nu**2) / q.E
     return overlapping(q, d / 2, d / 2).psi
 
@@ -42,7 +42,7 @@ def _sweep(one: Pitch, L: float, N_0: float, cells: int) -> FlatCourse:
 
 @lru_cache(maxsize=16)
 def starts(one: Pitch, P: float) -> tuple[Start, ...]:
-    """Starts of all states of the sweep up to `P` = N_0/L [N/m], from coarse meshes."""
+    """Initial states of the sweep up to `P` = N_0/L [N/m], from coarse meshes."""
     now = loaded(
         one, guessed_inside(one, P), lambda state: P / state.on_flat[0],
         power=0.95,  # approaches grow a little slower than forces

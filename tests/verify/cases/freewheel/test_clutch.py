@@ -33,7 +33,7 @@ def findings(**changes):
         ({"F_ax": 3000.0}, "red: μ/μ_req = 0.552: by Coulomb's law it slips"),
         ({"T": -3.0}, "free: the torque turns against the locking direction"),
         ({"T": 0.0}, "red: without torque the rollers are not pressed: no friction resists F_ax"),
-        ({"T": 0.0, "F_ax": 0.0}, "green: at rest"),
+        ({"T": 0.0, "F_ax": 0.0}, "green: no load"),
         ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
         ({"T": 1e6}, "red: no equilibrium at T = 1000 kN m: contacts as wide as the rollers'"),
         (CUP | {"T": 40.0}, "red: no equilibrium at T = 40 N m: the rollers pop through"),
@@ -52,15 +52,15 @@ def test_the_verdict_comes_first(changes, verdict):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({}, "rollers' ends: first the contacts slip (110.5 N m, 4.25 T)"),
+        ({}, "rollers' ends are not included): first the contacts slip (110.5 N m, 4.25 T)"),
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
-        ({"F_ax": 1100.0}, "friction would transmit F_ax = 1100 N from 29.35 to 102.7 N m"),
+        ({"F_ax": 1100.0}, "friction transmits F_ax = 1100 N at torques from 29.35 to 102.7 N m"),
         (CUP | {"T": 40.0}, "R_a is that of the housing that stiffens a drawn cup"),
         (
             {"T": 1e9},
-            "no R_a, X or L near these is sufficient for this torque",
+            "no R_a, X or L near the given values is sufficient for this torque",
         ),
         (TIGHT, "of 20,000 clutches of identical rollers with ±5 µm on X"),
         (CUP | {"T": 30.0, "X_tol": 5e-5}, "pop through"),
@@ -80,7 +80,7 @@ def test_the_map_is_green_where_the_class_is():
             there = FreewheelClutch(**changes | {"T": T, "F_ax": kN * 1e3})
             assert light(there, dict(there.values)) in zone.name.replace("friction holds, ", "")
     assert any(
-        c.name.startswith("the map ends: the rollers pop through")
+        c.name.startswith("the diagram ends: the rollers pop through")
         for c in lights(FreewheelClutch(**CUP)).curves
     )
 

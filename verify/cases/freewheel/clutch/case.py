@@ -1,4 +1,4 @@
-"""A user's roller freewheel: whether it holds, its limits, the effect of tolerances."""
+"""A user's roller freewheel: whether it holds, its limits and the effect of tolerances."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -18,8 +18,8 @@ from verify.core.case import Values
 from verify.form.adapter import adapted
 
 PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
-BELOW = "below which {0} % of the clutches that wedge lie"
-WITHIN = "clutches within tolerance that"
+BELOW = "exceeded by all but {0} % of the clutches with a wedge"
+WITHIN = "share of clutches within tolerance that"
 
 
 class FreewheelClutch(ClutchInputs):
@@ -44,20 +44,22 @@ class FreewheelClutch(ClutchInputs):
     assumptions: ClassVar = (
         "the paper prints no dimensions, friction or tolerances of its clutches: these are a "
         "synthetic clutch's; axial load and tolerances are user inputs",
-        "classes by μ/μ_req are the paper's observation on its rig (Sec. 7), adopted here; a "
-        "clutch whose tan α_0 exceeds μ is red at any ratio",
+        "classes by μ/μ_req follow the paper's observations on its test rig (Sec. 7). A clutch "
+        "whose tan α_0 exceeds μ is red at any ratio",
         "all rollers of a clutch are identical and carry equal loads; unloading, wear, crowns, "
         "centrifugal forces and springs are neglected",
-        "P(slip) counts such clutches. Where r and X differ from roller to roller, the first "
-        "roller slips in 1.5 to 2 times as many clutches (of this synthetic clutch); about as many "
-        "as P(slip) cannot carry the load with all rollers together",
-        "each limit is computed alone: F_ax is constant as T grows, and the reverse; the couple of "
-        "the axial forces makes the line load linear along the roller",
-        "a star is clamped in its bore, a shaft and every rim are free; finite elements cover "
-        "inner cams of one material only",
+        "P(slip) is the share of clutches of identical rollers that slip. If r and X differ from "
+        "roller to roller, the first roller slips in 1.5 to 2 times as many clutches (computed for "
+        "this synthetic clutch). The share of clutches that cannot carry the load with all rollers "
+        "together is about P(slip)",
+        "each limit is computed with the other load constant: F_ax is constant as T grows, and T "
+        "as F_ax grows. The couple of the axial forces makes the line load vary linearly along the "
+        "roller",
+        "a star is clamped in its bore; a shaft and every rim are free. Finite elements cover only "
+        "inner cams with one material for all parts",
     )
 
-    @Quantity("σ", "1", "+1 of an inner cam, −1 of an outer cam", role="step")
+    @Quantity("σ", "1", "+1 for an inner cam, −1 for an outer cam", role="step")
     def sense(self) -> float:
         return 1.0 if self.is_star else -1.0
 
@@ -138,11 +140,13 @@ class FreewheelClutch(ClutchInputs):
             return math.nan
         return float(tilt.offset(F_a=self.F_a, F_n=now.N, r=self.r, alpha=now.alpha))
 
-    @Quantity("e/L", "1", "that shift over the length of the rollers", tex=r"\frac{e}{L}")
+    @Quantity(
+        "e/L", "1", "shift of the contact forces over the length of the rollers", tex=r"\frac{e}{L}"
+    )
     def e_L(self) -> float:
         return self.e / self.L
 
-    @Quantity("q/q_m", "1", "peak of the line load at one end over its mean")
+    @Quantity("q/q_m", "1", "maximum of the line load, at one end, over its mean")
     def peak(self) -> float:
         if not math.isfinite(self.e):
             return math.nan
@@ -183,24 +187,28 @@ class FreewheelClutch(ClutchInputs):
         low, high = (float(state.loaded(clutch, self.T).alpha) for clutch in flats)
         return (high - low) / (2 * self.off)
 
-    @Quantity("s(α_0)", "deg", "standard deviation of α_0 by the tolerances")
+    @Quantity("s(α_0)", "deg", "standard deviation of α_0 due to the tolerances")
     def s_alpha_0(self) -> float:
         return deviation(self.cam, self.sigma)
 
     P_slip = Quantity(
-        "P(slip)", "%", "clutches of identical rollers that slip",
+        "P(slip)", "%", "share of clutches of identical rollers that slip",
     ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
     P_no_wedge = Quantity(
-        "P(gap)", "%", "clutches within tolerance that have no wedge",
+        "P(gap)", "%", "share of clutches within tolerance that have no wedge",
     ).reads(lambda q: q._scattered.get("P_no_wedge", math.nan))  # fmt: skip
     P_no_state = Quantity(
-        "P(through)", "%", f"{WITHIN} have no equilibrium: pop-through, or contacts too wide",
+        "P(through)", "%", f"{WITHIN} have no equilibrium: pop-through, or contacts too wide for "
+                           "the formulas",
     ).reads(lambda q: q._scattered.get("P_no_state", math.nan))  # fmt: skip
     P_corner = Quantity(
-        "P(corner)", "%", "clutches within tolerance with rollers beyond the flats' ends",
+        "P(corner)", "%", "share of clutches within tolerance with rollers beyond the ends of the "
+                          "flats",
     ).reads(lambda q: q._scattered.get("P_corner", math.nan))  # fmt: skip
 
-    @Quantity("{0}", "%", f"{WITHIN} are {{0}} by friction").over(("green", "yellow", "red"))
+    @Quantity("{0}", "%", f"{WITHIN} are in class {{0}} by friction").over(
+        ("green", "yellow", "red")
+    )
     def share(self, light: str) -> float:
         return self._scattered.get(f"share_{light}", math.nan)
 
@@ -222,69 +230,72 @@ class FreewheelClutch(ClutchInputs):
 
     @shared
     def _axial(self) -> Mapping[str, float]:
-        """Limits of the axial load [N] at this torque."""
+        """Limits of the axial load [N] at the given torque, by key."""
         return {limit.key: limit.at for limit in self.duty.of_axial_load}
 
     @shared
     def _torques(self) -> Mapping[str, float]:
-        """Limits of the torque [N m] at this axial load."""
+        """Limits of the torque [N m] at the given axial load, by key."""
         return {x.key: x.at for x in self.duty.of_torque} if self.T >= 0 else {}
 
     @shared
     def _scattered(self) -> Mapping[str, float]:
-        """Shares and percentiles of the clutches within tolerance."""
+        """Shares and percentiles of the clutches within tolerance, by name."""
         return {} if self.scatter is None else self.scatter.values()
 
     @shared
     def values(self) -> Values:
-        """SI values; those that the clutch does not have, or that are infinite, are omitted."""
+        """Values in SI units; infinite values and quantities that do not exist are left out."""
         found = {q.name: float(getattr(self, q.name)) for q in self.present()}
         return {name: value for name, value in found.items() if np.isfinite(value)}
 
     def reference(self, level: int) -> Level:
-        """A sweep over the torque, flats shifted by a few µm, slip near the required friction."""
+        """Finite elements: sweep over the torque, flats shifted by a few µm, slip near mu_req."""
         from verify.cases.freewheel.clutch.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: under the torque, with moved flats, and about slip."""
+        """Rows under the torque, with shifted flats, and for friction close to mu_req."""
         yield from compared.comparisons(self, FreewheelClutch)
 
     figures = drawn_by(drawn.figures)
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Limits of pressure, tilt and tolerances that are exceeded."""
+        """Warnings on exceeded limits of pressure and tilt, and on large tolerances."""
         yield from messages.warnings(self, self.values)
 
     def advice(self) -> Iterator[str]:
-        """The verdict, the limits, recommended changes."""
+        """Verdict, limits and recommended changes."""
         yield from messages.findings(self, self.values)
 
     def summary(self) -> Mapping[str, Any]:
-        """Class, ratio and limits as JSON."""
+        """Class, friction ratio and limits as JSON."""
         return summary(self, self.values)
 
     def refusal(self) -> str:
-        """Clutches that these finite elements do not cover."""
+        """Reason why these finite elements do not cover the clutch; empty if they do."""
         if not self.is_star:
             return (
-                "finite elements of this case take inner cams only, case freewheel-cup compares "
-                "outer cams; check it without --fem"
+                "finite elements of this case cover only inner cams (the case freewheel-cup "
+                "compares outer cams); run check without --fem"
             )
         if self.T <= 0 or self.duty.under is None:
             return (
-                "finite elements need a torque in the locking direction with an equilibrium; check "
-                "it without --fem"
+                "finite elements require a torque in the locking direction at which an equilibrium "
+                "exists; run check without --fem"
             )
         if not self.like:
-            return "finite elements take one material for all parts; check others without --fem"
+            return (
+                "finite elements require one material for all parts; run check without --fem for "
+                "different materials"
+            )
         try:
             return self.as_star.refusal()
         except ValueError as error:
             words = str(error).partition("Value error, ")[2].partition(" [type=")[0] or str(error)
-            return f"finite elements refuse it: {words}"
+            return f"finite elements do not cover these inputs: {words}"
 
 
 CLUTCH = adapted(FreewheelClutch)

@@ -1,4 +1,4 @@
-"""Comparisons of a user's clutch: angle, force and wind-up at its load, slip, sensitivity to X."""
+"""Comparisons of a user's clutch: angle, force and wind-up under load, slip, sensitivity to X."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -18,7 +18,7 @@ from verify.judging.checks import Fact
 
 SHARED = "plane strain, small strain, the star clamped in its bore"
 COULOMB = "Coulomb's law of friction"
-SHARP = "acceptance of the subject"
+SHARP = "acceptance criterion of the subject"
 
 
 def expected(q: ClutchInputs) -> StarBounds:
@@ -28,13 +28,13 @@ def expected(q: ClutchInputs) -> StarBounds:
 
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
-    """Interval of dalpha/dX at the torque, with all approaches within their bounds."""
+    """Interval of the error of dalpha/dX under torque, with all approaches within their bounds."""
     ends = [moved(q, dX) for dX in (-q.off, q.off)]
     return of_turn(ends, expected(q), off=q.off, F_t=q.T / (q.z * q.R))
 
 
 def moved(q: ClutchInputs, dX: float) -> Moved:
-    """The clutch with the flats moved by `dX` [m]."""
+    """The clutch with its flats `dX` [m] farther from the axis, for bounds."""
     bodies = compliance(q.moved(dX))
 
     def approaches(N: float) -> tuple[float, float]:
@@ -45,23 +45,23 @@ def moved(q: ClutchInputs, dX: float) -> Moved:
 
 
 def slips_below(context: Context) -> tuple[float, float]:
-    """With friction 1 % below mu_req the limit of slip is below the axial load."""
+    """Positive margin if friction 1 % below mu_req does not hold; with its uncertainty 0."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
 
 def bears(context: Context) -> tuple[float, float]:
-    """With friction 1 % above mu_req the limit of slip is above the axial load."""
+    """Positive margin if friction 1 % above mu_req holds; with its uncertainty 0."""
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 
 def interval(q: ClutchInputs, of: Callable[[], Interval]) -> tuple[float, float] | None:
-    """An interval, if it is narrow enough to judge by."""
+    """Interval of the expected error; None if it is too wide for judging."""
     found = known(q.as_star, of())
     return (found.low, found.high) if found.sharp else None
 
 
 def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
-    """Rows of `q` with the class `case`: under torque, for displaced flats, at the slip limit."""
+    """Rows of `q`, for quantities of `case`: under torque, with shifted flats, at slip."""
     judged: tuple[tuple[Quantity, str, str, Callable[[], Interval], str], ...] = (
         (case.alpha, "clamping angle under torque (Eqs. 4, 5)", "α(T)",
          lambda: expected(q).angle(), BRACKET),
@@ -78,7 +78,10 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
                             shares=SHARED, **more)  # fmt: skip
     for name, margin in (
         ("friction 1 % above μ_req transmits torque and axial load (Eqs. 8, 9)", bears),
-        ("friction 1 % below μ_req does not (Eqs. 8, 9)", slips_below),
+        (
+            "friction 1 % below μ_req does not transmit torque and axial load (Eqs. 8, 9)",
+            slips_below,
+        ),
     ):
         check = Fact(name=name, symbol="μ_req", unit="1", margin=margin)
         yield Comparison(check=check, quantity=case.mu_req, shares=COULOMB)

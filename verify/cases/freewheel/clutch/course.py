@@ -1,4 +1,4 @@
-"""Messages on a freewheel's limits: exceeded limits, and the next limits as loads grow."""
+"""Messages on the limits of a freewheel: exceeded limits, and the next limits as loads grow."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ FAR = 10.0  # limits beyond this multiple of the next limit are not reported
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
-    """The first limits as the torque grows at constant axial load."""
+    """Messages on limits of the torque, exceeded and next, at constant axial load."""
     limits = q.duty.of_torque
     passed = [limit for limit in limits if limit.at < q.T]
     ahead = [limit for limit in limits if limit.at > q.T]
@@ -26,7 +26,10 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
         found.append(where_friction_holds(q))
     if ahead:
         listed = _listed(ahead, q.T, "T")
-        found.append(f"as the torque grows, without stresses of rings and rollers' ends: {listed}")
+        found.append(
+            "as the torque grows (stresses of the rings and of the rollers' ends are not "
+            f"included): {listed}"
+        )
     if (least := v.get("T_bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
             f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) the "
@@ -38,15 +41,15 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
 def where_friction_holds(q: ClutchInputs) -> str:
     ranges = q.duty.friction_holds
     if q.F_ax == 0 and ranges and math.isfinite(ranges[0][1]):
-        return f"without axial load friction holds up to {newton_metres(ranges[0][1])}"
-    parts = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
+        return f"without axial load, friction holds up to {newton_metres(ranges[0][1])}"
+    parts = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} upwards"
             for a, b in ranges]  # fmt: skip
-    at = f"from {' and from '.join(parts)}" if parts else "at no torque"
-    return f"friction would transmit F_ax = {newton(q.F_ax)} {at}"
+    at = f"at torques from {' and from '.join(parts)}" if parts else "at no torque"
+    return f"friction transmits F_ax = {newton(q.F_ax)} {at}"
 
 
 def axial(q: ClutchInputs, v: Values) -> list[str]:
-    """The first limits as the axial load grows at constant torque."""
+    """Messages on limits of the axial load, exceeded and next, at constant torque."""
     if v["F_slip"] == 0:
         return ["friction transmits no axial load at this torque"]
     limits = [limit for limit in q.duty.of_axial_load if limit.at > 0]
@@ -64,15 +67,16 @@ def axial(q: ClutchInputs, v: Values) -> list[str]:
 def tilted(q: ClutchInputs, v: Values) -> list[str]:
     if q.F_ax == 0:
         return []
-    end = f"{pascal(v['p_end'])} at one end" if "p_end" in v else "without bound at one end"
+    end = f"{pascal(v['p_end'])} at one end" if "p_end" in v else "unbounded at one end"
     return [
-        f"the axial forces' couple tilts the rollers: contact forces move by {v['e_L']:.2g} L and "
-        f"the pressure is {end}; the criterion does not contain this"
+        "the couple of the axial forces tilts the rollers: the contact forces shift by "
+        f"{v['e_L']:.2g} L and the pressure is {end}; the friction criterion does not include the "
+        "tilt"
     ]
 
 
 def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
-    """The first limit and the next, unless that is far off, with their margins over the load."""
+    """Text with the next limit and the one after it, if near, each with its ratio to the load."""
     parts, written = [], newton if symbol == "F_ax" else newton_metres
     for k, limit in enumerate(limits[:2]):
         if limit.at > FAR * max(limits[0].at, now):

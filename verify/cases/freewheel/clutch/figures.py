@@ -48,7 +48,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: ClutchInputs) -> float:
-    """The largest torque [N m] of figures: about the second limit ahead, if a state exists."""
+    """Largest torque [N m] of the figures: beyond the next two limits, if a state exists."""
     ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
     return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)
@@ -71,32 +71,36 @@ def lights(q: ClutchInputs) -> Zones:
     ]  # fmt: skip
     through = float(q.duty.of_torque_alone.pop_through)
     if through < (1 + AT_END) * T[-1]:
-        curves.append(dashes(f"the map ends: {WORDS['pop_through']}", T[-1], [0.0, top], 3))
+        curves.append(dashes(f"the diagram ends: {WORDS['pop_through']}", T[-1], [0.0, top], 3))
     lifted = [x for x in q.duty.of_axial_load if x.key != "slip" and x.at / 1e3 < 0.98 * top]
     curves += [
         dashes(f"{limit.words}, at this torque", T[[0, -1]], limit.at / 1e3, 4) for limit in lifted
     ]  # fmt: skip
-    free = "torque alone slips" if float(np.tan(q.cam.alpha0)) > q.mu else ""
+    free = "the torque alone causes slip" if float(np.tan(q.cam.alpha0)) > q.mu else ""
     return Zones(
-        title="Where the clutch holds" + (f": {free}" if free else ""), x_label="T [N m]",
+        title="Range of loads in which the clutch "
+              "holds" + (f": {free}" if free else ""), x_label="T [N m]",
         y_label="F_ax [kN]", x=T, y_top=top, zones=_zones(q, T, F, top),
         curves=tuple(curves), point=(q.T, q.F_ax / 1e3, "this clutch"),
-        note="Green where μ ≥ μ_req, which is Coulomb's law, within pressure and tilt; yellow "
-        "where μ ≥ 0.8 μ_req: it slips by Coulomb's law, in the paper's tests at times.",
+        note="Green: μ ≥ μ_req (Coulomb's law), with pressure and tilt within their limits. "
+             "Yellow: μ ≥ 0.8 μ_req; the clutch slips by Coulomb's law, and slipped in some of the "
+             "paper's tests.",
     )  # fmt: skip
 
 
 def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
-    """Classes over the torque, by the worst limit: F [kN] are those of friction."""
+    """Zones of the classes over the torque; `F` [kN]: axial loads at the limits of friction."""
     within = float(q.duty.of_torque_alone.corner) >= T
     holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
     borne = np.fmin(holds, q.duty.largest_axial_load(T) / 1e3)
     return (
         Zone(name="green: holds", top=borne, tone="good"),
         Zone(name="friction holds, overloaded", top=holds, tone="fair"),
-        Zone(name="yellow: slips by Coulomb", top=slips, tone="fair"),
+        Zone(name="yellow: slips by Coulomb's law", top=slips, tone="fair"),
         Zone(name="red: slips", top=np.where(within, top, 0.0), tone="bad"),
-        Zone(name="red: beyond the flats' ends", top=np.full(T.size, top), tone="bad"),
+        Zone(
+            name="red: rollers beyond the ends of the flats", top=np.full(T.size, top), tone="bad"
+        ),
     )
 
 
@@ -117,24 +121,25 @@ def angles(q: ClutchInputs) -> Curves:
         dashes("arctan μ", T[[0, -1]], tan, 1),
         dots("this clutch", [q.T], np.interp([q.T], T, now.alpha * DEGREE), 5),
         y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
-        note="It holds where the required friction lies below μ.",
+        note="The clutch holds where the required friction lies below μ.",
     )  # fmt: skip
 
 
 def flats(q: ClutchInputs, context: Context) -> Curves:
-    """Both angles over the distance of the flats, within a few µm of it."""
+    """alpha_0 and alpha under torque for flats shifted by a few µm."""
     far = 2 * q.off
     X = np.linspace(-far, far, 41)
     moved = [q.moved(dX) for dX in X]
     low, own, high = context.fem[-1].arrays["moved"] * DEGREE
     return plot(
-        "Sensitivity to X", "X off by [µm]", "α [°]",
+        "Sensitivity to X", "deviation of X [µm]", "α [°]",
         line("α under T", X * 1e6,
              np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
         dashes("α_0", X * 1e6, np.array([float(c.cam.alpha0) for c in moved]) * DEGREE, 4),
         dots("FE under T", np.array([-q.off, 0.0, q.off]) * 1e6, [low, own, high], 1),
         y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
-        note="The load compensates a part: the angle under torque changes less than α_0.",
+        note="The load partly compensates the deviation: the angle under torque changes less than "
+             "α_0.",
     )  # fmt: skip
 
 
@@ -150,23 +155,23 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
         dashes("Eq. 7 as printed, s/R + s/X", T, now.phi_printed * DEGREE, 2),
         dashes("2s/R", T, now.phi_small * DEGREE, 4),
         measured,
-        note=f"At T the rollers have moved by s = {float(q.duty.under.s) * 1e6:.4g} µm.",
+        note=f"At T the rollers have travelled s = {float(q.duty.under.s) * 1e6:.4g} µm.",
     )  # fmt: skip
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Per cent of the clutches below a value, with the nominal value and the classes."""
+    """Cumulative distribution of the clutches, with the nominal value and the class limits."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
     lines = [(drawn, "nominal", 5)]
     if limits:
-        lines += [(criterion.GREEN, "green from here on", 1), (criterion.RED, "red below", 2)]
+        lines += [(criterion.GREEN, "green above", 1), (criterion.RED, "red below", 2)]
     return plot(
-        title, label, "below it [%]",
+        title, label, "clutches below [%]",
         line("clutches", ends, DRAWN),
         (dashes(name, at, full, k) for at, name, k in lines),
-        note=f"{DRAWS:,} random samples within tolerance, always the same; the rollers of a clutch "
-        "are identical.",
+        note=f"{DRAWS:,} random samples within tolerance, from a fixed seed. All rollers of a "
+             "clutch are identical.",
     )  # fmt: skip
 
 
@@ -180,5 +185,5 @@ def sensitivity(q: ClutchInputs) -> Bars:
              f"{100 * s.share:.0f} %, {s.slope * 1e-6 * DEGREE:+.3f}°/µm".replace("-", "−"))
             for s in by
         ),
-        note="To first order.",
+        note="First-order approximation.",
     )  # fmt: skip

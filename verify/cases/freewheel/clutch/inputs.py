@@ -1,4 +1,4 @@
-"""Inputs of a roller freewheel of either kind, with its loads, materials and tolerances."""
+"""Inputs of a roller freewheel of either kind: dimensions, loads, materials and tolerances."""
 
 import math
 import re
@@ -26,20 +26,21 @@ DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # tolerance over standard
 
 
 def in_terms_of_inputs(rule: str) -> str:
-    """A rule of the formulas with the inputs' names, and their lengths in mm."""
+    """Text of a formula's rule with the names of the inputs and lengths in mm."""
     named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
     return in_millimetres(named)
 
 
 def other_modulus(part: str, what: str, example: str) -> Any:
-    """Young's modulus of a part of another material."""
-    what = f"Young's modulus of {what}, where another; without ν_{part} their ν is ν"
+    """Optional input: Young's modulus of a part of another material."""
+    what = f"Young's modulus of {what}, if different from E; if ν_{part} is not given, ν is used"
     return given(None, "GPa", f"E_{part}", what, omitted=None, gt=0.1, le=1e5, example=example)
 
 
 def other_poisson(part: str, what: str, example: str) -> Any:
-    """Poisson's ratio of a part of another material."""
-    return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, where another", omitted=None,
+    """Optional input: Poisson's ratio of a part of another material."""
+    return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, if different from "
+                                         "ν", omitted=None,
                  ge=0, le=0.45, example=example)  # fmt: skip
 
 
@@ -47,7 +48,7 @@ class ClutchInputs(Case):
     """z rollers between flats and a circular race, under a torque and an axial load."""
 
     instead: ClassVar[tuple[str, Mapping[str, str]]] = (
-        "an outer cam: in place of the lines of these names above",
+        "for an outer cam, replace the lines above with these names by",
         {"kind": '"outer cam"', "R": '"10 mm"', "r": '"2 mm"', "X": '"13.88322 mm"',
          "R_a": '"17.5 mm"', "r_b": '"0 mm"', "L": '"10 mm"', "T": '"20 N m"'},
     )  # fmt: skip
@@ -56,15 +57,15 @@ class ClutchInputs(Case):
         "inner cam",
         "inner cam: flats on a star, in a ring of bore R; outer cam: flats in a cup, on a shaft R",
     )
-    R: float = given("16.5 mm", "mm", "R", "radius of the circular race: bore of the outer "
-                        "ring, or the shaft of an outer cam", gt=0.1, le=1e5)  # fmt: skip
+    R: float = given("16.5 mm", "mm", "R", "radius of the circular race: bore of the "
+                        "outer ring (inner cam) or shaft (outer cam)", gt=0.1, le=1e5)  # fmt: skip
     r: float = given("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
     X: float = given("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
                         le=1e5)  # fmt: skip
     R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
-                          "housing that a drawn cup is pressed into", gt=0.1, le=1e5)  # fmt: skip
+                          "housing into which a drawn cup is pressed", gt=0.1, le=1e5)  # fmt: skip
     r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
-                          "shaft of an outer cam", ge=0, le=1e5)  # fmt: skip
+                          "shaft in an outer cam", ge=0, le=1e5)  # fmt: skip
     z: int = count(8, "z", "number of rollers", ge=3, le=100)
     L: float = given("10 mm", "mm", "L", "length of the rollers", gt=0.01, le=1e6)
     T: float = given("26 N m", "N m", "T", "torque, positive in the locking direction", ge=-1e9,
@@ -85,7 +86,8 @@ class ClutchInputs(Case):
     )  # fmt: skip
     e_lim: float | None = given(
         None, "1", "(e/L)_lim", "permissible shift of the contact forces along the rollers, over "
-        "L; by default until one end lifts off, at 1/6", omitted=None, gt=0, lt=0.5,
+                                "L; default 1/6, at which one end lifts "
+                                "off", omitted=None, gt=0, lt=0.5,
         example="0.1",
     )  # fmt: skip
     X_tol: float = given("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)
@@ -106,23 +108,24 @@ class ClutchInputs(Case):
         for name in ("X_tol", "r_tol", "R_tol"):
             if not getattr(self, name) < 0.1 * self.r:
                 raise ValueError(
-                    f"a tolerance is small: {name} must be below r/10, got {name} = "
+                    f"each tolerance must be small: {name} must be below r/10, got {name} = "
                     f"{getattr(self, name) * 1e6:.6g} µm, r = {self.r * 1e3:.6g} mm"
                 )
         for wall, thick, t in self._walls():
             if not thick > 2 * t:
                 raise ValueError(
-                    f"a wall is thicker than twice its tolerance: {wall} = {thick * 1e6:.4g} µm, "
-                    f"tolerance ±{t * 1e6:.4g} µm"
+                    f"each wall must be thicker than twice its tolerance, got {wall} = "
+                    f"{thick * 1e6:.4g} µm, tolerance ±{t * 1e6:.4g} µm"
                 )
         if not self.s_mu < 0.5 * self.mu:
             raise ValueError(
-                f"μ > 0: s_mu must be below μ/2, got {self.s_mu:g} with μ = {self.mu:g}"
+                f"s_mu must be below μ/2, so that μ is positive, got s_mu = {self.s_mu:g}, μ = "
+                f"{self.mu:g}"
             )
         return self
 
     def _walls(self) -> tuple[tuple[str, float, float], ...]:
-        """Least walls [m] of both parts with the tolerance of their surface."""
+        """Name, thickness [m] and tolerance [m] of the thinnest wall of both parts."""
         if self.is_star:
             return ("X - r_b", self.X - self.r_b, self.X_tol), ("R_a - R", self.R_a - self.R,
                                                                 self.R_tol)  # fmt: skip
@@ -138,30 +141,30 @@ class ClutchInputs(Case):
 
     @property
     def cam(self) -> Cam:
-        """The clutch's wedges; ValueError if it has none."""
+        """The cam; raises ValueError if rollers and races form no wedge."""
         if self.is_star:
             return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
         return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
 
     def moved(self, dX: float) -> RollerClutch:
-        """The clutch with its flats `dX` [m] further from the axis."""
+        """The clutch with its flats `dX` [m] farther from the axis."""
         return shifted(self.clutch, "X", dX)
 
     @property
     def off(self) -> float:
-        """Displacement [m] of the flats for the sensitivity of the loaded angle."""
+        """Shift [m] of the flats, for the sensitivity of the angle under torque to X."""
         x, _ = self.cam.centre(d_i=0.0, d_o=0.0)
         return min(OFF, TURNED * float(x) * 2 * float(self.cam.alpha0))
 
     @property
     def as_star(self) -> Star:
-        """The clutch as an inner cam of one material; ValueError if that is impossible."""
+        """The clutch as an inner cam of one material; raises ValueError if that is impossible."""
         names = ("R", "r", "X", "R_a", "r_b", "z", "L", "T", "E", "nu")
         return Star(**{name: getattr(self, name) for name in names})
 
     @property
     def clutch(self) -> RollerClutch:
-        """The whole clutch; ValueError if a part has no wall."""
+        """The clutch with its materials; raises ValueError if a part has no wall."""
         return RollerClutch(
             cam=self.cam, L=self.L, r_b=self.r_b, R_a=self.R_a, roller=self._material("r"),
             inner=self._material("i"), outer=self._material("o"),
@@ -169,18 +172,18 @@ class ClutchInputs(Case):
 
     @shared
     def duty(self) -> Duty:
-        """The clutch under its loads."""
+        """The clutch with its loads, friction and limits."""
         return Duty(clutch=self.clutch, T=self.T, F_ax=self.F_ax, mu=self.mu, p_lim=self.p_lim,
                     e_lim=self.e_lim)  # fmt: skip
 
     @shared
     def scatter(self) -> Scatter | None:
-        """Clutches within tolerance under these loads."""
+        """Random clutches within tolerance under these loads; None without tolerances."""
         return scatter(self.duty, self.deviations, self.spread)
 
     @property
     def sigma(self) -> dict[str, float]:
-        """Standard deviations [m] of the cam's fields."""
+        """Standard deviations [m] of the cam's dimensions, by name."""
         return {name: s for name, s in self.deviations.items() if name != "mu"}
 
     @property
@@ -195,7 +198,7 @@ class ClutchInputs(Case):
 
     @property
     def deviations(self) -> dict[str, float]:
-        """Standard deviations by the names of the cam's fields, and of mu; none of 0."""
+        """Standard deviations of the cam's dimensions [m] and of mu, by name; zeros are omitted."""
         over = DEVIATIONS[self.spread]
         names = ("X", "R") if self.is_star else ("X_o", "R_s")
         found = {names[0]: self.X_tol, "r": self.r_tol, names[1]: self.R_tol}

@@ -1,4 +1,4 @@
-"""First messages on a freewheel: its class, its limits, the effect of tolerances."""
+"""First messages on a freewheel: its class, its limits and the effect of tolerances."""
 
 import math
 from collections.abc import Sequence
@@ -24,24 +24,24 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
     found += scattered(q, v) + sensitive(q, v)
     if q.duty.under is not None and light(q, v) in ("red", "yellow"):
         found.append(
-            "forces, pressures, roller travel and wind-up below are those it would have if it held"
+            "forces, pressures, roller travel and wind-up below are computed as if the clutch held"
         )
     return found
 
 
 def verdict(q: ClutchInputs, v: Values) -> str:
-    """The reason of the class, by Coulomb's law."""
+    """Reason of the class, by Coulomb's law."""
     if q.T < 0:
         return "the torque turns against the locking direction: the clutch overruns, and the "\
             "criterion does not apply"  # fmt: skip
     if v["mu_0"] > q.mu:
         ratio = "" if "safety" not in v else f" (μ/μ_req = {v['safety']:.3g})"
-        return f"tan α_0 = {v['mu_0']:.4g} exceeds μ = {q.mu:g}: the clutch releases itself, any "\
-            f"torque drives the rollers out of their wedges{ratio}"  # fmt: skip
+        return f"tan α_0 = {v['mu_0']:.4g} exceeds μ = {q.mu:g}: the clutch releases itself; any "\
+               f"torque drives the rollers out of their wedges{ratio}"  # fmt: skip
     if q.T == 0:
         if q.F_ax == 0:
-            wedge = f"tan α_0 = {v['mu_0']:.4g} is within μ = {q.mu:g}, the rollers wedge"
-            return f"at rest; {wedge}; {where_friction_holds(q)}"
+            wedge = f"tan α_0 = {v['mu_0']:.4g} does not exceed μ = {q.mu:g}, so the rollers wedge"
+            return f"no load; {wedge}; {where_friction_holds(q)}"
         return "without torque the rollers are not pressed: no friction resists "\
             f"F_ax = {newton(q.F_ax)}"  # fmt: skip
     if "safety" not in v:
@@ -58,7 +58,7 @@ def verdict(q: ClutchInputs, v: Values) -> str:
         return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
     if v["safety"] >= 1:
         return f"{ratio}: by Coulomb's law it holds ({needs})"
-    seen = "; yellow follows the paper's observations" if light(q, v) == "yellow" else ""
+    seen = "; class yellow follows the paper's observations" if light(q, v) == "yellow" else ""
     return f"{ratio}: by Coulomb's law it slips ({needs}){seen}"
 
 
@@ -85,24 +85,24 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
     ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
     shares = ", ".join(f"{share(v[f'share_{c}'])} {c}" for c in ("green", "yellow", "red"))
-    through = "pop through" if not q.is_star else "have contacts too wide to compute"
+    through = "pop through" if not q.is_star else "have contacts too wide for the formulas"
     lost = [
         f"{share(v[f'P_{key}'])} {words}"
         for key, words in (("no_wedge", "have no wedge"), ("no_state", through),
-                           ("corner", "have rollers beyond the flats' ends"))
+                           ("corner", "have rollers beyond the ends of the flats"))
         if f"P_{key}" in v
     ]  # fmt: skip
     spread = ""
     if "alpha_below_5" in v:
         spread = (
-            f"; 90 % of those that wedge have α_0 from {v['alpha_0_below_5'] * DEGREE:.3f}° to "
-            f"{v['alpha_0_below_95'] * DEGREE:.3f}° and μ/μ_req from {v['safety_below_5']:.3g} to "
-            f"{v['safety_below_95']:.3g}"
+            "; 90 % of the clutches with a wedge have α_0 from "
+            f"{v['alpha_0_below_5'] * DEGREE:.3f}° to {v['alpha_0_below_95'] * DEGREE:.3f}° and "
+            f"μ/μ_req from {v['safety_below_5']:.3g} to {v['safety_below_95']:.3g}"
         )
     slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
-        f"of {DRAWS:,} clutches of identical rollers with {', '.join(given)}: {slips} (by friction "
-        f"{shares}){spread}"
+        f"of {DRAWS:,} clutches of identical rollers with {', '.join(given)}: {slips} (classes by "
+        f"friction: {shares}){spread}"
     ]
 
 
@@ -110,30 +110,32 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     found = reached(q) + default_poisson(q)
     if q.p_lim is not None and v.get("p_end", 0.0) > q.p_lim:
         found.append(
-            f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
-            "surfaces yield"
+            f"the pressure of {pascal(v['p_end'])} at the rollers' ends exceeds p_lim = "
+            f"{pascal(q.p_lim)}: the surfaces yield"
         )
     if v.get("e_L", 0.0) > q.duty.allowed_shift:
-        found.append(f"e/L = {v['e_L']:.3g} is beyond {q.duty.allowed_shift:.3g}: the rollers tilt")
+        found.append(
+            f"e/L = {v['e_L']:.3g} exceeds its limit {q.duty.allowed_shift:.3g}: the rollers tilt"
+        )
     return found
 
 
 def default_poisson(q: ClutchInputs) -> list[str]:
-    """Parts with another modulus whose Poisson's ratio is not given."""
+    """Warnings for parts with another modulus whose Poisson's ratio is not given."""
     return [
-        f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for it"
+        f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for this part"
         for part in "rio"
         if getattr(q, f"E_{part}") not in (None, q.E) and getattr(q, f"nu_{part}") is None
     ]
 
 
 def reached(q: ClutchInputs) -> list[str]:
-    """Whether tolerances are as large as the room of the wedge."""
+    """A warning if the tolerances together reach the clearance that the wedge requires."""
     used, room = q.X_tol + 2 * q.r_tol + q.R_tol, float(q.cam.room)
     if used < room:
         return []
     rule = "R - 2 r - X" if q.is_star else "R + 2 r - X"
     return [
-        f"tolerances reach {rule} = {room * 1e6:.4g} µm: X_tol + 2 r_tol + R_tol = "
-        f"{used * 1e6:.4g} µm, parts within them may have no wedge"
+        f"the tolerances exceed {rule} = {room * 1e6:.4g} µm: X_tol + 2 r_tol + R_tol = "
+        f"{used * 1e6:.4g} µm; clutches within tolerance may have no wedge"
     ]

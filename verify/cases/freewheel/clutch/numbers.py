@@ -14,7 +14,7 @@ def pascal(p: float) -> str:
 
 
 def share(part: float) -> str:
-    """A share of the draws in per cent; a single draw is 0.005 %."""
+    """Share of the random samples in per cent; one sample is 0.005 %."""
     if part == 0:
         return "none"
     return "all" if part == 1 else f"{100 * part:.3g} %"

@@ -19,27 +19,27 @@ GOALS = (1.0, 1.1)  # target mu/mu_req: Coulomb's limit, and a margin of 10 %
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:
-    """Changes with which friction transmits T and F_ax; empty if it already does."""
+    """Changes with which friction transmits T and F_ax; empty if none is necessary."""
     if q.T <= 0:
         return []
     if q.duty.under is None:
         return [stiffer(q)]
     if past_corners(q, v):
         L = q.L * q.T / v["T_corner"]
-        return [f"the rollers just reach the ends of the flats with L = {L * 1e3:.5g} mm"]
+        return [f"the rollers just reach the ends of the flats if L = {L * 1e3:.5g} mm"]
     if v["safety"] >= 1 and v["mu_0"] <= q.mu:
         return []
     return [
         flats(q),
-        f"or for μ/μ_req of {_each([f'μ = {friction_for(q.duty, g):.4g}' for g in GOALS])}",
+        f"or, for μ/μ_req of {_each([f'μ = {friction_for(q.duty, g):.4g}' for g in GOALS])}",
     ]
 
 
 def flats(q: ClutchInputs) -> str:
-    """Required position of the flats."""
+    """Recommended distance X of the flats for each target ratio mu/mu_req."""
     needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
-        return "to hold at this T and F_ax: no X is enough"
+        return "no X is sufficient to hold at this T and F_ax"
     parts = []
     for dX in needed:
         if math.isnan(dX):
@@ -55,18 +55,21 @@ def _each(parts: list[str]) -> str:
 
 
 def stiffer(q: ClutchInputs) -> str:
-    """Dimensions for which an equilibrium exists at the torque."""
+    """Dimensions with which an equilibrium exists at the torque."""
     found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
              else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
              for name, value in bearing(q.duty)]  # fmt: skip
     if not found:
-        return "no R_a, X or L near these is sufficient for this torque: the clutch is too small"
+        return (
+            "no R_a, X or L near the given values is sufficient for this torque: the clutch is too "
+            "small"
+        )
     housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
     return f"sufficient for this torque: {', or '.join(found)}, or more rollers{housing}"
 
 
 def sensitive(q: ClutchInputs, v: Values) -> list[str]:
-    """Change of α_0 per micrometre, and the deviation of X at which the clutch slips."""
+    """Change of alpha_0 per micrometre, and the deviation of X at which the clutch slips."""
     by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
         f"1 µm on {s.name} by {s.slope * 1e-6 * DEGREE:+.3f}°"
@@ -76,7 +79,8 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     shares = [s for s in sorted(by, key=lambda s: -s.share) if s.share > 0]
     parts = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
     found = [
-        f"sensitivity of α_0: {turned}" + (f"; of its variance come from {parts}" if parts else "")
+        f"sensitivity of α_0: {turned}"
+        + (f"; contributions to its variance: {parts}" if parts else "")
     ]
     if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu:
         found += _ends_of_X(q)
@@ -84,10 +88,10 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def _ends_of_X(q: ClutchInputs) -> list[str]:
-    """Deviations of X at which the clutch slips or its rollers pass through, the nearer first."""
+    """Deviations of X at which the contacts slip or the rollers pop through, smallest first."""
     limits = [
         (to_spare(q.duty), "smaller", "the contacts slip"),
-        (until_pop_through(q.duty), "larger", "the rollers pass through between flat and race"),
+        (until_pop_through(q.duty), "larger", "the rollers pop through between flat and race"),
     ]
     near = sorted(one for one in limits if math.isfinite(one[0]))
     parts = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]

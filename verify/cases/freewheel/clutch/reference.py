@@ -1,4 +1,4 @@
-"""Finite elements of a user's clutch: under its torque, with shifted flats, with F_ax."""
+"""Finite elements of a user's clutch: under its torque, with shifted flats and with F_ax."""
 
 import math
 
@@ -24,7 +24,7 @@ AROUND = (0.99, 1.01)  # friction over mu_req: slips, holds
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
-    """One level: sweep over the torque, moved flats; on the finest, slip about mu_req."""
+    """Results of one mesh level: sweep over torque, shifted flats; on the finest mesh, slip."""
     one, T = q.as_star, q.T
     states = sweep(one, level)
     place = states.place(T)
@@ -55,7 +55,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:
-    """Whether friction `AROUND` mu_req holds (2,): 1 or 0; at the angle of finite elements."""
+    """1 if friction `AROUND` mu_req holds at the angle of finite elements, else 0; shape (2,)."""
     given = Pulled(pitch(one), L=one.L, T=one.T, F_ax=q.F_ax, mu=q.mu)
     limit = Limit(given, start, start.drags)
     needed = limit.tan * math.hypot(1.0, q.F_ax * q.R / q.T)

@@ -11,7 +11,7 @@ from verify.form.sketches import arrow, leader, shape, text
 
 
 def cup(q: ClutchInputs) -> Sketch:
-    """One pitch to scale: the roller between shaft and flat, the angle psi to the flat's normal."""
+    """Sketch of one pitch, to scale: roller, shaft, flat and the angle psi between both normals."""
     half, unit = math.pi / q.z, 1 / q.R_a
     psi = 2 * float(q.cam.alpha0)
     turn = np.linspace(-half, half, 61)
@@ -28,7 +28,7 @@ def cup(q: ClutchInputs) -> Sketch:
     roller = centre + q.r * unit * np.column_stack([np.cos(around), np.sin(around)])
     at_shaft, at_flat = centre - q.r * unit * out, centre + q.r * unit * up
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale: load draws the roller towards the flat's middle, "
+        f"one of {q.z} pitches, to scale: load draws the roller towards the middle of the flat, "
         "where the gap is narrowest and the roller pops through",
         shape("modelled", shaft), shape("modelled", outer),
         shape("body", roller),

@@ -1,4 +1,4 @@
-"""Results of a freewheel for programs, besides its values: class, ratio, limits, their state."""
+"""Results of a freewheel for programs, in addition to its values: class, ratio and limits."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from verify.core.case import Values
 
 
 def summary(q: ClutchInputs, v: Values) -> dict[str, Any]:
-    """JSON; `ratio` is mu/mu_req, None without equilibrium; limits of T [N m] and F_ax [N]."""
+    """Class, mu/mu_req (None without equilibrium) and limits of T [N m] and F_ax [N], for JSON."""
     limits = [_limit("T", "N m", q.T, x) for x in q.duty.of_torque] if q.T >= 0 else []
     limits += [_limit("F_ax", "N", q.F_ax, x) for x in q.duty.of_axial_load]
     return {"verdict": light(q, v), "ratio": v.get("safety"), "limits": limits}

@@ -39,27 +39,30 @@ WIDEST = 0.2  # largest a/r for these meshes
 COURSE = 3e-5  # relative error of splines between states
 BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
-BRACKET = "rings that enclose the cup, with a column below the flat; winding up; (a/r)² of Hertz"
+BRACKET = (
+    "rings that enclose the cup, with a column below the flat; wind-up of shaft and cup; terms "
+    "(a/r)² of Hertz's theory"
+)
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
-NOT_LOADED = f"α_0/α of the formula under load: {BRACKET}"
+NOT_LOADED = f"α_0/α with α by the formula under load; {BRACKET}"
 ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
-ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
+ENCLOSED = "rings enclose a cup to a few per cent; near the largest torque this error is multiplied"
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
 WIDE = 0.12  # largest a/r at which finite elements (small displacements) are judged at the summit
 NAMED = statics.Named(
     cam="cup", race="shaft", race_radius="R_s", flat_distance="X_o", form="Eq. 3 for a cup",
-    cam_tilt="its flat tilts under load:", race_tilt="its surface tilts under load:",
+    cam_tilt="the flat tilts under load:", race_tilt="the shaft's surface tilts under load:",
     unlike_forces="surfaces tilt", rolling="contacts and wind up shaft and cup",
 )  # fmt: skip
-SHARED = "plane strain, small strain, cup and housing one body, shaft and cup free"
+SHARED = "plane strain, small strain, cup and housing as one body, shaft and cup free"
 
 
 class FreewheelCup(Cup):
-    """The flats are in the cup instead of on a star: load draws the rollers towards ψ = 0.
+    """Drawn-cup roller clutch with flats in the cup: load draws the rollers towards ψ = 0.
 
     The angle decreases, and the torque has a maximum before the rollers pop through between shaft
-    and cup. Finite elements of one pitch of shaft, roller and cup with friction at both races
-    follow the torque beyond its maximum, and their energy gives the wind-up.
+    and cup. Finite elements of one pitch of shaft, roller and cup, with friction at both races,
+    follow the torque beyond its maximum. Their energy gives the wind-up.
     """
 
     id = "freewheel-cup"
@@ -72,25 +75,28 @@ class FreewheelCup(Cup):
         Scan(vary=("R_a=16.5mm,18mm,20mm,25mm,30mm",), at=("T=9.8N m",), star=True),
     )
     readings: ClassVar = (
-        "ψ is the angle between the cup's flat's normal and the roller's centre, α its half; load "
-        "reduces it",
-        "the race is the shaft: R_s is the lever of F_t, wherever a star's formulas have R",
-        "T and N: the torque of the whole clutch, the forces of one roller",
+        "ψ is the angle at the roller between the normals of flat and shaft, and α is half of it; "
+        "load reduces ψ",
+        "the race is the shaft: R_s is the lever of F_t and replaces R in the formulas of a star",
+        "T is the torque of the whole clutch, N the normal force of one roller",
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
-        "the paper treats inner cams alone: this cup is synthetic, α_0 = 3.5° by choice; its "
+        "the paper treats only inner cams: this cup is synthetic, with α_0 = 3.5° by choice; its "
         "formulas are those of the paper for an inverted wedge",
-        "real drawn cups are thin and are supported by a housing: cup and housing are one "
-        "body here, up to R_a, without the fit between them",
-        "shaft and cup are free but for the torque, all of one steel, elastic at any pressure: "
-        "the largest torque is a limit of geometry, pressures there are beyond the limit of steel",
-        "finite elements: one pitch, small displacements about the place where the roller lies; "
-        "the roller neither creeps nor turns there; friction is twice the required one",
-        "roller travel and energy between the states by splines over the normal force",
-        "the formula replaces the cup by a ring whose bore has the area of the flats; expected "
-        "errors: the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under "
-        "the flat; Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
+        "real drawn cups are thin and are supported by a housing: here cup and housing are one "
+        "body of outer radius R_a, without the fit between cup and housing",
+        "shaft and cup are free except for the torque. All parts are of one steel, elastic at any "
+        "pressure: the largest torque is a geometric limit, at which pressures exceed the limit of "
+        "steel",
+        "finite elements: one pitch, with small displacements about the position of the roller. "
+        "The roller neither creeps nor rotates there; friction is twice the required friction",
+        "roller travel and energy between the states are interpolated by splines over the normal "
+        "force",
+        "the formula replaces the cup by a ring whose bore has the same area as the flats. "
+        "Expected errors: the cup lies between rings with the bores X_o and X_o/cos(π/z), with a "
+        "column below the flat; Hertz's theory omits terms (a/r)²; tangential forces add 0.5 to 1 "
+        "tan²α to the rotation of the shaft",
     )
 
     alpha_0 = Quantity(
@@ -106,7 +112,7 @@ class FreewheelCup(Cup):
     a_o = Quantity("a_o", "µm", "half-width of the contact on the cup", source="Hertz",
                    tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}").reads(lambda q: q.state.a_o)  # fmt: skip
     R_m = Quantity(
-        "R_m", "mm", "bore of the ring that replaces the cup, of the flats' area", role="step",
+        "R_m", "mm", "bore radius of the ring of equal area that replaces the cup", role="step",
         tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}",
     ).reads(lambda q: q.bodies.outer.l)  # fmt: skip
     k_i = Quantity(
@@ -126,7 +132,7 @@ class FreewheelCup(Cup):
         r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})",
     ).reads(lambda q: q.state.d_i)  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and cup", source="ring for the cup",
+        "d_o", "µm", "approach of roller and cup", source="ring that replaces the cup",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
         r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})",
     ).reads(lambda q: q.state.d_o)  # fmt: skip
@@ -135,7 +141,8 @@ class FreewheelCup(Cup):
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(
-        "α", "deg", "clamping angle, taken as that without load", equation="4", form="corrected",
+        "α", "deg", "clamping angle without load, used as the angle under "
+                    "torque", equation="4", form="corrected",
         form_of="alpha", safe="too high", tex=r"\alpha_0",
     ).reads(lambda q: q.alpha_0)  # fmt: skip
     F_t = Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",
@@ -149,7 +156,7 @@ class FreewheelCup(Cup):
         return float(np.tan(self.state.alpha))
 
     x = Quantity(
-        "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+        "x", "mm", "distance of the contact on the flat from the middle of the flat", role="step",
         tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
     torque = Quantity("T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup",
@@ -191,21 +198,22 @@ class FreewheelCup(Cup):
     def p_max(self) -> float:
         return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
 
-    through = Quantity("d_through", "µm", "approaches at pop-through of the rollers, α = 0",
+    through = Quantity("d_through", "µm", "sum of both approaches at pop-through of the rollers, α "
+                                          "= 0",
                        role="step",
                        tex=r"R_s + 2 r - X_o").reads(lambda q: q.cam.pop_through)  # fmt: skip
 
-    @Quantity("d_max", "µm", "approaches at the largest torque", role="step")
+    @Quantity("d_max", "µm", "sum of both approaches at the largest torque", role="step")
     def d_max(self) -> float:
         return float(self.at_summit.d_i + self.at_summit.d_o)
 
-    @Quantity("δ", "1", "approaches at the largest torque over those at pop-through",
+    @Quantity("δ", "1", "sum of the approaches at the largest torque, over that at pop-through",
               role="step", tex=r"\frac{d_{max}}{d_{through}}")  # fmt: skip
     def share(self) -> float:
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
 
     def reference(self, level: int) -> Level:
-        """States of a pitch over the summit, on meshes of `level` cells on the half-widths."""
+        """States of a pitch, beyond the largest torque; meshes of `level` cells per half-width."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.cup.sweep import CupSweep, given_angle
 
@@ -224,7 +232,7 @@ class FreewheelCup(Cup):
                       **reference.over_torque(self, sweep))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """At equal torque, force and angle; at the summit; without load; forces in balance."""
+        """Rows at equal torque, force, angle; at the largest torque; without load; of statics."""
         cup, rigid = FreewheelCup, self.loaded_by("N_0")
         force = self.within(rigid.state)
         yield from self._at_torque()
@@ -241,7 +249,7 @@ class FreewheelCup(Cup):
         yield from statics.balanced(cup, cup.torque_cup, NAMED)
 
     def within(self, at: state.RollerClutchState) -> CupBounds:
-        """Bounds of the formulas in a state."""
+        """Error bounds of the formulas in the state `at`."""
 
         def approaches(N: Array) -> tuple[Array, Array]:
             d = self.bodies.approaches(N / self.L)
@@ -254,9 +262,9 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """A row with its `demand`; a demand near the suite's applies only to user inputs.
+        """A row with the sensitivity `demand`; a demand near the suite's is for user inputs only.
 
-        For a user's cup, the interval may be too wide to judge by.
+        For a user's cup, the interval may be too wide for judging.
         """
         if demand > NEARLY:
             more["sensitivity"] = demand, ENCLOSED
@@ -304,7 +312,7 @@ class FreewheelCup(Cup):
                            name=f"torque z R_s F_t (Eq. 3 for a cup), {where}")  # fmt: skip
 
     def _summit(self) -> Comparison:
-        """Row of the largest torque, judged if contacts are narrow there."""
+        """Row of the largest torque; judged only if contacts are narrow there."""
         top = self.at_summit
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
         interval = (-math.inf, math.inf) if wide else self.within(top).summit()
@@ -316,7 +324,7 @@ class FreewheelCup(Cup):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if friction or hardness is exceeded, or the cup is thin."""
+        """Warnings if friction or hardness is exceeded, or if the cup is thin."""
         if np.tan(self.alpha_0) > FRICTION:
             yield (
                 f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction {FRICTION:g} that "
@@ -326,30 +334,31 @@ class FreewheelCup(Cup):
         wall = self.R_a - self.corner
         if wall < THIN * self.X_o:
             yield (
-                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends: bounds by enclosing "
-                "rings are wide, give R_a of the housing that supports it"
+                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends, so that the error "
+                "bounds by enclosing rings are wide: give as R_a the radius of the housing that "
+                "supports the cup"
             )
 
     def refusal(self) -> str:
-        """Torques near zero or near the maximum, and contacts that are wide there."""
+        """Reason why finite elements do not cover T: near 0 or the maximum, or wide contacts."""
         _ = self.state  # ValueError where no equilibrium exists at T
         top, share = self.at_summit, self.T / self.T_max
         if not LITTLE < share < NEAR:
             return (
-                f"T is {share:.3g} of the largest torque {self.T_max:.4g} N m, not between "
-                f"{LITTLE:g} and {NEAR:g}; check it without --fem"
+                f"T is {share:.3g} of the largest torque {self.T_max:.4g} N m; finite elements "
+                f"require {LITTLE:g} to {NEAR:g} of this torque; run check without --fem"
             )
         wide = max(float(top.a_i), float(top.a_o)) / self.r
         if wide > WIDEST:
             return (
-                f"contacts are {wide:.3g} r wide at the largest torque, beyond {WIDEST:g}; check "
-                "it without --fem"
+                f"contacts are {wide:.3g} r wide at the largest torque; finite elements require at "
+                f"most {WIDEST:g} r; run check without --fem"
             )
         return ""
 
 
 def margin(key: str) -> Callable[[Context], tuple[float, float]]:
-    """A positive value, with the difference of the last meshes."""
+    """Function that returns the value `key` of the finest mesh, and twice its last change."""
 
     def of(context: Context) -> tuple[float, float]:
         before, now = (r.values[key] for r in context.fem[-2:])

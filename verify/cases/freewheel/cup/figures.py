@@ -20,12 +20,12 @@ from verify.form.sketches import arrow, leader, shape, text
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # over the largest normal force of the states
 
-TILTS = "Flat and shaft tilt under the normal force, while the angle itself falls."
+TILTS = "Flat and shaft tilt under the normal force, while the angle decreases."
 ROLLED = "The wind-up grows faster than the torque: the stiffness is zero at the largest torque."
 
 
 def sketch(q: Cup) -> Sketch:
-    """One pitch to scale: shaft, roller, cup, the angle psi between flat and roller."""
+    """Sketch of one pitch, to scale: shaft, roller, cup, angle psi between flat and roller."""
     cam, half = q.cam, math.pi / q.z
     x, y = (float(v) for v in cam.centre(d_i=0.0, d_o=0.0))
     psi, unit = 2 * float(cam.alpha0), 1 / q.X_o
@@ -44,9 +44,9 @@ def sketch(q: Cup) -> Sketch:
     top, low, force = q.R_a * unit, q.r_b * unit, 0.55 * min(q.R_s - q.r_b, q.R_a - q.X_o) * unit
     side = 1.12 * q.corner * unit * math.sin(half)
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale: the shaft turned anticlockwise draws the roller "
-        "to the left, where the gap narrows down to the flat's middle; both section planes of "
-        "shaft and cup deform equally",
+        f"one of {q.z} pitches, to scale: anticlockwise rotation of the shaft draws the roller to "
+        "the left, where the gap narrows to the middle of the flat; both section planes of shaft "
+        "and cup deform equally",
         shape("modelled", cup), shape("modelled", shaft),
         shape("body", roller),
         arrow((0.0, 0.9 * low), (0.0, 1.05 * top), style="axis"),
@@ -64,7 +64,7 @@ def figures(q: Cup) -> Iterator[Drawing]:
     """Torque and angle over the normal force, curves over torque, pressures."""
     yield converged(_torques)
     yield converged(_angles)
-    yield over_torque.angle(q, ends=" and falls.")
+    yield over_torque.angle(q, ends="; it decreases.")
     yield converged(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
     yield over_torque.travel(q)
     yield converged(
@@ -88,9 +88,9 @@ def _torques(context: Context) -> Curves:
         dashes("constant angle α_0", below / 1e3,
                q.z * q.R_s * below * math.tan(float(q.cam.alpha0)), 1),
         dots("FE", N / 1e3, T),
-        note="Overlaps are prescribed in the finite elements, so that they pass the maximum. "
-        "Beyond it a larger normal force transmits less torque: under constant torque the rollers "
-        "pop through.",
+        note="Finite elements prescribe the approach of the contacts, so that they pass the "
+             "maximum. Beyond it a larger normal force transmits less torque: under constant "
+             "torque the rollers pop through.",
     )  # fmt: skip
 
 
@@ -98,7 +98,7 @@ def _angles(context: Context) -> Curves:
     _, N, psi, *_ = context.fem[-1].arrays["loads"]
     states = _course(context)
     return plot(
-        "The clamping angle falls", "F_n [kN]", "α [°]",
+        "Decrease of the clamping angle", "F_n [kN]", "α [°]",
         line("Eq. 5 for a cup", states.N / 1e3, states.alpha * DEGREE),
         dots("FE", N / 1e3, psi / 2 * DEGREE),
         y_bottom=0.0,

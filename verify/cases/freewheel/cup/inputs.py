@@ -1,8 +1,9 @@
-"""Inputs and states of a drawn-cup roller clutch; the default one is synthetic.
+"""Inputs and states of a drawn-cup roller clutch; the default clutch is synthetic.
 
-The paper prints no outer cam. Real drawn cups are thin and are supported by a housing: the rim's
-radius is that of the housing, one body with the cup. An outer cam's roller moves towards psi = 0:
-alpha decreases, and the torque z R_s N tan(alpha) has a maximum before the rollers pop through.
+The paper prints no outer cam. Real drawn cups are thin and are supported by a housing: cup and
+housing are modelled as one body with the housing's radius. The roller of an outer cam moves
+towards psi = 0: alpha decreases, and the torque z R_s N tan(alpha) has a maximum before the
+rollers pop through.
 """
 
 import math
@@ -40,18 +41,18 @@ class Cup(Rollers):
     def _fits(self) -> Self:
         if not self.r_b < self.R_s:
             raise ValueError(
-                f"the shaft needs a wall: r_b < R_s, got r_b = {self.r_b * 1e3:g} mm, "
-                f"R_s = {self.R_s * 1e3:g} mm"
+                f"the shaft must have a wall: r_b must be below R_s, got r_b = {self.r_b * 1e3:g} "
+                f"mm, R_s = {self.R_s * 1e3:g} mm"
             )
         if not self.corner < self.R_a:
             raise ValueError(
-                f"the cup needs a wall at its corners: X_o/cos(π/z) < R_a, got "
-                f"{self.corner * 1e3:.6g} mm, R_a = {self.R_a * 1e3:g} mm"
+                "the cup must have a wall at its corners: X_o/cos(π/z) must be below R_a, got "
+                f"X_o/cos(π/z) = {self.corner * 1e3:.6g} mm, R_a = {self.R_a * 1e3:g} mm"
             )
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large for friction; "
-                f"rollers hold below about {math.degrees(LARGEST_ANGLE):g}°: X_o is too small for "
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large: friction holds "
+                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; X_o is too small for "
                 "R_s and r"
             )
         return self
@@ -59,7 +60,7 @@ class Cup(Rollers):
     # common to sectors of stars and cups: see `verify.cases.freewheel.bodies`
     @property
     def sense(self) -> int:
-        """-1: load narrows the angle."""
+        """-1: load reduces the angle."""
         return -1
 
     @property
@@ -79,12 +80,12 @@ class Cup(Rollers):
 
     @property
     def cam(self) -> OuterCam:
-        """The clutch's wedges; ValueError if it has none."""
+        """The cam; raises ValueError if rollers and races form no wedge."""
         return OuterCam(R_s=self.R_s, r=self.r, X_o=self.X_o, z=self.z)
 
     @shared
     def state(self) -> RollerClutchState:
-        """The state under what `load` names."""
+        """State under the load named by `load`; raises ValueError if no equilibrium exists."""
         if self.load == "N_0":
             return at_normal_force(self.clutch, self.rigid_force)
         if self.load == "ψ":
@@ -93,24 +94,24 @@ class Cup(Rollers):
         under = loaded(self.clutch, self.T)
         if not np.isfinite(under.N):
             raise ValueError(
-                f"T = {self.T:g} N m is more than the largest torque, {float(top.T):.5g} N m: "
-                "beyond it the rollers pop through between shaft and cup"
+                f"T = {self.T:g} N m exceeds the largest torque {float(top.T):.5g} N m: beyond "
+                "this torque the rollers pop through between shaft and cup"
             )
         return under
 
     @shared
     def at_summit(self) -> RollerClutchState:
-        """The state with the largest torque."""
+        """State at the largest torque; raises ValueError beyond the range of the formulas."""
         if (found := summit(self.clutch)) is None:
             raise ValueError(
-                "contacts are wider than half the rollers' radius before the torque has its "
-                f"maximum: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is beyond the range of "
-                "these formulas"
+                "contacts are wider than half the roller radius before the torque reaches its "
+                f"maximum: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is too large for these "
+                "formulas"
             )
         return found
 
     @property
     def given_angle(self) -> float:
-        """The angle psi [rad] at which both approaches are `GIVEN` of those at pop-through."""
+        """Angle psi [rad] at which the approaches are `GIVEN` times those at pop-through."""
         d = GIVEN * float(self.cam.pop_through) / 2
         return float(2 * self.cam.alpha(d_i=d, d_o=d))

@@ -1,7 +1,8 @@
 """The sector of a drawn-cup clutch over its load, beyond the maximum of its torque.
 
-Overlaps are prescribed, not torques: from nearly zero to beyond the torque T, and on towards the
-overlap at pop-through of the rollers. The normal force grows throughout, the torque does not.
+Approaches of the contacts are prescribed, not torques. They range from nearly zero to beyond the
+torque T, and on towards pop-through of the rollers. The normal force grows throughout, the torque
+does not.
 """
 
 import math
@@ -27,19 +28,19 @@ STEEP, FLAT = 1.1, 0.25  # d ln(T)/d ln(overlap) of a rigid angle; and no less
 
 
 def through(q: OneClutch) -> float:
-    """The overlap [m] at pop-through of the rollers."""
+    """Sum of the approaches [m] at pop-through of the rollers."""
     return q.race + 2 * q.r - q.flat
 
 
 def given_angle(q: OneClutch) -> float:
-    """The angle psi [rad] at which contacts overlap by `GIVEN` of the overlap at pop-through."""
+    """Angle psi [rad] at which the approaches are `GIVEN` times those at pop-through."""
     d = GIVEN * through(q) / 2
     return overlapping(q, d, d).psi
 
 
 @lru_cache(maxsize=16)
 def starts(q: OneClutch) -> tuple[Start, ...]:
-    """Starts of all states from light to heavy, from coarse meshes."""
+    """Initial states for all loads, lightest first, from coarse meshes."""
     under = under_torque(q)
     d = sum(under.d)
     onward = [share * through(q) for share in ONWARD]
@@ -52,7 +53,7 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
 
 
 def under_torque(q: OneClutch) -> Start:
-    """A start at approximately the torque T."""
+    """Initial state at approximately the torque T; raises NotFoundError near the maximum."""
     one, most = pitch(q), through(q)
     D = min(overlap(one, rigid_force(q) / q.L), 0.3 * most)
     now = Start.guessed(one, D, inner=INNER, flatter=3)
@@ -65,11 +66,14 @@ def under_torque(q: OneClutch) -> Start:
         steepness = max(STEEP - D / (2 * (most - D)), FLAT)
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
-    raise NotFoundError(f"T = {q.T:g} N m is not reached (by {miss:.1%}): the maximum is near")
+    raise NotFoundError(
+        f"no state with T = {q.T:g} N m was found (difference {miss:.1%}): T is "
+        "too close to the maximum torque"
+    )
 
 
 class CupSweep(SummitCourse):
-    """States of the sector on meshes of `cells`, and splines between them."""
+    """States of the sector on meshes of `cells`, with splines between the states."""
 
     def __init__(self, q: OneClutch, cells: int) -> None:
         one = pitch(q)

@@ -29,21 +29,23 @@ from verify.form.adapter import adapted
 from verify.form.comparisons import Options
 
 CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
-ANGLE = "α of two bodies that enclose the star, friction along surfaces by its magnitude"
-TILTED = f"{ANGLE}, surfaces tilt under N"
-HEAVY: Any = Options(own=(0.03, "surfaces tilt by more, the heavier the load"))
+ANGLE = (
+    "α of two bodies that enclose the star; Coulomb friction by the resultant along the surfaces"
+)
+TILTED = f"{ANGLE}; tilt of the surfaces under N"
+HEAVY: Any = Options(own=(0.03, "the tilt of the surfaces grows with the load"))
 LIMITED = "proportional to √((μ/tan α)² − 1)"
 CREEPS = "proportional to 1/√((μ/tan α)² − 1)"
 ROOT = 0.015, 0.05  # required of a root of a small difference, by default and for user inputs
-STATICS: Any = {"sensitivity": (1e-6, "forces in balance, on any mesh")}
+STATICS: Any = {"sensitivity": (1e-6, "equilibrium of forces, on any mesh")}
 SHARED = "Coulomb's law of friction, plane strain, load uniform along the rollers"
 
 
 class FreewheelFriction(Pulled):
-    """The wedge requires the friction tan α; an axial load adds to it at right angles.
+    """Friction criterion: the wedge requires friction tan α, an axial load adds at right angles.
 
     Finite elements of the elastic clutch slip at the limit of this criterion, under torque and
-    along the axis. Beyond it the ring also rotates: slip has the direction of the resultant.
+    along the axis. Beyond the limit the ring also rotates: slip has the direction of the resultant.
     """
 
     id = "freewheel-friction"
@@ -55,26 +57,30 @@ class FreewheelFriction(Pulled):
         Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N", "mu=0.07,0.08,0.1"), star=True),
     )
     readings: ClassVar = (
-        "T and F_ax are of the whole clutch, F_n, F_t and F_a of one contact of one roller: Eq. 8 "
-        "has F_a = F_ax/z where Eq. 9 has F_ax",
-        "α is half the angle between flat and ring at the roller, that under load",
+        "T and F_ax are loads of the whole clutch. F_n, F_t and F_a are forces of one contact of "
+        "one roller: Eq. 8 contains F_a = F_ax/z where Eq. 9 contains F_ax",
+        "α is half the angle between flat and ring at the roller, under load",
         "the lever of F_t is the ring's bore radius R",
-        "μ_req is a separate symbol: Eq. 8 calls it tan α, which is F_t/F_n (Eq. 1)",
-        "at μ = μ_req the clutch holds, by Eqs. 1 and 8 and the classes, not by Eqs. 9, 10",
+        "μ_req is a separate symbol: Eq. 8 writes tan α for it, but tan α is F_t/F_n (Eq. 1)",
+        "at μ = μ_req the clutch holds by Eqs. 1 and 8 and by the classes, but not by Eqs. 9 and "
+        "10",
     )
     assumptions: ClassVar = (
-        "dimensions, μ and F_ax are user inputs: the paper prints none for its clutches; this "
-        "clutch is synthetic, at the rig's largest torque",
-        "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load uniform "
-        "on the ring's rim, rollers free along the axis, the star clamped on its shaft",
-        "the axial forces of a roller are a couple 2 r cos α F_a that tilts it: F_n moves by e "
-        "along it to either side. Neither the criterion nor elements that are uniform along the "
-        "axis include that: e and the peak follow from a linear line load and are not judged",
-        "contacts have fixed places and normals: displacements are small against the radii. Where "
-        "friction is measured the place of the roller is prescribed",
-        "beyond the limit the drive maintains the torque, or holds the ring: both are reported",
-        "one coefficient of friction, no rate, no oil; the couples of all rollers cancel on star "
-        "and ring",
+        "dimensions, μ and F_ax are user inputs: the paper prints none for its clutches. This "
+        "clutch is synthetic, at the largest torque of the test rig",
+        "finite elements have plane strain and an axial displacement u_z(x, y): long rollers, the "
+        "axial load uniform on the ring's rim, rollers free along the axis, the star clamped on "
+        "its shaft",
+        "the axial forces of a roller form a couple 2 r cos α F_a that tilts it: F_n shifts by e "
+        "along the roller, in opposite directions at star and ring. Neither the criterion nor "
+        "finite elements that are uniform along the axis include this shift: e and the peak follow "
+        "from a linear line load and are not judged",
+        "contacts have fixed positions and normals: displacements are small compared with the "
+        "radii. Where friction is computed, the position of the roller is prescribed",
+        "beyond the limit, the ring is either driven at constant torque or held against rotation: "
+        "both results are reported",
+        "one coefficient of friction, independent of sliding speed, no oil; the couples of all "
+        "rollers cancel on star and ring",
     )
 
     @Quantity("μ_req", "1", "required friction coefficient with the F_ax of Eq. 9", equation="8",
@@ -86,53 +92,58 @@ class FreewheelFriction(Pulled):
         )  # fmt: skip
         return float(found)
 
-    @Quantity("μ/μ_req", "1", "available over required friction: the clutch holds from 1 on",
+    @Quantity("μ/μ_req", "1", "available over required friction: the clutch holds if it is 1 or "
+                              "more",
               equation="10", safe="too low", tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
     def safety(self) -> float:
         return float(criterion.safety(mu=self.mu, mu_req=self.mu_req))
 
-    @Quantity("R dφ/du_z", "1", "creep of the ring's bore over axial slip at the limit, F_t/F_a",
+    @Quantity("R dφ/du_z", "1", "circumferential creep of the ring's bore over axial slip at the "
+                                "limit, F_t/F_a",
               source="slip beyond the limit is along the resultant", tex=r"\frac{T}{R F_{lim}}",
               when=lambda q: q.bears_axial_load)  # fmt: skip
     def creep(self) -> float:
         return self.T / (self.R * self.F_lim)
 
     u_out = Quantity(
-        "u_out", "mm", "axial slip after which the torque is zero, ring held",
+        "u_out", "mm", "axial slip after which the torque is zero, with the ring held against "
+                       "rotation",
         role="step", when=lambda q: q.bears_axial_load,
     ).reads(lambda q: q.slipped()[0][0])  # fmt: skip
 
-    @Quantity("e", "mm", "shift of F_n along the roller by the couple of its axial forces",
-              source="tilt of the roller; no part of the criterion, nor of these elements",
+    @Quantity("e", "mm", "axial shift of F_n along the roller, by the couple of its axial forces",
+              source="tilt of the roller; neither the criterion nor these finite elements include "
+                     "it",
               role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
     def e(self) -> float:
         state = self.state
         return float(tilt.offset(F_a=self.F_a, F_n=state.N, r=self.r, alpha=state.alpha))
 
-    @Quantity("q/q_m", "1", "peak of the line load over its mean, by that shift", role="step",
+    @Quantity("q/q_m", "1", "maximum of the line load over its mean, by the shift e", role="step",
               source="one end lifts off from e = L/6 on", tex=r"1 + \frac{6 e}{L}")  # fmt: skip
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
-    @Quantity("p_1/p", "1", "that of Hertz's pressure", role="step",
+    @Quantity("p_1/p", "1", "maximum of Hertz's pressure over its mean along the roller, by the "
+                            "shift e", role="step",
               tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
     def pressure(self) -> float:
         return float(tilt.pressure_factor(e=self.e, L=self.L))
 
     def slipped(self) -> tuple[Array, Array]:
-        """Axial slip (m,) [m] of a ring held about the axis, and T (m,) over that before."""
+        """Axial slip (m,) [m] of a ring held against rotation, and torque (m,) over T."""
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:
-        """The sector under torque only, with axial load, and beyond the limit."""
+        """Finite elements of the sector: under torque only, with axial load, beyond the limit."""
         from verify.cases.freewheel.friction.reference import solve
 
         return solve(self, level)
 
     @property
     def within(self) -> FrictionBounds:
-        """Bounds of the criterion under these loads."""
+        """Error bounds of the criterion under these loads."""
         return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
 
     def comparisons(self) -> Iterator[Comparison]:
@@ -149,12 +160,15 @@ class FreewheelFriction(Pulled):
         )  # fmt: skip
         yield approximation(law.mu_req, name="required friction (Eqs. 8, 9)",
                             expected=expected(bounds.one_contact()), **HEAVY, **more)  # fmt: skip
-        whole = expected(bounds.whole_load(), f"{TILTED}; z times a roller's axial force")
+        whole = expected(
+            bounds.whole_load(),
+            f"{TILTED}; factor z, as F_ax is z times the axial force of a roller",
+        )
         yield approximation(
             law.mu_req_printed, expected=whole, **HEAVY, **more,
             name="required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)",
         )  # fmt: skip
-        tangent = f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent"
+        tangent = f"{ANGLE}; factor √(1 + (F_ax R/T)²), as Eq. 8 does not give a tangent of α"
         yield approximation(law.mu_req, "mu_T", name="tan α, Eq. 8 as printed", symbol="tan α",
                             expected=expected(bounds.two_tangents(), tangent), **more)  # fmt: skip
         least, own = ROOT
@@ -163,16 +177,16 @@ class FreewheelFriction(Pulled):
             expected=expected(bounds.limit_load()), sensitivity=(least, LIMITED),
             own=(own, LIMITED), **more,
         )  # fmt: skip
-        along = f"Coulomb: slip is along the resultant; {TILTED}"
+        along = f"Coulomb's law: slip is along the resultant; {TILTED}"
         yield approximation(
-            law.creep, name="creep of the ring that slips along the axis, F_t/F_a",
+            law.creep, name="creep of the ring over its axial slip, F_t/F_a",
             expected=expected(bounds.limit_creep(), along), sensitivity=(least, CREEPS),
             own=(own, CREEPS), **more,
         )  # fmt: skip
         yield from at_slip(law.mu_T, law.mu_req)
         yield balance("balance", "balance of a roller along the axis", "ΣF_a", "N",
                       of={"F_t": self.F_t}, bound=1e-9,
-                      because="the solver's balance of a body that only contact holds")  # fmt: skip
+                      because="equilibrium of a body that only contact holds")  # fmt: skip
 
     figures = drawn_by(drawn.figures)
 
@@ -180,15 +194,15 @@ class FreewheelFriction(Pulled):
         """Displacement and shear along the axis."""
         yield from pictures.pulled(
             "Displacement along the axis under torque and axial load: the ring is pulled out, the "
-            "rollers move less, the star is clamped on its shaft",
-            "Shear stress along the axis: it enters through both contacts",
+            "rollers move less, and the star is clamped on its shaft",
+            "Shear stress along the axis: it enters the roller through both contacts",
         )
 
     tables = drawn.tables
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the clutch slips or tilts its rollers."""
+        """Warnings if the clutch slips, or if axial forces lift off the ends of its rollers."""
         light = str(criterion.traffic_light(self.safety))
         if not self.bears_axial_load:
             yield (
@@ -202,8 +216,8 @@ class FreewheelFriction(Pulled):
             )
         if self.e * 6 > self.L:
             yield (
-                f"the axial forces tilt the rollers: e = {self.e * 1e3:.3g} mm is beyond L/6, one "
-                "end lifts off"
+                f"the axial forces tilt the rollers: e = {self.e * 1e3:.3g} mm exceeds L/6, so "
+                "that one end lifts off"
             )
 
     def advice(self) -> Iterator[str]:
@@ -214,12 +228,13 @@ class FreewheelFriction(Pulled):
         verdict = "holds" if self.safety >= 1 else "slips"
         yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
-            f"beyond F_ax = {self.F_lim:.4g} N it slips along the axis and turns by "
-            f"{self.creep:.3g} times that, or releases the rollers within {self.u_out * 1e3:.2g} mm"
+            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis and creeps by "
+            f"{self.creep:.3g} times this slip; if it cannot rotate, the rollers are released "
+            f"within {self.u_out * 1e3:.2g} mm"
         )
 
     def refusal(self) -> str:
-        """Reason to refuse: torque alone nearly causes slip, or displacements are not small."""
+        """Reason why finite elements do not cover the inputs; empty if they do."""
         low, _ = self.within.both_contacts()
         if self.mu_T * (1 + CLOSE) / (1 + low) < self.mu:
             return super().refusal()
@@ -230,7 +245,7 @@ class FreewheelFriction(Pulled):
 
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
-    """The interval with its source, if it exists."""
+    """Expected error: the interval with its source; underived if there is no interval."""
     return underived(source) if interval is None else Expected(*interval, source)
 
 

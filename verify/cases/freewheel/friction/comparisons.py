@@ -1,4 +1,4 @@
-"""Onset and location of slip of a freewheel, at the angle of the reference."""
+"""Onset and location of slip of a freewheel, at the angle computed by finite elements."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -20,19 +20,20 @@ from verify.judging.tolerance_checks import (
 
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
 CONTACT = 2e-3  # also of F_t/F_n, the required friction without axial load
-ALONE = "as F_t/F_n, which it is without an axial load"
+ALONE = "as F_t/F_n, to which it reduces without axial load"
 SHARE = 1e-3  # tolerance of F_t/(mu N) over the wedge angles
 COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Rows: friction at full slip, torque only and with axial load; the cone; wedge angles."""
+    """Rows on friction at full slip, without and with axial load, the cone and wedge angles."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)
 
     yield judged(
-        Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α",
+        Agreement(name="friction at which both contacts slip completely, torque alone (Eq. "
+                       "1)", symbol="μ/tan α",
                   unit="1", pair=onset, accepted=ONSET, source=SUBJECT), mu_T,
     )  # fmt: skip
     yield judged(
@@ -48,20 +49,22 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                       accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip
     yield judged(
-        Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1",
+        Deviation(name="forces of slipping contacts are on the friction "
+                       "cone", symbol="F/(μF_n) − 1",
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
     )  # fmt: skip
     yield judged(
         Deviation(name="rollers hold below tan α = μ and are released above", paper_only=True,
                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
-                  source=suites("as sharp as the onset of slip"), whole="μF_n"), mu_T,
+                  source=suites("the same sensitivity as for the onset of "
+                                "slip"), whole="μF_n"), mu_T,
     )  # fmt: skip
 
 
 def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
-    """Eq. 9 at the angle of the finite elements; their loads are in the ratio of the inputs.
+    """mu_req by Eq. 9 at the angle of the finite elements, with the load ratio of the inputs.
 
-    The angle of the mesh follows from its normals, which the solver's friction uses.
+    With `of_mesh`, the angle follows from the normals of the mesh, as in the solver's friction.
     """
     turned, meshed = context.fem[-1].arrays["tan"]
     tan = meshed if of_mesh else turned
@@ -71,7 +74,7 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
 
 
 def onset(context: Context) -> Pair:
-    """Friction at which both contacts slip completely, against tan(alpha)."""
+    """tan(alpha) and the friction at which both contacts slip completely, with uncertainty."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
@@ -80,7 +83,7 @@ def onset(context: Context) -> Pair:
 
 
 def axial_onset(context: Context) -> Pair:
-    """With friction mu_req the axial load is the limit, at which the clutch slips."""
+    """mu_req by Eq. 9 and the friction at which the clutch slips under the axial load."""
     share, half = context.fem[-1].arrays["axial_onset"]
     tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)
@@ -94,7 +97,7 @@ def _of_required(off: float) -> str:
 
 
 def of_contact(context: Context, where: int) -> Pair:
-    """Friction coefficient that the forces of one contact require, compared with Eq. 9."""
+    """mu_req by Eq. 9 and the friction that the forces of one contact require."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
     words = f"off by {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)
@@ -107,7 +110,7 @@ def _off(context: Context, forces: Array) -> float:
 
 
 def on_the_cone(context: Context) -> tuple[float, float, str]:
-    """Resultant over mu N at full slip, for all contacts and clutches."""
+    """Largest deviation of the resultant from mu N at full slip, all contacts and clutches."""
     arrays, mu = context.fem[-1].arrays, context.inputs.mu
     last = arrays["creep"][-1] / mu
     slid = [row for row in arrays["angles"] if row[3] > 0]
@@ -117,7 +120,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Difference of F_t/(mu N) and tan(alpha)/mu up to 1; beyond N is nearly zero."""
+    """Largest deviation of F_t/(mu N) from tan(alpha)/mu up to 1; beyond 1, N is nearly zero."""
     k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
     mu = context.inputs.mu
     alpha = np.arctan(k * mu)

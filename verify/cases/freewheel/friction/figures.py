@@ -24,7 +24,7 @@ ABOVE = 2.2  # upper end of the axial load, over F_ax,lim or F_ax
 
 
 def sketch(q: Any) -> Sketch:
-    """Roller between flat and ring, and the friction of a contact in its cone."""
+    """Sketch of a roller between flat and ring, and of the friction of a contact in its cone."""
     state = loaded(q.clutch, q.T)
     psi, tan = float(state.psi), math.tan(float(state.alpha))
     ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])
@@ -35,8 +35,8 @@ def sketch(q: Any) -> Sketch:
     used = min(tan * math.hypot(1.0, q.lever) / q.mu, 1.4)
     tip = cone + CIRCLE * used * np.array([1.0, q.lever]) / math.hypot(1.0, q.lever)
     return sketches.sketch(
-        "forces of star and ring on a roller under torque, the ring drawn straight; its axial "
-        "forces F_a at star and ring share the circle of friction μ F_n with F_t",
+        "forces of star and ring on a roller under torque, with the ring drawn straight; F_t and "
+        "the axial forces F_a at star and ring share the friction circle of radius μ F_n",
         shape("body", circle),
         arrow((WIDE, -1.0), (-WIDE, -1.0), style="clamp"),
         shape("clamp", ray + WIDE * np.array([-along, along])),
@@ -72,13 +72,14 @@ def _cone(q: Any, last: Any) -> Curves:
     N, F_t, F_z = last["loaded"]
     return plot(
         "Friction of a contact in its cone", "F_t/(μ F_n)", "F_a/(μ F_n)",
-        line("cone, Eq. 8 with =", np.cos(QUARTER), np.sin(QUARTER)),
+        line("cone, Eq. 8 with equality", np.cos(QUARTER), np.sin(QUARTER)),
         dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
                np.abs(creep[:, 4:6]).mean(axis=1), 1),
         dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
-        dots("FE, slipping, clutches of other angles", slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
+        dots("FE, slipping, clutches with other wedge "
+             "angles", slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
              2),
-        note="F_t/F_n is tan α for any F_a: an axial load leads vertically up to the cone.",
+        note="F_t/F_n is tan α for any F_a: an axial load moves the point vertically to the cone.",
     )  # fmt: skip
 
 
@@ -94,9 +95,9 @@ def _limit(context: Context) -> Curves:
         line("μ_req = μ: green below", T, limits[criterion.GREEN]),
         dashes("μ/μ_req = 0.8: red above", T, limits[criterion.RED], 2),
         dots("FE, slips", q.T, fe["F_lim"]),
-        dots("the load given", q.T, q.F_ax, 1),
+        dots("given loads", q.T, q.F_ax, 1),
         y_top=ABOVE * max(v.get("F_lim", 0.0), q.F_ax),
-        note="The classes 0.8 and 1.0 are those of the paper's tests; 1.0 is Coulomb's law.",
+        note="The classes 0.8 and 1.0 follow from the paper's tests; 1.0 is Coulomb's law.",
     )  # fmt: skip
 
 
@@ -107,15 +108,16 @@ def _path(q: Any, last: Any) -> Curves:
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return plot(
         "Beyond the limit: the ring driven along the axis", "u_z [µm]",
-        "F_a/F_n over its limit, T over T at rest",
+        "F_a/F_n over its limit; T over T at rest",
         line("F_a/F_n, ring held", out[:, 0] / µm, np.abs(out[:, 4:6]).mean(axis=1) / full),
         line("T, ring held", out[:, 0] / µm, out[:, 7], 1),
-        dots("F_a/F_n, torque held", creep[::2, 0] / µm,
+        dots("F_a/F_n, constant torque", creep[::2, 0] / µm,
              np.abs(creep[::2, 4:6]).mean(axis=1) / full),
-        dots("T, torque held", creep[1::2, 0] / µm, creep[1::2, 7], 1),
-        note="A drive that maintains the torque rotates the ring: by "
-        f"{turned / µm:.3g} µm at its bore after an axial slip of {out[-1, 0] / µm:.3g} µm. "
-        "If it is held, the ring releases the rollers. Marks of both, which stay at 1, alternate.",
+        dots("T, constant torque", creep[1::2, 0] / µm, creep[1::2, 7], 1),
+        note=f"A drive with constant torque rotates the ring: by {turned / µm:.3g} µm at its bore "
+             f"after an axial slip of {out[-1, 0] / µm:.3g} µm. If the ring is held against "
+             "rotation, the rollers are released. For constant torque, the marks of F_a/F_n and of "
+             "T stay at 1 and alternate.",
     )  # fmt: skip
 
 
@@ -124,11 +126,12 @@ def _let_out(q: Any, last: Any) -> Curves:
     out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return plot(
-        "Remaining torque of a held ring that slides along the axis", "axial slip [µm]",
-        "T/T(at rest)",
-        line("Coulomb's law and the state at each F_n", u[::-1] / µm, T[::-1]),
+        "Remaining torque of a ring held against rotation that slides along the "
+        "axis", "axial slip [µm]",
+        "T/T at rest",
+        line("Coulomb's law and the equilibrium at each F_n", u[::-1] / µm, T[::-1]),
         dots("FE", (out[:, 0] - start).clip(0) / µm, out[:, 7]),
-        note="The angle is constant in the finite elements and decreases in the formula.",
+        note="The clamping angle is constant in the finite elements and decreases in the formula.",
     )  # fmt: skip
 
 
@@ -140,9 +143,10 @@ def _shares(last: Any) -> Curves:
         "share of F_n on slipping nodes",
         dots("FE, star", 1 / k, star),
         dots("FE, ring", 1 / k, ring, 1),
-        dashes("all slips: the roller is released", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
-        note="Nodes slip one after the other, from the edge inwards, as the roller is put between "
-        "the races in one step; a torque that grows from zero causes less slip.",
+        dashes("both contacts slip: the roller is "
+               "released", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
+        note="Nodes slip one after the other, from the edge inwards, because the roller is placed "
+             "between the races in one step. A torque that grows from zero causes less slip.",
     )  # fmt: skip
 
 
@@ -154,25 +158,26 @@ def _angles(last: Any) -> Curves:
         line("F_t = F_n tan α", unit, unit),
         dots("FE, held", k[stays], ratio[stays]),
         dots("FE, released: F_n is zero", k[~stays], ratio[~stays], 2),
-        note="X alone differs, at the same overlap of both contacts.",
+        note="Only X differs between the clutches; the approach of both contacts is the same.",
     )  # fmt: skip
 
 
 def tables(q: Any, context: Context) -> Sequence[Table]:
-    """The clutch's states by finite elements, in words."""
+    """Table of the clutch's states by finite elements, in words."""
     if not context.converging:
         return ()
     last, v = context.fem[-1].arrays, context.fem[-1].values
     k, star, ring = last["shares"]
     rows = [
         (f"torque alone, μ = {k[i]:g} tan α",
-         f"at rest; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} of the ring")
+         f"at rest; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} on those of "
+         "the ring")
         for i in (k.size - 1, 0)
     ]  # fmt: skip
     if math.isfinite(last["onset"][0]):
         rows.append((
             f"torque alone, μ below {last['onset'][0]:.5f} tan α",
-            "slips: all of both contacts, the roller is released from the wedge",
+            "slips: both contacts slip completely, and the roller is released from the wedge",
         ))  # fmt: skip
     holds = "at rest" if v["F_lim"] >= q.F_ax else "slips along the axis"
     rows.append(
@@ -180,12 +185,13 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     )
     creep, out = last["creep"], last["let_out"]
     rows.append((
-        "ring driven along the axis, torque held",
-        f"slips; F_t, F_n and F_a stay, the ring creeps by {v['creep']:.3f} of what it slides",
+        "ring driven along the axis at constant torque",
+        f"slips; F_t, F_n and F_a are constant, the ring creeps by {v['creep']:.3f} of its axial "
+        "slip",
     ))  # fmt: skip
     rows.append((
-        "ring driven along the axis and held about it",
-        f"slips; rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after "
+        "ring driven along the axis and held against rotation",
+        f"slips; the rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after "
         f"{out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)

@@ -1,4 +1,4 @@
-"""Finite elements of a freewheel's friction: torque only, axial load, and beyond the limit."""
+"""Finite elements of a freewheel with friction: torque only, axial load, beyond the limit."""
 
 import math
 from dataclasses import replace
@@ -25,7 +25,7 @@ SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
 
 
 def solve(q: "FreewheelFriction", level: int) -> Level:
-    """One level: forces with ample friction, the path to slip; finest: motion beyond slip."""
+    """Results of a level: ample friction, path to slip; on the finest mesh, motion beyond slip."""
     one = one_pulled(q)
     start = at_torque(one, level)
     rest, held = under_load(one, start, level)
@@ -73,7 +73,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
 
 
 def with_flat(one: Pulled, X: float) -> Pitch:
-    """The pitch with its flats at another distance [m]; ValueError if it has no wedges."""
+    """The pitch with its flats at the distance `X` [m]; raises ValueError without wedges."""
     q = one.q
     InnerCam(R=q.race, r=q.r, X=X, z=q.z)
     return replace(q, flat=X)

@@ -43,12 +43,12 @@ SETTLES = 0.6  # over the limit: lower alternating loads settled for the synthet
 
 
 class LoadPaths(Pulled):
-    """The rig loads the clutch along three paths.
+    """The test rig loads the clutch along three paths.
 
-    They are a growing axial load under torque, an alternating one, and both alternating. The
-    criterion gives the required friction along each path and the time of slip. Finite elements
-    follow the paths with the history of friction: they slip at the same load on every path, and
-    before that the ring ratchets.
+    The axial load grows under constant torque, alternates under constant torque, or alternates in
+    phase with the torque. The criterion gives the required friction along each path and the time of
+    slip. Finite elements follow the paths with the history of friction: they slip at the same load
+    on every path, and below this load the ring ratchets.
     """
 
     id = "freewheel-paths"
@@ -61,55 +61,62 @@ class LoadPaths(Pulled):
              star=True),
     )  # fmt: skip
     readings: ClassVar = (
-        "load case 2: the axial load alternates about zero, load case 3: torque and axial load "
-        "are in phase; Fig. 7 is not in the text",
-        "T is the steady torque of load cases 1 and 2 and the amplitude of load case 3; F_ax the "
-        "amplitude at the path's end, of the whole clutch",
+        "load case 2: the axial load alternates about zero; load case 3: torque and axial load are "
+        "in phase. The text does not contain Fig. 7",
+        "T is the steady torque of load cases 1 and 2 and the torque amplitude of load case 3. "
+        "F_ax is the amplitude at the end of the path, for the whole clutch",
         "amplitudes grow in proportion to time",
         "a clutch with T < 0 overruns: the criterion does not apply there",
-        "the classes 0.8 and 1.0 are a rule from the test runs of the paper, adopted",
+        "the class limits 0.8 and 1.0 are a rule from the paper's test runs, used here without "
+        "derivation",
     )
     assumptions: ClassVar = (
-        "static equilibria: at 30 Hz inertia of the ring adds (f/f_0)², 0.03 % of the loads; "
-        "thirty times the inertia of the ring would add 1 %. Rollers and oil are neglected, too",
-        "times of rise and path, μ and all dimensions are user inputs: the settings of Table 1 are "
-        "not in the text; the clutch is synthetic",
-        "finite elements, load cases 1 and 2: every extreme is a step with the friction of the "
-        "one before; the drive maintains the torque and rotates the ring as rollers creep. Fewer "
-        "and smaller cycles than the path has: slip does not depend on them",
-        "load case 3: between no torque and 26 N m the rollers travel by more than the width of "
-        "their contacts; each torque has a separate place, where both loads are applied together",
-        "expected errors: tan α of one contact by a star between a layer and a disc, and tilting "
-        "surfaces; the limit multiplies them by 1/(1 − (tan α/μ)²)",
+        "static equilibria: at 30 Hz, inertia of the ring adds (f/f_0)², 0.03 % of the loads. "
+        "Thirty times the inertia of the ring would add 1 %. Inertia of rollers and oil is also "
+        "neglected",
+        "rise time, duration, μ and all dimensions are user inputs, because the text does not "
+        "contain the settings of Table 1; the clutch is synthetic",
+        "finite elements, load cases 1 and 2: every extreme is a load step that starts from the "
+        "friction forces of the extreme before. The drive holds the torque constant and rotates "
+        "the ring as rollers creep. The cycles are fewer and smaller than those of the path: slip "
+        "does not depend on them",
+        "load case 3: between zero torque and 26 N m, the rollers travel by more than the width of "
+        "their contacts. Each torque has a separate roller position, where both loads are applied "
+        "together",
+        "expected errors: tan α of one contact, from a layer and a disc that enclose the star, and "
+        "tilt of the surfaces; at the limit, 1/(1 − (tan α/μ)²) multiplies both",
     )
 
-    F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch at the path's end",
+    F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch at the end "
+                        "of the path",
                         gt=0, le=1e9, claims="nagler2021:rig-axial-load")  # fmt: skip
     T_m: float = given("0 N m", "N m", "T_m",
-                       "mean torque of load case 3, about which T is the amplitude",
+                       "mean torque of load case 3; T is the amplitude about this mean",
                        ge=0, le=1e9)  # fmt: skip
     f: float = given("30 Hz", "Hz", "f", "frequency of load cases 2 and 3", gt=0, le=1e5,
                      claims="nagler2021:rig-frequency")  # fmt: skip
-    rise: float = given("0.1 s", "s", "t_T", "time in which the torque comes up, load cases 1 "
-                        "and 2", gt=0, le=1e6)  # fmt: skip
-    duration: float = given("0.5 s", "s", "t_end", "end of the path, where the axial load "
-                            "reaches F_ax", gt=0, le=1e6)  # fmt: skip
+    rise: float = given("0.1 s", "s", "t_T", "time in which the torque rises to T, load "
+                        "cases 1 and 2", gt=0, le=1e6)  # fmt: skip
+    duration: float = given("0.5 s", "s", "t_end", "end of the path, at which the axial "
+                            "load reaches F_ax", gt=0, le=1e6)  # fmt: skip
     rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density of the ring", gt=0, le=1e5)
 
     @model_validator(mode="after")
     def _times(self) -> Self:
         if not self.rise < self.duration:
             raise ValueError(
-                f"the torque must be reached within the path: rise < duration, got rise = "
-                f"{self.rise:g} s, duration = {self.duration:g} s"
+                "the torque must reach T before the end of the path: rise must be below duration, "
+                f"got rise = {self.rise:g} s, duration = {self.duration:g} s"
             )
         if self.f * self.duration > MOST:
             raise ValueError(
-                f"a path has at most {MOST} cycles, got f duration = {self.f * self.duration:g}"
+                f"a path may have at most {MOST} cycles, got f duration = "
+                f"{self.f * self.duration:g}"
             )
         return self
 
-    @Quantity("T_c", "N m", "torque of load case 3 at which the least axial amplitude slips",
+    @Quantity("T_c", "N m", "torque of load case 3 at which the smallest axial amplitude causes "
+                            "slip",
               role="geometry")  # fmt: skip
     def T_critical(self) -> float:
         # About zero it is the peak, F_ax/T is the same all the time and alpha largest; about a mean
@@ -117,7 +124,7 @@ class LoadPaths(Pulled):
         # under axial load: 0.
         return self.T if self.T_m == 0 else max(self.T_m - self.T, 0.0)
 
-    @Quantity("α_c", "deg", "clamping angle under that torque", role="step",
+    @Quantity("α_c", "deg", "clamping angle under the torque T_c", role="step",
               when=lambda q: q.T_critical > 0)  # fmt: skip
     def alpha_critical(self) -> float:
         return float(loaded(self.clutch, self.T_critical).alpha)
@@ -128,7 +135,7 @@ class LoadPaths(Pulled):
     def F_lim_3(self) -> float:
         return self.largest_axial_load(self.T_critical) if self.T_critical else 0.0
 
-    @Quantity("μ_{0}", "1", "largest required friction, load case {0}", source="Eqs. 8, 9, along "
+    @Quantity("μ_{0}", "1", "largest required friction, load case {0}", source="Eqs. 8 and 9 along "
               "the paths of Sec. 6", safe="too high").over(CASES)  # fmt: skip
     def peak(self, case: int) -> float:
         return self.courses[case].peak
@@ -138,7 +145,9 @@ class LoadPaths(Pulled):
     def when(self, case: int) -> float:
         return self.courses[case].when
 
-    @Quantity("μ/μ_{0}", "1", "least ratio of friction, load case {0}", safe="too low").over(CASES)
+    @Quantity(
+        "μ/μ_{0}", "1", "minimum of available over required friction, load case {0}", safe="too low"
+    ).over(CASES)
     def safety(self, case: int) -> float:
         return self.mu / self.courses[case].peak
 
@@ -147,7 +156,8 @@ class LoadPaths(Pulled):
         return self.courses[case].slips_at
 
     F_2 = Quantity(
-        "F_2", "N", "axial load at that time, load case 2; load case 1 has no sine", role="step",
+        "F_2", "N", "axial load at the time t_2 of the largest required friction, load case "
+                    "2", role="step",
         tex=r"F_{ax} \frac{t_2 - t_T}{t_{end} - t_T} " r"\sin\left(2 \pi f (t_2 - t_T)\right)",
     ).reads(lambda q: q.paths[2].axial_load(q.courses[2].when))  # fmt: skip
     phi = Quantity(
@@ -155,7 +165,7 @@ class LoadPaths(Pulled):
         tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
     ).reads(lambda q: q._top.phi)  # fmt: skip
 
-    @Quantity("k", "N m/rad", "stiffness of the wedged rollers about T", role="step",
+    @Quantity("k", "N m/rad", "torsional stiffness of the wedged rollers at T", role="step",
               tex=r"\frac{\mathrm{d}T}{\mathrm{d}\varphi}")  # fmt: skip
     def stiffness(self) -> float:
         phi = loaded(self.clutch, self.T * np.array([1 - STEP, 1 + STEP])).phi
@@ -171,7 +181,7 @@ class LoadPaths(Pulled):
     def f_0(self) -> float:
         return math.sqrt(self.stiffness / self.inertia) / (2 * math.pi)
 
-    @Quantity("(f/f_0)²", "1", "approximate share of inertia in the loads", role="step",
+    @Quantity("(f/f_0)²", "1", "approximate ratio of inertia forces to loads", role="step",
               tex=r"(\frac{f}{f_0})^2")  # fmt: skip
     def sway(self) -> float:
         return (self.f / self.f_0) ** 2
@@ -183,12 +193,12 @@ class LoadPaths(Pulled):
 
     @property
     def rig(self) -> Rig:
-        """A second implementation of the paths, for judging times of slip."""
+        """Second implementation of the load paths, for judging times of slip."""
         return Rig(**{f.name: getattr(self, f.name) for f in fields(Rig)})
 
     @property
     def paths(self) -> dict[int, LoadPath]:
-        """The three load cases by their numbers."""
+        """The load paths by the numbers of their load cases."""
         ramp = {"T": self.T, "F": self.F_ax, "rise": self.rise, "duration": self.duration}
         return {
             1: AxialRamp(**ramp), 2: AlternatingAxial(**ramp, frequency=self.f),
@@ -198,40 +208,40 @@ class LoadPaths(Pulled):
 
     @shared
     def courses(self) -> dict[int, Course]:
-        """Loads and required friction along the paths."""
+        """Loads and required friction along the paths, by load case."""
         cycles = self.f * self.duration * (1 - ROUND_OFF)
         t = np.linspace(0, self.duration, 1 + max(LEAST, math.ceil(TIMES * cycles)))
         return {c: follow(self.clutch, path, mu=self.mu, t=t) for c, path in self.paths.items()}
 
     @shared
     def _top(self) -> RollerClutchState:
-        """The state under the largest torque."""
+        """State under the largest torque."""
         return self.under(self.T_peak)
 
     def in_phase(self, sine: float) -> Self:
-        """Load case 3 in its last cycle at a given value of its sine."""
+        """The clutch under the loads of load case 3 in its last cycle, at a value of the sine."""
         return self.at(T=self.T_m + sine * self.T, F_ax=self.F_ax * sine)
 
     def limit_of(self, T: float) -> Interval | None:
-        """Interval of the axial load at slip, from the error of tan α of a contact."""
+        """Interval of the error of the axial load at slip; None without torque or limit load."""
         if not T:
             return None
         return friction.limit_load(of_star(self, loaded(self.clutch, T)), self.mu)
 
     def reference(self, level: int) -> Level:
-        """The paths by static equilibria, with the history of their friction."""
+        """Finite elements of the paths: static equilibria with the history of friction."""
         from verify.cases.freewheel.paths.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Loads and times of slip, required friction along the paths, behaviour before slip."""
+        """Rows on loads and times of slip, required friction, and behaviour before slip."""
         yield from compared.comparisons(self, LoadPaths)
 
     figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
-        """Displacement and shear along the axis."""
+        """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
             "Axial displacement at the last extreme of load case 2",
             "The axial load passes through both contacts of the roller",
@@ -242,23 +252,26 @@ class LoadPaths(Pulled):
     sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if torque alone causes slip or falls to zero, or if inertia matters."""
+        """Warnings if the torque alone causes slip or falls to zero, or if inertia matters."""
         if not math.isfinite(self.F_lim):
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
                 "releases the rollers, without axial load"
             )
         if 0 < self.T_m <= self.T:
-            yield "load case 3: the torque comes to zero under axial load, where no friction holds"
-        if self.sway > SWAY:
-            more = f"adds some {self.sway:.1%} to the loads" if self.sway < SWINGS else "dominates"
             yield (
-                f"f = {self.f:g} Hz is {math.sqrt(self.sway):.2g} of the ring's f_0 = "
-                f"{self.f_0:.4g} Hz: inertia {more}, the paths are computed as static"
+                "load case 3: the torque falls to zero under axial load; without torque, friction "
+                "cannot hold it"
+            )
+        if self.sway > SWAY:
+            more = f"adds about {self.sway:.1%} to the loads" if self.sway < SWINGS else "dominates"
+            yield (
+                f"f = {self.f:g} Hz is {math.sqrt(self.sway):.2g} of the ring's natural frequency "
+                f"f_0 = {self.f_0:.4g} Hz: inertia {more}, but the paths are computed as static"
             )
 
     def advice(self) -> Iterator[str]:
-        """Which paths slip, when, and the limit of the axial load."""
+        """Load cases that slip, times of slip, and the limit of the axial load."""
         paths = self.courses
         slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
         named = ", ".join(map(str, slips))
@@ -270,21 +283,21 @@ class LoadPaths(Pulled):
         for case, course in paths.items():
             slip, least = course.slips_at, f"{self.mu / course.peak:.3g}, {course.light}"
             ends = (
-                f"slips at {slip:.4g} s; loaded on to the path's end as if it held, least "
-                f"μ/μ_req {least}"
+                f"slips at {slip:.4g} s; continued to the end of the path as if it held, the "
+                f"minimum of μ/μ_req is {least}"
                 if math.isfinite(slip)
-                else f"holds to the end, least μ/μ_req {least}"
+                else f"holds to the end, the minimum of μ/μ_req is {least}"
             )
             yield f"{drawn.NAMES[case]}: {ends}"
         if math.isfinite(self.F_lim):
             yield (
                 f"under T = {self.T:g} N m the limit is F_ax = {self.F_lim:.4g} N; alternating "
-                f"loads beyond about {SETTLES:g} of that may cause ratcheting before slip (with "
-                "--fem)"
+                f"axial loads above about {SETTLES:g} of this limit may cause ratcheting before "
+                "slip (computed with --fem)"
             )
 
     def refusal(self) -> str:
-        """Where displacements are not small, friction is spent, or load case 3 has no torque."""
+        """Reason why finite elements do not cover the inputs; empty if they do."""
         _ = self._top  # ValueError where no equilibrium exists at the largest torque
         if reason := Pulled.refusal(self.model_copy(update={"T": self.T_peak})):
             return reason
@@ -295,15 +308,19 @@ class LoadPaths(Pulled):
             )
         if self.T_critical < LIGHTEST * self.T_peak:
             return (
-                f"T_m = {self.T_m:g} N m: load case 3 has an axial load while its torque is nearly "
-                "zero, where the clutch slips; T_m = 0 or well above T, or check it without --fem"
+                f"T_m = {self.T_m:g} N m: in load case 3 an axial load acts while the torque is "
+                "nearly zero, and the clutch slips; set T_m = 0 or well above T, or check it "
+                "without --fem"
             )
         if self.limit_of(self.T_critical) is None:
-            return "the trough of load case 3 slips without axial load; check it without --fem"
+            return (
+                "load case 3 slips without axial load at its smallest torque; check it without "
+                "--fem"
+            )
         if (asked := self.in_phase(1.0).mu_req) > WORN:
             return (
-                f"F_ax = {self.F_ax:g} N requires friction of {asked:.3g}, beyond {WORN:g}; "
-                "check it without --fem"
+                f"F_ax = {self.F_ax:g} N requires friction of {asked:.3g}, but at most {WORN:g} is "
+                "allowed for finite elements; check it without --fem"
             )
         return ""
 

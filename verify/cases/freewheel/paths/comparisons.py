@@ -1,4 +1,4 @@
-"""A freewheel on the rig's load paths: loads and times of slip, and behaviour before slip."""
+"""Rows of a freewheel on the rig's load paths: loads and times of slip, behaviour before slip."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -19,17 +19,19 @@ from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
 
 MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # acceptance figures of mu_req, torque, load at slip
-ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
-STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
+ROOTED = (
+    "twice the 0.5 % of the friction cone, as the load follows from a root of a small difference"
+)
+STATICS = "the same sensitivity as for F_t/F_n against tan(ψ/2)"
 SETTLES = 1 / 3  # creep of the last cycle over the first
 GOES_ON = 0.9  # creep of a cycle over the cycle before
-ANGLE = "α of two bodies that enclose the star, surfaces tilt under N"
+ANGLE = "α of two bodies that enclose the star; tilt of the surfaces under N"
 COULOMB = "Coulomb's law of friction"
-RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
+RULE = "rule used as printed, not derived: an average over the runs of clutch A in load case 1"
 
 
 def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
-    """mu_req of finite elements and Eq. 9 at their angle and loads, states of a path."""
+    """mu_req of finite elements and by Eq. 9, at their angle and loads, for states of a path."""
     arrays, q = context.fem[at].arrays, context.inputs
     (tan, T, unit), table = arrays["at rest"], arrays[name]
     found = criterion.required_friction_of_contact(
@@ -40,9 +42,9 @@ def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
 
 
 def along(context: Context, name: str) -> Pair:
-    """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
+    """mu_req by Eq. 9 and from both contacts' forces, at their largest difference along a path.
 
-    Its uncertainty is the difference of the finest meshes.
+    The uncertainty is the difference between the two finest meshes.
     """
     pairs = (_required(context, at, name) for at in (-2, -1))
     before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
@@ -52,7 +54,7 @@ def along(context: Context, name: str) -> Pair:
 
 
 def torque(context: Context) -> tuple[float, float, str]:
-    """Torque of all states up to the limit over that at rest."""
+    """Largest change of the torque up to the limit, relative to the torque at rest."""
     before, now = (
         max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
         for r in context.fem[-2:]
@@ -61,7 +63,7 @@ def torque(context: Context) -> tuple[float, float, str]:
 
 
 def at_slip(context: Context, case: int) -> Pair:
-    """Amplitude at which finite elements slip against Eq. 9, from the finest mesh alone."""
+    """Axial amplitude at slip by Eq. 9 and by finite elements, on the finest mesh only."""
     F, half = slips(context, case)
     needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
     words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {SLIP:.0%} accepted"
@@ -69,7 +71,7 @@ def at_slip(context: Context, case: int) -> Pair:
 
 
 def slips(context: Context, case: int) -> tuple[float, float]:
-    """Axial load [N] at which finite elements slip, and how sure that is."""
+    """Axial load [N] at which finite elements slip, and its uncertainty [N]."""
     last = context.fem[-1]
     if case == 1:
         return last.values["F_1"], last.u_it["F_1"]
@@ -78,41 +80,41 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """Under a small alternating load the ring rotates less in every cycle."""
+    """Positive margin if the ring rotates less in every cycle of a small alternating load."""
     before, now = (
         float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
     )
     first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
     words = (
-        f"at 0.4 of the limit the bore creeps by {first:.3g} nm in the first cycle, "
+        f"at 0.4 of the limit, the bore creeps by {first:.3g} nm in the first cycle and by "
         f"{last:.2g} nm in the last of four"
     )
     return SETTLES - now, abs(now - before), words
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """Creep of the last cycle under a large amplitude: ratcheting well below slip."""
+    """Positive margin if creep goes on in the last cycle of a large amplitude: ratcheting."""
     before, now = (
         float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
     )
     ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
     rate, spread = ends[-1], abs(ends[1] - ends[0])
     words = (
-        f"at 0.8 of the limit the bore creeps by {rate:.0f} nm in every cycle (meshes differ by "
-        f"{spread:.0f} nm), the last {now:.3f} of that before"
+        f"at 0.8 of the limit, the bore creeps by {rate:.0f} nm in every cycle (difference between "
+        f"meshes {spread:.0f} nm); the ratio of the last two cycles is {now:.3f}"
     )
     return now - GOES_ON, abs(now - before), words
 
 
 def falls(context: Context) -> tuple[float, float]:
-    """Excess of mu_req at the largest torque over a low torque, in phase about zero."""
+    """Relative excess of mu_req at the largest torque over mu_req at a low torque."""
     key, low = MU_REQ.values()
     before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
     return now, abs(now - before)
 
 
 def in_time(context: Context, case: int) -> Pair:
-    """Time of slip by formula, against the times at `SLIP` below and above the limit of FE.
+    """Times of slip by formula and finite elements; `SLIP` of the load gives the allowed times.
 
     A course states its first time beyond slip, so that half a time step is uncertain.
     """
@@ -128,8 +130,8 @@ def in_time(context: Context, case: int) -> Pair:
         q.rig.time_of_slip(case, F + d, tan) for d in (-SLIP * F, -half, 0.0, half, SLIP * F)
     )
     words = (
-        f"{t:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
-        f"{SLIP:.0%} of their load"
+        f"{t:.5f} s, finite elements {found:.5f} s; accepted {early:.5f} to {late:.5f} s, the "
+        f"times at {SLIP:.0%} less and more load"
     )
     allowed = early / found - 1, late / found - 1
     U = max(above - found, found - below) + step / 2
@@ -144,24 +146,25 @@ def agrees(
     q: Quantity, name: str, pair: Callable[[Context], Pair], figure: float, why: str, unit: str,
     symbol: str = "",
 ) -> Comparison:  # fmt: skip
-    """The formula within a figure that the suite demands."""
+    """Row of the formula against finite elements, with a tolerance that the suite requires."""
     check = Agreement(name=name, symbol=symbol or q.symbol, unit=unit, pair=pair, accepted=figure,
                       source=suites(why), **demanded(figure))  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 
 
 def slips_in_time(q: Quantity, case: int) -> Comparison:
-    """When a path slips."""
+    """Row of the time of slip of a path."""
     check = Agreement(
         name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites(f"when the path is {SLIP:.0%} beside the load at slip of finite elements"),
+        source=suites(f"times at which the path is {SLIP:.0%} below and above the load at slip of "
+                      "finite elements"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 
 
 def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
-    """Required friction of load case 3 in its last cycle."""
+    """Rows of the required friction of load case 3 in its last cycle."""
     for sine, key in MU_REQ.items():
         there = q.in_phase(sine)
         low, high = of_star(there, there.state).slope(tilted=True)
@@ -173,7 +176,7 @@ def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
 
 
 def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
-    """Rows of the case `q` with the class `path`."""
+    """Rows of the case `q`, with quantities of the class `path`."""
     yield from _loads(q, path)
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
@@ -189,34 +192,38 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
         yield slips_in_time(path.slip(case), case)
     yield Deviation(name="torque is constant up to the limit", symbol="T/T_0 − 1", unit="1",
                     size=torque, accepted=TORQUE, whole="torque at rest",
-                    source=suites("half of the 1 % required of rows"))  # fmt: skip
-    yield accepted("a small alternating load settles: shakedown", "RΔφ", settles)
+                    source=suites("half of the sensitivity required of rows, 1 %"))  # fmt: skip
+    yield accepted("micro-slip settles under a small alternating load: shakedown", "RΔφ", settles)
     yield accepted("a large alternating load causes ratcheting of the ring below slip", "RΔφ",
                    walks)  # fmt: skip
     yield from _adopted(path)
 
 
 def _loads(q: Any, path: Any) -> Iterator[Comparison]:
-    """Axial loads at slip of the three paths."""
+    """Rows of the axial loads at slip of the three paths."""
     interval: Interval | None = q.limit_of(q.T)
     expected = underived(ANGLE) if interval is None else Expected(*interval, ANGLE)
     yield approximation(
-        path.F_lim, "F_1", name="axial load at slip, torque first (load case 1)", symbol="F_ax",
+        path.F_lim, "F_1", name="axial load at slip, steady torque (load case 1)", symbol="F_ax",
         order=2, expected=expected,
         own=(0.03, "proportional to √((μ/tan α)² − 1)"), shares=COULOMB,
     )  # fmt: skip
     yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
                  lambda c: at_slip(c, 2), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
-    yield agrees(path.F_lim_3, "axial amplitude at slip, both in phase (load case 3)",
+    yield agrees(path.F_lim_3, "axial amplitude at slip, torque and axial load in phase (load case "
+                               "3)",
                  lambda c: at_slip(c, 3), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
 
 
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
-    """Numbers of the paper that are used as printed."""
+    """Rows of numbers of the paper that are used as printed."""
     for name, key, why in (
-        ("red below", "red-yellow", "by Coulomb it slips below 1 (erratum traffic-light-wording)"),
-        ("green from", "yellow-green", "it is Coulomb's limit, with the equal sign (erratum "
-         "eq-10-strictness)"),
+        ("red, upper "
+         "limit", "red-yellow", "by Coulomb's law the clutch slips below 1 (erratum "
+                                    "traffic-light-wording)"),
+        ("green, lower "
+         "limit", "yellow-green", "it is the limit of Coulomb's law, with the equal sign "
+                                       "(erratum eq-10-strictness)"),
     ):  # fmt: skip
         check = Adopted(name=f"class {name}", symbol="μ/μ_req", unit="1", analytic="coulomb",
                         reference=f"nagler2021:friction-ratio-{key}", why=f"{RULE}; {why}"
@@ -225,16 +232,18 @@ def _adopted(path: Any) -> Iterator[Comparison | Check]:
     yield Comparison(
         check=Adopted(name="wind-up that the rig allows", symbol="φ", unit="deg", analytic="phi",
                       reference="nagler2021:rig-torsion-angle",
-                      why="range of the rig, beside the wind-up under the largest torque"),
+                      why="range of the rig, reported beside the wind-up under the largest torque"),
         quantity=path.phi,
     )  # fmt: skip
     yield Adopted(
         name="axial displacement that the rig allows", symbol="u_z", unit="mm",
         reference="nagler2021:rig-axial-displacement",
-        why="range of the rig: before slip the clutch deflects by some µm, the rest is slip",
+        why="range of the rig: before slip the clutch deflects by a few µm, all further "
+            "displacement is slip",
     )  # fmt: skip
     yield Adopted(
         name="test runs of each clutch", symbol="n", unit="1",
         reference="nagler2021:test-runs-per-clutch",
-        why="their settings (Table 1) are not in the text: three paths stand for the kinds",
+        why="the text does not contain the settings (Table 1): three paths represent the load "
+            "cases",
     )  # fmt: skip

@@ -27,7 +27,7 @@ DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cyc
 
 
 def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
-    """The three paths side by side."""
+    """Table of the three load cases."""
     rows = []
     for case, course in q.courses.items():
         slip = course.slips_at
@@ -41,13 +41,14 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             title="The three load cases",
             header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at [s]"),
             rows=tuple(rows),
-            note="Classes of Sec. 7: a rule adopted. By Coulomb it slips where μ/μ_req passes 1.",
+            note="Classes of Sec. 7, used without derivation. By Coulomb's law the clutch slips "
+                 "where μ/μ_req falls below 1.",
         ),
     )  # fmt: skip
 
 
 def short(value: float) -> float:
-    """The number in six digits."""
+    """The number rounded to six significant digits."""
     return float(f"{value:.6g}")
 
 
@@ -62,7 +63,7 @@ def figures(context: Context) -> Sequence[Figure]:
 def loads(context: Context, case: int) -> Curves:
     course, q = context.inputs.courses[case], context.inputs
     return plot(
-        f"Loads, {NAMES[case]}", "t [s]", "share of T, F_ax at the end",
+        f"Loads, {NAMES[case]}", "t [s]", "T and F_ax, relative to the values in the legend",
         line(f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", course.t[::DRAWN],
              course.T[::DRAWN] / (q.T_peak if case == 3 else q.T)),
         line(f"F_ax/({q.F_ax:.4g} N)", course.t[::DRAWN], course.F_ax[::DRAWN] / q.F_ax, 2),
@@ -71,7 +72,7 @@ def loads(context: Context, case: int) -> Curves:
 
 
 def classes(context: Context, case: int) -> Zones:
-    """mu_req over time in the bands of the classes."""
+    """Figure of mu_req over time, with the zones of the classes."""
     course, q = context.inputs.courses[case], context.inputs
     finite = course.mu_req[np.isfinite(course.mu_req)]
     top = HIGH * max(min(float(finite.max()), CUT * q.mu), q.mu / RED)
@@ -93,12 +94,13 @@ def classes(context: Context, case: int) -> Zones:
         ),
         curves=tuple(curves), point=point,
         note=f"μ = {q.mu:g}. The curve continues as if the clutch still held. "
-        + ("Where it has a gap the clutch overruns." if np.isnan(course.mu_req).any() else ""),
+        + ("In the gaps of the curve the clutch "
+           "overruns." if np.isnan(course.mu_req).any() else ""),
     )  # fmt: skip
 
 
 def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
-    """Times and mu_req between the intervals of overrunning."""
+    """Whether first, times and mu_req of each interval without overrunning."""
     known = ~np.isnan(course.mu_req)
     starts = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
     return [
@@ -109,7 +111,7 @@ def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
 
 
 def plane(context: Context) -> Curves:
-    """The three paths in the plane of (F_t, F_z)/N."""
+    """Figure of the three paths in the plane of F_t/N and F_a/N."""
     q, last = context.inputs, context.fem[-1].arrays
     widest = np.arccos(NEAR * np.tan(float(q.cam.alpha0)) / q.mu)
     turn = np.linspace(-widest, widest, 181)
@@ -118,21 +120,21 @@ def plane(context: Context) -> Curves:
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
         curves += _path(q.courses[case], q.R, f"load case {case}", colour, drawn)
-    for name, colour, of in (("growing", 2, "extremes of 2"), ("ramp", 0, "load case 1")):
+    for name, colour, of in (("growing", 2, "extremes of load case 2"), ("ramp", 0, "load case 1")):
         table = last[name]
         curves.append(dots(f"FE, {of}", table[:, 1:3].mean(axis=1), table[:, 3], colour))
     return plot(
         "Tangential and axial force over the normal force, up to slip", "F_t/F_n", "F_a/F_n",
         curves,
         y_bottom=-q.mu,
-        note="Under a steady torque F_t/F_n = tan α stays and the axial load leads to the cone "
-        "along a vertical line, load case 1 on the upper half of load case 2; in phase "
-        "F_t/F_n swings between tan α_0 and tan α(T).",
+        note="Under a steady torque F_t/F_n = tan α is constant, and the axial load leads to the "
+             "cone along a vertical line; load case 1 covers the upper half of the line of load "
+             "case 2. In phase, F_t/F_n varies between tan α_0 and tan α(T).",
     )  # fmt: skip
 
 
 def _path(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
-    """A path up to slip, with a curve for each interval in which the clutch is locked."""
+    """Curves of a path up to slip, one for each interval in which the clutch is locked."""
     found: list[Curve] = []
     for _, t, mu_req in _pieces(course):
         held = t <= course.slips_at
@@ -147,7 +149,7 @@ def _path(course: Course, R: float, name: str, colour: int, drawn: str) -> list[
 
 
 def creeping(context: Context) -> Curves:
-    """Rotation of the ring in each cycle of a constant amplitude."""
+    """Figure of the rotation of the ring in each cycle of constant amplitude."""
     own, others = context.fem[-1].arrays["cycles"], context.fem[-1].arrays["walks"]
     found = [(QUIET, own[0]), (LOUD, own[1]), *zip(OTHERS, others, strict=True)]
     colours = (1, 0, 2, 3)
@@ -161,20 +163,21 @@ def creeping(context: Context) -> Curves:
         "Ratcheting of the ring under an alternating axial load, finite elements", "cycle",
         "R Δφ in one cycle [nm]", curves,
         x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
-        note="Torque and N are constant. Up to 0.6 of the limit the micro-slip settles; at 0.8 of "
-        "it no part of the contacts sticks all the time and the ring rotates further in every "
-        "cycle though μ > μ_req always. Half a cycle in one step: in four steps it is a fifth "
-        "less.",
+        note="Torque and N are constant. Up to 0.6 of the limit, micro-slip settles. At 0.8 of the "
+             "limit no part of the contacts sticks all the time, and the ring rotates further in "
+             "every cycle, although μ always exceeds μ_req. Each half cycle is one load step; with "
+             "four steps the rotation is a fifth smaller.",
     )  # fmt: skip
 
 
 def walked(context: Context) -> Curves:
-    """Share of N on nodes that slip at the extremes."""
+    """Figure of the share of N on nodes that slip at the extremes."""
     last = context.fem[-1].arrays
     return plot(
         "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",
         "share of F_n that slips",
         line("load case 1", last["ramp"][:, 0], last["ramp"][:, 7]),
         dots("extremes of load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7], 2),
-        note="The torque alone uses most of the friction: a small part of the contacts sticks.",
+        note="The torque alone uses most of the friction: only a small part of the contacts "
+             "sticks.",
     )  # fmt: skip

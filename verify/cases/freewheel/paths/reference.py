@@ -1,9 +1,9 @@
-"""Finite elements of a freewheel along the rig's load paths: static states with their history.
+"""Finite elements of a freewheel along the rig's load paths: static states with friction history.
 
-In load cases 1 and 2 the torque is constant: the roller stays in its place, and where it creeps
-out the ring rotates. Axial loads count at the given torque. In load case 3 rollers travel by more
-than the width of their contacts; each torque has a separate place and mesh, where both loads are
-applied together.
+In load cases 1 and 2 the torque is constant: the roller stays in its position, and the ring
+rotates as the roller creeps. Axial loads are scaled to the given torque. In load case 3 rollers
+travel by more than the width of their contacts: each torque has a separate position and mesh, on
+which both loads are applied together.
 """
 
 import math
@@ -31,7 +31,7 @@ TOGETHER = 0.95  # load of the first step over the limit load, in load case 3
 
 
 def solve(q: Any, level: int) -> Level:
-    """One level of all paths; on the finest the loads at slip."""
+    """Results of all paths on one mesh; on the finest mesh also the loads at slip."""
     one = one_pulled(q)
     start = at_torque(one, level)
     held, drive = Held.at(one, start, level, q.mu), Drive.at(one, start, level)
@@ -58,7 +58,7 @@ def solve(q: Any, level: int) -> Level:
 
 
 def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
-    """Load case 3: required friction at the sines of `MU_REQ`."""
+    """Required friction of load case 3 at the sines of `MU_REQ`."""
     values = {}
     for share, key in MU_REQ.items():
         there = one_pulled(q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax}))
@@ -71,6 +71,6 @@ def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
 
 
 def critical(q: Any, near: Start, cells: int) -> Drive:
-    """The clutch at the torque of load case 3 at which the least amplitude slips."""
+    """Drive at the torque of load case 3 at which the smallest amplitude causes slip."""
     there = replace(one_pulled(q), T=q.T_critical)
     return Drive.at(there, under_torque(there, near, q.T, cells), cells)

@@ -25,36 +25,42 @@ from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
-SHARP = "acceptance of the subject"
-ENCLOSED = "as sharp as three bodies that enclose the star are"
-PRINTED_ERROR = "a formula 22 % off: three per cent show it"
-ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
-NOT_LOADED = "the angle without load over that under torque, by Eq. 5, corrected"
-NOT_RIGHT = "the printed angle over the corrected one"
-MANY_TIMES = "a formula tens of per cent off and more: five per cent of it show that"
-NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
-ROOM = "small displacements leave room beside the contacts' middles:"
+SHARP = "acceptance criterion of the subject"
+ENCLOSED = "the bodies that enclose the star do not give a narrower interval"
+PRINTED_ERROR = "the formula differs by 22 %: a sensitivity of 3 % is sufficient"
+ON_FLAT = "factor (R + X)/(2X): the formula assumes rolling on a circle instead of on a flat"
+NOT_LOADED = "ratio of the angle without load to that under torque, by Eq. 5, corrected"
+NOT_RIGHT = "ratio of the printed angle to the corrected angle"
+MANY_TIMES = "the formula differs by tens of per cent or more: a sensitivity of 5 % is sufficient"
+NO_LEVER = (
+    "factor X/R: the formula omits the torque of F_n, whose line of action misses the axis by x"
+)
+ROOM = (
+    "in small displacements, forces act on the undeformed mesh, beside the middle of the contacts:"
+)
 NAMED = statics.Named(
     cam="star", race="ring", race_radius="R", flat_distance="X", form="Eq. 3, corrected",
-    cam_tilt=ROOM, race_tilt=ROOM, unlike_forces="the same", rolling="as well",
+    cam_tilt=ROOM, race_tilt=ROOM,
+    unlike_forces="tangential forces deviate by equal amounts", rolling="the contacts, too",
 )  # fmt: skip
 SHARED = "plane strain, small strain, the star clamped in its bore"
 ROLLED = (
-    "The finite elements assume no rolling here: the angle follows from the energy of all "
+    "The finite elements assume no rolling here: the wind-up follows from the energy of all "
     "states. The printed form replaces the flat by a circle of radius X."
 )
 LEAVES = (
-    "It grows with the normal force: surfaces tilt, and in small displacements forces act "
-    "on the undeformed mesh. Both deviations are equal and opposite: the mean is tan(ψ/2)."
+    "The deviation grows with the normal force: surfaces tilt, and in small displacements forces "
+    "act on the undeformed mesh. The deviations of both contacts are equal and opposite: their "
+    "mean is tan(ψ/2)."
 )
 
 
 class FreewheelTorque(Star):
-    """Rollers wedged between the flats of a star and a ring travel as the contacts deflect.
+    """Roller freewheel under torque: rollers wedged between star and ring travel with the load.
 
     Clamping angle, normal force, roller travel and wind-up over torque are compared, with the
     paper's Eqs. 3 to 7 corrected. Finite elements of one pitch of star, roller and ring with
-    friction at both races agree; their energy gives the wind-up without assuming rolling.
+    friction at both races agree. Their energy gives the wind-up without assuming rolling.
     """
 
     id = "freewheel-torque"
@@ -68,26 +74,29 @@ class FreewheelTorque(Star):
         Scan(vary=("T=20N m,52N m", "X=11.39565mm,11.44mm"), at=("R_a=19mm", "z=6")),
     )  # fmt: skip
     readings: ClassVar = (
-        "α is half the angle ψ between the flat's normal and the roller's centre: half the wedge",
-        "R is the bore radius of the outer ring wherever the paper writes r_OR",
-        "d = f + u: only the whole approach of a contact can be compared, flattening and "
-        "structure together",
-        "T and N: the torque of the whole clutch, the forces of one roller",
+        "ψ is the angle at the roller between the normals of flat and ring, and α is half of it",
+        "R is the bore radius of the outer ring, for which the paper writes r_OR",
+        "d = f + u: only the total approach of a contact, local flattening f and structural "
+        "deflection u together, can be compared",
+        "T is the torque of the whole clutch, N the normal force of one roller",
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
         "the paper prints no dimensions of its clutches A and B, and 5 µm of X change α_0 by "
         "0.08°: this clutch is synthetic, with α_0 = 3.5° by choice",
-        "the star is clamped on its shaft, the ring free but for the torque, all of one steel",
-        "finite elements: one pitch, small displacements about the place where the roller lies; "
-        "the roller neither creeps nor turns there; friction is twice the required one",
-        "roller travel and energy between six states by splines, below the first by a power",
-        "expected errors: the star lies among a layer and two discs, and the torque winds it up; "
-        "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1 tan²α more",
+        "the star is clamped on its shaft, the ring is free except for the torque, and all parts "
+        "are of one steel",
+        "finite elements: one pitch, with small displacements about the position of the roller. "
+        "The roller neither creeps nor rotates there; friction is twice the required friction",
+        "roller travel and energy are interpolated by splines between six states, and by a power "
+        "law below the first state",
+        "expected errors: a layer and two discs enclose the star, and the torque winds it up; "
+        "Hertz's theory omits terms (a/r)²; tangential forces add 0.5 to 1 tan²α to the rotation "
+        "of the ring",
     )
 
     x = Quantity(
-        "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+        "x", "mm", "distance of the contact on the flat from the middle of the flat", role="step",
         tex=r"(R - r + d_o) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
     torque = Quantity("T", "N m", "torque of the tangential forces", equation="3", form="corrected",
@@ -105,11 +114,13 @@ class FreewheelTorque(Star):
         return float(printed.torque_on_cam(self.cam, F_t=self.state.F_t))
 
     alpha_rigid = Quantity(
-        "α", "deg", "clamping angle, taken as that without load", equation="4", form="corrected",
+        "α", "deg", "clamping angle without load, used as the angle under "
+                    "torque", equation="4", form="corrected",
         form_of="alpha", safe="too high", tex=r"\alpha_0",
     ).reads(lambda q: q.alpha_0)  # fmt: skip
     alpha_0_printed = Quantity(
-        "α", "deg", "clamping angle, taken as that without load", equation="4", form="as printed",
+        "α", "deg", "clamping angle without load, used as the angle under "
+                    "torque", equation="4", form="as printed",
         form_of="alpha", safe="too high",
         tex=r"\arccos\left(\sqrt{\frac{r + X}{2 (R - r)}}\right)",
     ).reads(lambda q: printed.alpha0(q.cam))  # fmt: skip
@@ -128,7 +139,8 @@ class FreewheelTorque(Star):
         "φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
         tex=r"\frac{s}{R} + \frac{s}{X}",
     ).reads(lambda q: q.state.phi_printed)  # fmt: skip
-    phi_small = Quantity("φ", "deg", "wind-up angle for small angles", form="small angles",
+    phi_small = Quantity("φ", "deg", "wind-up angle, approximation for small "
+                                     "angles", form="small angles",
                          form_of="phi", role="step",
                          tex=r"\frac{2 s}{R}").reads(lambda q: q.state.phi_small)  # fmt: skip
     p_i = Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",
@@ -137,7 +149,7 @@ class FreewheelTorque(Star):
                    tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
 
     def reference(self, level: int) -> Level:
-        """All states of a pitch on meshes of `level` cells on the half-widths."""
+        """Finite elements: all states of a pitch on meshes of `level` cells per half-width."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.sweep import given_angle, sweep
 
@@ -149,7 +161,7 @@ class FreewheelTorque(Star):
                       **reference.over_torque(self, states))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """At equal torque, force and angle; without load; forces in balance."""
+        """Rows at equal torque, force and angle; without load; equilibrium of forces."""
         yield from self._at_torque()
         yield from self._at_force()
         angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
@@ -216,7 +228,7 @@ class FreewheelTorque(Star):
         )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Angle, wind-up and travel over torque; forces; pressures of both contacts."""
+        """Figures of angle, wind-up and travel over torque, of forces, and of both pressures."""
         yield over_torque.angle(self, ends=".")
         yield converged(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
         yield over_torque.travel(self)
