@@ -10,40 +10,40 @@ SLENDER, SMALLER = 4, 10
 
 
 def slender(q: Any) -> Any:
-    """A shaft four times as long."""
+    """Inputs of a shaft four times as long."""
     return q.model_copy(update={"L": SLENDER * q.L, "n": q.n / SLENDER**2})
 
 
 def slender_step(q: Any) -> Any:
-    """A slender shaft with its step; unchanged seats, springs softer in the ratio of the shaft."""
+    """Inputs of a stepped shaft four times as long; seats unchanged, springs and speed scaled."""
     return q.model_copy(update={
         "L": SLENDER * q.L, "L_2": SLENDER * q.L_2, "k": q.k / SLENDER**3, "n": q.n / SLENDER**2,
     })  # fmt: skip
 
 
 def low_step(q: Any) -> Any:
-    """A step a tenth as high."""
+    """Inputs of a shaft whose step is a tenth as high."""
     return q.model_copy(update={"d_2": q.d_1 + (q.d_2 - q.d_1) / SMALLER})
 
 
 def low_and_slender(q: Any) -> Any:
-    """A low step on a slender shaft: both causes of the error of a beam."""
+    """Inputs of a low step on a slender shaft: reduces both causes of the error of a beam."""
     return slender_step(low_step(q))
 
 
 def flat(q: Any) -> Any:
-    """A wedge of a quarter of the steepness under equal normal forces."""
+    """Inputs with a quarter of the wedge angle and equal normal forces."""
     nu = q.nu / 4
     return q.model_copy(update={"nu": nu, "T": q.T * math.tan(nu) / math.tan(q.nu)})
 
 
 def centred(q: Any) -> Any:
-    """A tenth of the offset."""
+    """Inputs with a tenth of the offset."""
     return q.model_copy(update={"e": q.e / SMALLER})
 
 
 def uncrowned(q: Any) -> Any:
-    """A tenth of the crown."""
+    """Inputs with a tenth of the crown's drop."""
     return q.model_copy(update={"drop": q.drop / SMALLER})
 
 
@@ -54,20 +54,23 @@ SOLID = (Without(Cause.PLANE, "a body of revolution"), Without(Cause.CONTACT, "n
 STATEMENTS: Mapping[str, Statement] = {
     "rotor-clutch": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a wedge a quarter as steep, same normal forces",
+            Rerun(cause=Cause.GEOMETRY,
+                  what="a quarter of the wedge angle, with the same normal forces",
                   inputs=flat, rows=("stiffness*", "tilting*", "coupling*", "torsional*")),
             Rerun(cause=Cause.DISPLACEMENT, what="a tenth of the offset", inputs=centred,
-                  rows=("*offset*", "*tilted")),
+                  rows=("*offset*", "*and tilt")),
             Rerun(cause=Cause.GEOMETRY, what="a tenth of the crown", inputs=uncrowned,
                   rows=("*crown*",)),
         ),
         left=(
-            Left(("tilting stiffness*", "coupling*displaced and tilted"),
-                 "neither wedge nor offset nor crown explain it, nothing else was rerun"),
+            Left(("tilting stiffness*", "coupling*offset and tilt"),
+                 "neither wedge angle nor offset nor crown explains this difference; no other "
+                 "cause was varied"),
             Left(("stiffness along x, ends held*",),
-                 "a flatter wedge takes more away than there is"),
+                 "with a smaller wedge angle the difference decreases by more than its size"),
         ),
-        without=(Without(Cause.PLANE, "struts"), Without(Cause.CONTACT, "none: exact law")),
+        without=(Without(Cause.PLANE, "struts"),
+                 Without(Cause.CONTACT, "none: the same contact law in both")),
         finer=256,
     ),
     "rotor-shaft": Statement(
@@ -79,7 +82,8 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what=LOW, rows=BEAM, inputs=low_step),
             # a longer shaft also has a relatively lower step: the cause would count twice
-            Rerun(cause=Cause.GEOMETRY, what="and four times as long, hardly stepped", rows=BEAM,
+            Rerun(cause=Cause.GEOMETRY,
+                  what="a step a tenth as high on a shaft four times as long", rows=BEAM,
                   inputs=low_and_slender, after=LOW),
         ),
         without=SOLID, finer=4,

@@ -1,6 +1,7 @@
 """A user's description of a rotor: shafts, segments, discs, bearings, links and unbalances.
 
-Nodes are the ends of the segments, numbered from 1 along the first shaft, then on along the next.
+Nodes are the ends of the segments. They are numbered from 1 along the first shaft, and then
+onwards along the next shaft.
 """
 
 from collections.abc import Sequence
@@ -9,20 +10,21 @@ from verify.core.inputs import EntryError, Inputs, count, quantity, text
 
 
 class ShaftInputs(Inputs):
-    """A shaft by its name."""
+    """Inputs of a shaft, identified by its name."""
 
-    name: str = text("shaft", "name, by which segments refer to it")
+    name: str = text("shaft", "name, used by segments to refer to the shaft")
     ratio: float = quantity(
-        1.0, "1", "q", "its speed over the first shaft's, negative: against it", omitted=1.0,
+        1.0, "1", "q", "speed over that of the first shaft; negative for the opposite sense of "
+                       "rotation", omitted=1.0,
         ge=-100, le=100,
     )  # fmt: skip
-    start: float = quantity("0 mm", "mm", "z_0", "place of its first node", omitted=0.0)
+    start: float = quantity("0 mm", "mm", "z_0", "axial position of its first node", omitted=0.0)
 
 
 class SegmentInputs(Inputs):
-    """A tube of constant section."""
+    """Inputs of a tube of constant section."""
 
-    shaft: str = text("shaft", "the shaft it belongs to; segments follow each other")
+    shaft: str = text("shaft", "name of the shaft; segments of a shaft follow each other")
     length: float = quantity("100 mm", "mm", "l", "length", gt=0, le=1e5)
     d_o: float = quantity("40 mm", "mm", "d_o", "outer diameter", gt=0, le=1e4)
     d_i: float = quantity("0 mm", "mm", "d_i", "bore", omitted=0.0, ge=0, le=1e4)
@@ -40,40 +42,52 @@ class NodeInputs(Inputs):
 class BetweenInputs(NodeInputs):
     """Common inputs of elements between two nodes."""
 
-    to: int = count(2, "", "the other shaft's node", ge=1, le=10_000)
+    to: int = count(2, "", "node on the other shaft", ge=1, le=10_000)
 
 
 class DiscInputs(NodeInputs):
-    """A rigid disc at a node: mass and moments, omitted values as for a cylinder."""
+    """Inputs of a rigid disc at a node; omitted mass and moments are those of a cylinder."""
 
     mass: float | None = quantity(
         None, "kg", "m", "mass", omitted=None, example="5 kg", ge=0, le=1e6
     )
     polar: float | None = quantity(
-        None, "kg m^2", "I_p", "polar moment", omitted=None, example="0.03 kg m^2", ge=0, le=1e6
+        None,
+        "kg m^2",
+        "I_p",
+        "polar moment of inertia",
+        omitted=None,
+        example="0.03 kg m^2",
+        ge=0,
+        le=1e6,
     )
     diametral: float | None = quantity(
-        None, "kg m^2", "I_d", "diametral moment", omitted=None, example="0.017 kg m^2", ge=0,
+        None, "kg m^2", "I_d", "diametral moment of "
+                               "inertia", omitted=None, example="0.017 kg m^2", ge=0,
         le=1e6,
     )  # fmt: skip
     d_o: float | None = quantity(
-        None, "mm", "d_o", "outer diameter of a cylinder", omitted=None, example="200 mm", gt=0,
+        None, "mm", "d_o", "outer diameter, for a cylindrical "
+                           "disc", omitted=None, example="200 mm", gt=0,
         le=1e5,
     )  # fmt: skip
-    d_i: float = quantity("0 mm", "mm", "d_i", "its bore", omitted=0.0, ge=0, le=1e5)
+    d_i: float = quantity(
+        "0 mm", "mm", "d_i", "bore, for a cylindrical disc", omitted=0.0, ge=0, le=1e5
+    )
     width: float | None = quantity(
-        None, "mm", "b", "its width, the node in the middle", omitted=None, example="20 mm", gt=0,
+        None, "mm", "b", "width, for a cylindrical disc with the node in its "
+                         "middle", omitted=None, example="20 mm", gt=0,
         le=1e5,
     )  # fmt: skip
     rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)
 
 
 class SpringInputs(Inputs):
-    """Stiffness and damping of a bearing; omitted values are zero, or equal in x and y."""
+    """Inputs of a bearing's stiffness and damping; omitted values are zero, or equal in x and y."""
 
-    k: float = quantity("100 N/µm", "N/µm", "k", "stiffness across", ge=0, le=1e9)
+    k: float = quantity("100 N/µm", "N/µm", "k", "radial stiffness", ge=0, le=1e9)
     kyy: float | None = quantity(
-        None, "N/µm", "k_yy", "stiffness along y where it is not k", omitted=None,
+        None, "N/µm", "k_yy", "stiffness along y, if different from k", omitted=None,
         example="100 N/µm", ge=0, le=1e9,
     )  # fmt: skip
     kxy: float = quantity(
@@ -81,42 +95,44 @@ class SpringInputs(Inputs):
     )
     c: float = quantity("0 N s/m", "N s/m", "c", "damping", omitted=0.0, ge=0, le=1e12)
     cyy: float | None = quantity(
-        None, "N s/m", "c_yy", "damping along y where it is not c", omitted=None,
+        None, "N s/m", "c_yy", "damping along y, if different from c", omitted=None,
         example="500 N s/m", ge=0, le=1e12,
     )  # fmt: skip
     k_tilt: float = quantity(
-        "0 N m/rad", "N m/rad", "k_φ", "stiffness against tilting", omitted=0.0, ge=0, le=1e15
+        "0 N m/rad", "N m/rad", "k_φ", "tilting stiffness", omitted=0.0, ge=0, le=1e15
     )
     c_tilt: float = quantity(
         "0 N m s/rad", "N m s/rad", "c_φ", "damping of tilting", omitted=0.0, ge=0, le=1e12
     )
     k_turn: float = quantity(
-        "0 N m/rad", "N m/rad", "k_z", "stiffness against turning", omitted=0.0, ge=0, le=1e15
+        "0 N m/rad", "N m/rad", "k_z", "torsional stiffness", omitted=0.0, ge=0, le=1e15
     )
 
 
 class SupportInputs(SpringInputs, NodeInputs):
-    """A bearing to the ground."""
+    """Inputs of a bearing to the ground."""
 
 
 class LinkInputs(SpringInputs, BetweenInputs):
-    """A bearing or a clutch between two shafts."""
+    """Inputs of a bearing or a clutch between two shafts."""
 
 
 class UnbalanceInputs(NodeInputs):
-    """Mass times eccentricity at a node."""
+    """Inputs of an unbalance at a node: mass times eccentricity."""
 
     value: float = quantity("50 g mm", "g mm", "U", "mass times eccentricity", gt=0, le=1e9)
-    angle: float = quantity("0 deg", "deg", "α", "its angle", omitted=0.0, ge=-360, le=360)
+    angle: float = quantity(
+        "0 deg", "deg", "α", "angle of the unbalance", omitted=0.0, ge=-360, le=360
+    )
 
 
 def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]) -> None:
-    """EntryError: a name given twice, a segment of no shaft, a shaft without segments.
+    """Raise EntryError for repeated names, unknown shafts or shafts without segments.
 
-    ValueError without both.
+    Raises ValueError if there is no shaft or no segment.
     """
     if not shafts or not segments:
-        raise ValueError("a rotor has at least one shaft with one segment")
+        raise ValueError("a rotor must have at least one shaft with one segment")
     names = [shaft.name for shaft in shafts]
     for k, name in enumerate(names, start=1):
         if name in names[: k - 1]:
@@ -125,7 +141,10 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
         if segment.shaft not in names:
             known = ", ".join(names)
             raise EntryError(
-                "segments", k, f"shaft = {segment.shaft}", f"there is no such shaft, only {known}"
+                "segments",
+                k,
+                f"shaft = {segment.shaft}",
+                f"no shaft has this name; the shafts are {known}",
             )
         if not segment.d_i < segment.d_o:
             given = f"d_i = {segment.d_i * 1e3:g} mm"
@@ -137,16 +156,16 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
         )  # fmt: skip
     for k, name in enumerate(names, start=1):
         if name not in [segment.shaft for segment in segments]:
-            raise EntryError("shafts", k, "", f"shaft {name} has no segments")
+            raise EntryError("shafts", k, "", f"shaft {name} must have at least one segment")
 
 
 def check_nodes(
     nodes: int, **tables: Sequence[DiscInputs | SpringInputs | UnbalanceInputs]
 ) -> None:
-    """EntryError: a node that does not exist."""
+    """Raise EntryError if an entry refers to a node that does not exist."""
     for table, entries in tables.items():
         for k, entry in enumerate(entries, start=1):
             for key in ("node", "to"):
                 node = getattr(entry, key, 1)
                 if node > nodes:
-                    raise EntryError(table, k, f"{key} = {node}", f"there are nodes 1 to {nodes}")
+                    raise EntryError(table, k, f"{key} = {node}", f"the nodes are 1 to {nodes}")

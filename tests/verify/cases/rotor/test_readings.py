@@ -21,9 +21,9 @@ def tilted(right):
     return post_init
 
 
-COUPLED = "coupling of y and the tilt about x, displaced and tilted"
+COUPLED = "coupling of y and the tilt about x, clutch with offset and tilt"
 READINGS = [
-    pytest.param(CLUTCH, clutch_uniform, "approach", times(2), "stiffness along y, uniform",
+    pytest.param(CLUTCH, clutch_uniform, "approach", times(2), "stiffness along y, even load",
                  id="each contact yields as both"),
     pytest.param(CLUTCH, clutch.SpragCoupling, "deformation",
                  lambda f: lambda self, q: f(self, np.asarray(q) * [-1, 1, 1, 1, 1]),
@@ -34,7 +34,7 @@ READINGS = [
                  id="tilt about x in Eq. 7"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", lambda f: (
                  lambda s, j, *, Omega=0.0, theory: f(s, j, Omega=Omega / 2, theory=theory)),
-                 "weak form of Rayleigh, mode 1 backward", id="polar for diametral inertia"),
+                 "weak form of Rayleigh's beam, mode 1 backward", id="polar for diametral inertia"),
     pytest.param(STEP, SteppedBeam, "rotor", lambda f: lambda s, **_: f(s),
                  "the 45° rule removes more than half of the error of mode 1", id="no 45° rule"),
 ]  # fmt: skip

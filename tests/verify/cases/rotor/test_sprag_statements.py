@@ -51,20 +51,21 @@ def turned(ratio, inertias=(4.0, 1.0)):
 
 
 CASES = [
-    ("node 11 is the highest of nodes 1 to 11 at critical speed 1",
+    ("node 11 has the highest peak of nodes 1 to 11 at critical speed 1",
      peaks({11: 2, 12: 3}), peaks({4: 3, 11: 2})),
-    ("node 11 is the highest of the outer rotor at critical speed 1, with its free end",
+    ("node 11 has the highest peak of the outer rotor at critical speed 1, with its free end",
      peaks({11: 2}), peaks({11: 2, 12: 3})),
-    ("node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
+    ("node 11 has the highest peak of nodes 1 to 11 at critical speeds 3 and 5",
      peaks({11: 2}), first(11)),
-    ("node 19 is the highest of the inner rotor at every peak",
+    ("node 19 has the highest amplitude of the inner rotor at every peak",
      peaks({19: 2}), peaks({18: 3, 19: 2})),
     ("torsion is uniform along both rotors at critical speeds 3 and 5", twisted(0.05, 0.05),
      twisted(0, 0.2)),
     ("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
      over_unbalance([3, 2, 1], 1, 19), over_unbalance([3, 2, 1], 2, 19)),
-    ("node 2 stays below half of the others at every peak", peaks({2: 0.4}), peaks({2: 0.6})),
-    ("nodes 13 to 19 are highest at critical speed 1", first(*range(13, 20)),
+    ("node 2 stays below half the median of nodes without bearings at every peak",
+     peaks({2: 0.4}), peaks({2: 0.6})),
+    ("nodes 13 to 19 have their highest peaks at critical speed 1", first(*range(13, 20)),
      first(*range(13, 19))),
     ("torsion is uniform along the outer rotor at critical speed 1", twisted(0.05, 9),
      twisted(0.2, 0)),
@@ -78,7 +79,7 @@ CASES = [
      loads(over_peaks=[2, 1, 3])),
     ("load of bearing 4 exceeds that of bearing 3 at every peak", loads(),
      loads(over_bearings=(2, 1))),
-    ("torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical speed 1",
+    ("ratio of the torsions of nodes 4 and 19 is −J_in/J_out within 3 % at critical speed 1",
      turned(-0.25), turned(-0.27)),
 ]  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Statements on the stiffness of a clutch and the limits of its validity."""
+"""Statements on the stiffness of a clutch, and warnings on the range of validity."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,7 +11,12 @@ FRICTION = 0.1  # upper estimate for oiled steel
 LARGEST_TWIST = 0.35  # rad, 20 deg
 ROUGH = 0.5e-6  # m, roughness of ground races: deflections below it follow no contact law
 LEANS = 0.02  # reduction of K_tilt by leaning forces without a warning
-WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
+WORDS = {
+    "offset": "the offset",
+    "crown": "the crown",
+    "gap": "the gap",
+    "together": "offset, crown and gap together",
+}
 
 
 def findings(q: ClutchStiffness) -> Sequence[str]:
@@ -24,17 +29,18 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
     )
     return (
         f"under {q.T:g} N m every sprag carries {q.N:.4g} N and deflects by {q.delta_0 * 1e6:.3g} "
-        f"µm, the wind-up is {math.degrees(q.twist):.3g}°; the clutch is an isotropic "
+        f"µm, and the wind-up is {math.degrees(q.twist):.3g}°; the clutch acts as an isotropic "
         f"bearing of {q.K_xx / 1e6:.4g} N/µm and a torsion spring of {q.K_zz:.4g} N m/rad",
-        "under torque alone bending and torsion are not coupled; an offset of "
-        f"{q.e * 1e6:g} µm couples {abs(offset.coupling):.2%} of √(K_xx K_zz), "
-        f"{q.missing} missing of {q.Z} sprags {abs(gap.coupling):.2%}",
+        f"under torque alone, bending and torsion are not coupled; an offset of {q.e * 1e6:g} µm "
+        f"causes a coupling of {abs(offset.coupling):.2%} of √(K_xx K_zz), {q.missing} missing of "
+        f"{q.Z} sprags {abs(gap.coupling):.2%}",
         "the stiffness grows with the tenth root of the torque: half the torque lowers it by "
-        f"{1 - 0.5**0.1:.1%}; Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of an even "
-        f"load's stiffnesses, and tan ν = {math.tan(q.nu):.2%} where the load is uneven: with "
-        f"{q.missing} missing, x is coupled with y by {gap.K_xy / gap.K_xx:.2%} of K_xx, y with "
-        "torsion by tan ν of K_xz, both none by Eq. 3",
-        f"d_t = R_i tan ν is constant only if sprags roll: struts pinned in both races {rolled}",
+        f"{1 - 0.5**0.1:.1%}; with even load, Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of the "
+        f"stiffness, with uneven load tan ν = {math.tan(q.nu):.2%}: with {q.missing} sprags "
+        f"missing, the coupling of x and y is {gap.K_xy / gap.K_xx:.2%} of K_xx, and that of y and "
+        "torsion tan ν of K_xz, but both are zero by Eq. 3",
+        "d_t = R_i tan ν is constant only if the sprags roll: struts pinned to both races "
+        f"{rolled}",
     )
 
 
@@ -53,52 +59,54 @@ def open_slices(q: ClutchStiffness, key: str) -> int:
 
 
 def open_ends(q: ClutchStiffness, key: str) -> bool:
-    """Whether a sprag is in contact over a part of its length only."""
+    """Whether a sprag is in contact only over a part of its length."""
     state = q.in_state[key]
     closed = state.sums.deformation(state.at_T) > 0
     return bool((closed.any(-1) & ~closed.all(-1)).any())
 
 
 def refusal(q: ClutchStiffness) -> str:
-    """Why struts are not solved."""
+    """Reason why struts do not cover the inputs; empty if they do."""
     twist = float(preload_twist(q.clutch(), T=q.T))
     if twist > LARGEST_TWIST:
         return (
-            f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, beyond "
-            f"{math.degrees(LARGEST_TWIST):.3g}°: too far for rolling; check it without --fem"
+            f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, but may be at most "
+            f"{math.degrees(LARGEST_TWIST):.3g}° for rolling sprags; check it without --fem"
         )
     if open_ends(q, "crown") or open_ends(q, "together"):
         return (
-            f"the crown's drop of {q.drop * 1e6:g} µm leaves the sprags' ends open under {q.T:g} "
-            "N m: slices converge too slowly there; check it without --fem"
+            f"the crown's drop of {q.drop * 1e6:g} µm leaves the ends of the sprags without "
+            f"contact under {q.T:g} N m, so that slices converge too slowly; check it without --fem"
         )
     return ""
 
 
 def _above(K: float, leaning: float) -> str:
-    return f"{leaning / (K - leaning):.2%} too large" if leaning < K else "no stiffness at all"
+    return f"{leaning / (K - leaning):.2%} too large" if leaning < K else "no stiffness remains"
 
 
 def warnings(q: ClutchStiffness) -> Iterator[str]:
     if q.delta_0 < ROUGH:
         yield (
             f"T = {q.T:g} N m deflects the sprags by {q.delta_0 * 1e6:.3g} µm, less than the "
-            f"roughness of races ({ROUGH * 1e6:g} µm): nearly no preload, stiffness uncertain"
+            f"roughness of the races ({ROUGH * 1e6:g} µm): the preload is too small, and the "
+            "stiffness is uncertain"
         )
     leaning = q.leaning
     if leaning > LEANS * abs(q.K_tilt - leaning):
         yield (
-            f"K_tilt = {q.K_tilt:.4g} N m/rad leaves out that the sprags' forces lean as the "
-            f"race tilts, which takes {leaning:.4g} N m/rad: it is {_above(q.K_tilt, leaning)}"
+            f"K_tilt = {q.K_tilt:.4g} N m/rad does not include the inclination of the sprag forces "
+            f"as the race tilts, which reduces it by {leaning:.4g} N m/rad: "
+            f"{_above(q.K_tilt, leaning)}"
         )
     for key, what in WORDS.items():
         if count := open_slices(q, key):
             share = count / q.n_s / (q.Z - (q.missing if q.in_state[key].with_gap else 0))
-            yield f"under {what} {share:.0%} of the contacts are open: δ_jk below zero"
+            yield f"under {what}, {share:.0%} of the contacts are open (δ_jk < 0)"
     if q.twist > LARGEST_TWIST:
         yield (
-            f"the races turn by {math.degrees(q.twist):.3g}° under {q.T:g} N m, farther than "
-            "sprags roll: more sprags, or a larger wedge angle"
+            f"the races rotate by {math.degrees(q.twist):.3g}° under {q.T:g} N m, farther than the "
+            "sprags can roll: use more sprags, or a larger wedge angle"
         )
     if math.tan(q.nu) > FRICTION:
         yield (

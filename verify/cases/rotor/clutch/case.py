@@ -12,11 +12,11 @@ from verify.form.adapter import adapted
 
 
 class ClutchLink(ClutchStiffness):
-    """A sprag clutch under torque is a bearing and a torsion spring between two rotors.
+    """A sprag clutch under torque acts as a bearing and a torsion spring between two rotors.
 
-    Its stiffness is derived from one potential and compared with struts between rigid hubs,
-    inclined as the sprags, in exact kinematics. The terms that the equations neglect are derived;
-    they give the intervals of the rows.
+    Its stiffness is derived from one potential. It is compared with struts between rigid hubs that
+    have the inclination of the sprags and exact kinematics. The terms that the equations neglect
+    are derived; they give the intervals of the rows.
     """
 
     id = "rotor-clutch"
@@ -36,19 +36,20 @@ class ClutchLink(ClutchStiffness):
         Scan(vary=("T=15N m,40N m", "Z=8,12", "nu=2.5deg,3.15deg", "L=6mm,9mm")),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_t of Eq. 4 is R_i tan ν, which T = Z N R_i tan ν requires",
-        "k_n of Eq. 2 is the constant of a whole sprag's law for both contacts; its slope is the "
-        "tangent stiffness",
-        "the twist of Eq. 8 counts the preload's",
-        "2 L(x_k) of Eq. 6: both contacts have the crown",
+        "d_t of Eq. 4 is R_i tan ν, as follows from T = Z N R_i tan ν",
+        "k_n of Eq. 2 is the constant of the force law of a whole sprag with both contacts; the "
+        "slope of this law is the tangent stiffness",
+        "the twist of Eq. 8 includes the twist under the preload",
+        "2 L(x_k) in Eq. 6: both contacts have the crown",
     )
     assumptions: ClassVar = (
-        "rigid races; sprags are forces along lines that deflect as line contacts",
-        "with elastic races the wind-up of the same clutch is almost twice as large: the row on "
+        "rigid races; sprags are forces along lines, with the deflection of line contacts",
+        "with elastic races, the wind-up of the same clutch is almost twice as large: the row on "
         "rigid races in sprag-wedge gives the value for the verdicts of Eqs. 2, 4 and 11",
-        "sprags roll, so that the distance of their lines from the axis is constant",
-        "the bearings hold an offset or a gap; the torque is constant",
-        "the crown is a parabola; Eq. 6 is valid for any",
+        "sprags roll, so that the distance of their lines of action from the axis is constant",
+        "with an offset or a gap, the bearings hold the inner race in position; the torque is "
+        "constant",
+        "the crown is a parabola; Eq. 6 is valid for any crown",
     )
 
     comparisons = compared.rows
@@ -60,7 +61,7 @@ class ClutchLink(ClutchStiffness):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """Struts, `level` slices for each sprag."""
+        """Struts in all states, with `level` slices for each sprag."""
         from verify.cases.rotor.clutch.reference import solve
 
         return solve(self, level)

@@ -33,8 +33,8 @@ SAME = "the same problem on both sides, to round-off"
 RIGID = "rigid races; line contacts as struts"
 HELD = "ends held in both races"
 DIFFERENCES = 1e-8  # relative error of a tangent by central differences
-INCLINED = "derived: forces along struts inclined by ν, directions cos ψ − tan ν sin ψ in Eq. 3, "\
-    "and what tilting forces take; to a twentieth of either"  # fmt: skip
+INCLINED = "derived: forces along struts inclined by ν (Eq. 3: directions cos ψ − tan ν sin ψ), "\
+           "and the effect of tilting forces; both to within a twentieth"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]
 link = ClutchStiffness
 
@@ -45,7 +45,7 @@ def rows(q: ClutchStiffness) -> Iterator[Comparison | Check]:
     yield from _along_struts(q)
     yield from _held_ends(q)
     yield from _balances(q)
-    yield identity(link.exponent, order=2, sensitivity=(1e-9, "a power law on both sides"))
+    yield identity(link.exponent, order=2, sensitivity=(1e-9, "both sides have a power law"))
     yield from _limits(q)
     yield from _facts(q)
     yield from _misprints(q)
@@ -67,8 +67,8 @@ def _identical(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
 
 
 def _states(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Entries of K, even and uneven."""
-    leading = "derived: Eq. 3 leaves tan²ν out; the next term, twice"
+    """Rows of the entries of K under even and uneven load."""
+    leading = "derived: tan²ν, which Eq. 3 omits; uncertainty: twice the next term"
     for one in (link.K_xx, link.K_yy):
         yield approximation(one, order=2, state=q.state(""), shares=RIGID,
                             expected=Computed(partial(bounds.leading, q.nu), leading))  # fmt: skip
@@ -90,8 +90,8 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     yield _identical(q, link.K_zz, "gap")
     for entry in ENTRIES:
         yield _approximate(q, getattr(link, entry), "together")
-    tilted = "derived: forces inclined by ν, points that sink and move along the axis as the race "\
-        "tilts; to a twentieth of either"  # fmt: skip
+    tilted = "derived: forces inclined by ν, contact points that approach and move along the axis "\
+             "as the race tilts; both to within a twentieth"  # fmt: skip
     fine = q.clutch(n_s=FINE)
     for entry in PLACES:
         interval = partial(left_out, entry, fine, T=q.T, n_s=q.n_s, **q.aside)
@@ -100,8 +100,11 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Entries that Eq. 3 neglects, with forces along the struts."""
-    for state, demand in (("gap", (1e-9, SAME)), ("together", (1e-6, "slices of a crown"))):
+    """Rows of entries that Eq. 3 neglects, with forces along the struts."""
+    for state, demand in (
+        ("gap", (1e-9, SAME)),
+        ("together", (1e-6, "error by the slices of a crown")),
+    ):
         for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
             whole = partial(getattr, q.in_state[state], scale)
             yield identity(one, order=2, state=q.state(state), sensitivity=demand, shares=RIGID,
@@ -112,26 +115,26 @@ def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
     def interval() -> bounds.Interval:
         return bounds.held_ends(q.nu, q.delta_0, q.R_e - q.R_i)
 
-    source = "derived: tan²ν and Q/(k l), their sum's square left out"
+    source = "derived: tan²ν and Q/(k l); the square of their sum is neglected"
     yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
                         expected=Computed(interval, source))  # fmt: skip
     yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
 
 
 def _balances(q: ClutchStiffness) -> Iterator[Comparison]:
-    for words, key in (("uniform", "off_diagonal"), (HELD, "off_diagonal_pinned")):
+    for words, key in (("even load", "off_diagonal"), (HELD, "off_diagonal_pinned")):
         yield balance(key, f"entries off the diagonal, {words}", "K_ab", "N/mm",
                       of={"K_xx": q.K_xx}, bound=1e-12,
-                      because="sums over even sprags, round-off")  # fmt: skip
-    yield balance("axial", "axial stiffness, uniform", "K_z", "N/mm", of={"K_xx": q.K_xx},
-                  bound=1e-12, because="forces lie across the axis")  # fmt: skip
-    for words, key in (("uniform", "torque"), (HELD, "torque_pinned")):
+                      because="sums over evenly spaced sprags, round-off")  # fmt: skip
+    yield balance("axial", "axial stiffness, even load", "K_z", "N/mm", of={"K_xx": q.K_xx},
+                  bound=1e-12, because="forces lie in the plane across the axis")  # fmt: skip
+    for words, key in (("even load", "torque"), (HELD, "torque_pinned")):
         yield balance(key, f"torque, {words}", "M_z − T", "N m", of={"T": q.T}, bound=1e-11,
                       because="Newton's tolerance 1e-12")  # fmt: skip
 
 
 def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Stiffness of struts over wedge angle, deflection and offset."""
+    """Rows on limits of the stiffness of struts: small wedge angle, deflection and offset."""
 
     def over_angle(levels: Sequence[Level]) -> Points:
         """Error of Eq. 3 over sin ν, at equal normal forces."""
@@ -140,17 +143,17 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
 
     def over_yield(levels: Sequence[Level]) -> Points:
-        """1 - struts/formula over the deflection of the contacts, delta_0/l, ends held."""
+        """1 - struts/formula over the deflection of the contacts, delta_0/l, with pinned ends."""
         K = levels[-1].arrays["K_zz over deflection, pinned"]
         eps = [q.delta_0 / s / (q.R_e - q.R_i) for s in reversed(STIFFER)]
         d = (1 - K / (q.K_zz * np.array(STIFFER)))[::-1]
         return eps, d.tolist(), [1e-13] * len(eps)
 
     def over_offset(levels: Sequence[Level]) -> Points:
-        """First-order coupling relative to struts, Eq. 3 corrected in both, over dx/delta_0.
+        """Relative error of the first-order coupling, with Eq. 3 corrected, over dx/delta_0.
 
-        The term after the fitted term counts as uncertainty, and so does round-off: the coupling
-        is a small difference of large entries.
+        The uncertainty is the next term of the series, and round-off: the coupling is a small
+        difference of large entries.
         """
         K = levels[-1].arrays["K_xz over small offsets"]
         formula = q.K_xz_first * np.array(SMALL) * q.delta_0 / q.e
@@ -167,10 +170,13 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
-    """The tangent against differences, displacements, the exponent of a line contact."""
+    """Rows on the tangent stiffness, the number of displacements and the contact exponent."""
 
     def by_differences(_: Context) -> tuple[float, float, str]:
-        """Tangent with sprags missing, which fills it, against differences of the loads."""
+        """Tangent stiffness with missing sprags, against differences of the loads.
+
+        With missing sprags, no entry of the matrix is zero.
+        """
         gap = q.in_state["gap"]
         size = np.array([1.0, 1.0, q.L, q.L, q.d_t])
         h = 1e-5 * q.delta_0 / size
@@ -178,7 +184,7 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
         found = (clutch.loads(at + np.diag(h)) - clutch.loads(at - np.diag(h))) / (2 * h[:, None])
         scaled = np.abs(found - gap.tangent) / np.outer(size, size)
         off = float(scaled.max() / q.K_xx)
-        return off, 0.0, f"off by {off:.1e} of K_xx at most"
+        return off, 0.0, f"difference at most {off:.1e} of K_xx"
 
     def displacements(given: int) -> Callable[[Context], tuple[float, float]]:
         def margin(_: Context) -> tuple[float, float]:
@@ -195,14 +201,16 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
         exponent = math.log(2) / math.log(two / one)
         return Pair(exponent, 10 / 9, 0.0, f"{exponent:.12g}")
 
-    tangent = Deviation(name="tangent against differences of the loads, 1e-8", symbol="ΔK/K_xx",
+    tangent = Deviation(name="tangent stiffness against differences of the loads, "
+                             "1e-8", symbol="ΔK/K_xx",
                         unit="1", size=by_differences, accepted=DIFFERENCES, source=SUBJECT,
                         whole="K_xx", fem_needed=False, by="differences of the loads",
                         everywhere=True)  # fmt: skip
     yield Comparison(check=tangent, quantity=link.K_xx, state=q.state("gap"))
-    for number, words, symbol, id_ in ((5, "five displacements, all of them held", "K_ps",
+    for number, words, symbol, id_ in ((5, "five displacements, all resisted by stiffness", "K_ps",
                                         "clutch-stiffness-dofs"),
-                                       (6, "six displacements, the axial one free", "K_s",
+                                       (6, "six displacements, the axial one not resisted by "
+                                           "stiffness", "K_s",
                                         "clutch-element-dofs")):  # fmt: skip
         yield Fact(name=words, symbol=symbol, unit="1", margin=displacements(number),
                    fem_needed=False, printed=(f"huang2022:{id_}",))  # fmt: skip
@@ -216,24 +224,25 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
 
 def _misprints(q: ClutchStiffness) -> Iterator[Check]:
     def one_angle(_: Context) -> tuple[float, str]:
-        """Eq. 9 with psi_i: no stiffness, and a force at rest."""
+        """Eq. 9 with psi_i: no stiffness, and a force without displacement."""
         K = printed.radial_stiffness(q.sums, q.at_T)
         F = printed.radial_force(q.sums, q.at_T)
         share = abs(K) / q.K_xx
         words = (
-            f"with ψ_i the stiffness is {share:.0e} K_xx, the force without displacement {F:.4g} N"
+            f"with ψ_i the stiffness is {share:.0e} K_xx, and the force without displacement is "
+            f"{F:.4g} N"
         )
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
     def whole_displacement(_: Context) -> tuple[float, str]:
-        """Eq. 10 with the whole displacement: n times the load."""
+        """Eq. 10 with the whole displacement: the product is n times the load."""
         ratio = float((q.tangent @ q.at_T)[4] / q.T)
         n = 1 / uniform.secant_over_tangent()
         words = f"K times the whole displacement is {ratio:.5f} times the load"
         return 1e-9 - abs(ratio - n), words
 
     def another_lever(_: Context) -> tuple[float, str]:
-        """Twice the lever: entries of K across the diagonal are 1 : 2."""
+        """With twice the lever, symmetric entries of K have the ratio 2."""
         clutch, at = q.in_state["gap"].sums, q.in_state["gap"].at_T
         K = printed.stiffness_with_lever(clutch, at, lever=2 * clutch.d_t)
         ratio = float(K[4, 0] / K[0, 4])
@@ -241,20 +250,21 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return 1e-9 - abs(ratio - 2), words
 
     def no_coupling(context: Context) -> tuple[float, str]:
-        """Under torque only, formulas and struts have no coupling."""
+        """Under torque alone, formulas and struts have no coupling."""
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (
-            f"uniform: formulas {formula:.0e}, struts {struts:.0e}; an offset of "
-            f"{q.e * 1e6:g} µm couples {abs(q.in_state['offset'].coupling):.2%}, "
-            f"{q.missing} missing {abs(q.in_state['gap'].coupling):.2%} of √(K_xx K_zz)"
+            f"even load: formulas {formula:.0e}, struts {struts:.0e}; an offset of {q.e * 1e6:g} "
+            f"µm causes {abs(q.in_state['offset'].coupling):.2%}, {q.missing} missing sprags "
+            f"{abs(q.in_state['gap'].coupling):.2%} of √(K_xx K_zz)"
         )
         return 1e-12 - max(formula, struts), words
 
     for name, symbol, erratum, margin in (
         ("Eq. 9 with one angle for all sprags", "F_r", "eq-9-sprag-index", one_angle),
         ("Eq. 10 with whole displacements", "P_s", "eq-10-increments", whole_displacement),
-        ("a torque with another lever than Eq. 4's", "M_z", "eq-9-torque-row", another_lever),
+        ("a torque with a lever different from that in Eq. "
+         "4", "M_z", "eq-9-torque-row", another_lever),
         ("bending and torsion coupled by the torque alone", "K_xz", "eq-11-bending-torsion",
          no_coupling),
     ):  # fmt: skip

@@ -22,7 +22,7 @@ THIN = 201  # slices, enough for a smooth curve when slices leave contact
 
 
 def sketch(q: SpragLink) -> Sketch:
-    """Both races to scale with a line for every sprag, inclined by nu at the inner race."""
+    """Sketch of both races, to scale, with a line for every sprag, inclined by nu."""
     h = q.R_i * math.sin(q.nu)
     turn = q.nu - math.asin(h / q.R_e)
     # seen against +z: angles count from x on, counter-clockwise
@@ -50,8 +50,8 @@ def sketch(q: SpragLink) -> Sketch:
         *(leader(q.R_e * np.array(start), tip, name) for start, tip, name in named),
     )  # fmt: skip
     return sketches.sketch(
-        f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
-        f"{math.degrees(q.nu):.4g}° off the radius at the inner race",
+        f"{q.Z} sprags between the races, to scale, drawn as lines through both contacts, at "
+        f"{math.degrees(q.nu):.4g}° to the radius at the inner race",
         shapes,
     )  # fmt: skip
 
@@ -65,7 +65,7 @@ def _over_torque(context: Context) -> Curves:
     T = np.geomspace(0.01, 2.0, 81) * q.T
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
-        line("K_xx and K_yy, as K_zz and K_tilt: its tenth root", T, k / q.k),
+        line("tenth root of the torque, as K_xx, K_yy, K_zz and K_tilt", T, k / q.k),
         dots("the given torque", q.T, 1.0),
     ]  # fmt: skip
     if context.fem:
@@ -75,7 +75,8 @@ def _over_torque(context: Context) -> Curves:
             curves.append(dots(f"{key}, struts", solved, y, number))
     return plot(
         "Stiffness over torque", "T [N m]", "K(T)/K", curves,
-        note="Without torque the clutch has no stiffness; it increases fast, then slowly.",
+        note="Without torque the clutch has no stiffness; the stiffness increases fast at first, "
+             "then slowly.",
     )  # fmt: skip
 
 
@@ -87,7 +88,7 @@ def _over_offset(context: Context) -> Curves:
         clutch.stiffness(under_torque(clutch, T=q.T, offset=(one, 0, 0, 0)))[0, 4] for one in dx
     ])  # fmt: skip
     curves = [
-        line("Eq. 8 in full", dx / um, K),
+        line("Eq. 8, not linearised", dx / um, K),
         dashes("first order in the offset", dx / um, q.K_xz_first * dx / q.e, 1),
     ]  # fmt: skip
     if context.fem:
@@ -96,13 +97,14 @@ def _over_offset(context: Context) -> Curves:
         curves.append(dots("struts", x, y, 2))
     return plot(
         "Coupling of bending and torsion over a static offset", "Δx [µm]", "K_xz [N]", curves,
-        note=f"Zero where the load is even. From the deflection of {q.delta_0 / um:.4g} µm on "
-        "sprags lose contact one after the other: K_xz increases in steps.",
+        note="The coupling is zero under even load. For offsets above the deflection of "
+             f"{q.delta_0 / um:.4g} µm, sprags lose contact one after the other: K_xz increases in "
+             "steps.",
     )  # fmt: skip
 
 
 def _relative(K: Any, whole: Any) -> dict[str, Any]:
-    """Entries relative to the uniform clutch; coupling relative to its sqrt(K_xx K_zz)."""
+    """Entries over the entries under even load; couplings over √(K_xx K_zz) of the same state."""
     across = math.sqrt(whole[0, 0] * whole[4, 4])
     return {
         "K_xx": K[0, 0] / whole[0, 0], "K_yy": K[1, 1] / whole[1, 1],
@@ -133,8 +135,8 @@ def _over_crown(context: Context) -> Curves:
         line("K_xx", drop / um, found["K_xx"]), line("K_tilt", drop / um, found["K_tilt"], 1),
         # dots, as the curve lies on that of K_xx
         dots("K_zz", drop[::3] / um, found["K_zz"][::3], 2),
-        note="Under the same torque. A crown reduces mainly the tilting stiffness, since it "
-        "unloads the ends.",
+        note="The torque is the same for all crowns. A crown mainly reduces the tilting stiffness, "
+             "since it unloads the ends of the sprags.",
     )  # fmt: skip
 
 
@@ -144,9 +146,9 @@ def _over_gap(context: Context) -> Curves:
     counts = np.arange(1, most + 1)
     found = _entries(q, [q.model_copy(update={"missing": int(m)}) for m in counts], gap=True)
     return plot(
-        "Stiffness without some neighbouring sprags", "missing sprags", "K/K(all sprags)",
+        "Stiffness without some neighbouring sprags", "number of missing sprags", "K/K(all sprags)",
         # dots, as the curve lies on that of K_xx
         (curve(name, counts.astype(float), y, "dots" if name == "K_tilt" else "line", number)
          for number, (name, y) in enumerate(found.items())),
-        note="The gap is on the x-axis, the bearings hold the inner race in the middle.",
+        note="The gap is on the x-axis, and the bearings keep the inner race concentric.",
     )  # fmt: skip

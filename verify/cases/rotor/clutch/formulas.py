@@ -1,4 +1,4 @@
-"""Formulas of a clutch between two rotors, in its uniform state and in uneven states."""
+"""Formulas of a clutch between two rotors, under even and uneven load."""
 
 import math
 from typing import ClassVar, Self
@@ -14,7 +14,7 @@ FINE = 401  # number of slices that represents a continuous sprag
 ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
 ACROSS = {"K_xy": (0, 1), "K_yz": (1, 4)}  # zero by Eq. 3 wherever the x-axis halves a clutch
 UNEVEN = {  # cause of the unevenness of each state, and its name in text
-    "": ((), "uniform"),
+    "": ((), "even load"),
     "offset": (("with_offset",), "with an offset"),
     "crown": (("with_crown",), "with a crown"),
     "gap": (("with_gap",), "with sprags missing"),
@@ -23,7 +23,7 @@ UNEVEN = {  # cause of the unevenness of each state, and its name in text
 
 
 class ClutchStiffness(SpragLink):
-    """Stiffness under T: uniform clutches in closed form, uneven clutches as sums over sprags."""
+    """Stiffness under T: closed forms under even load, sums over sprags under uneven load."""
 
     with_offset: ClassVar[bool] = False
     with_crown: ClassVar[bool] = False
@@ -33,12 +33,12 @@ class ClutchStiffness(SpragLink):
     def n(self) -> float:
         return LINE_CONTACT
 
-    @Quantity("N", "N", "normal force of a sprag", source="Eq. 9, torque", role="step",
+    @Quantity("N", "N", "normal force of a sprag", source="Eq. 9, torque equation", role="step",
               tex=r"\frac{T}{Z d_t}")  # fmt: skip
     def N(self) -> float:
         return float(uniform.normal_force(T=self.T, Z=self.Z, d_t=self.d_t))
 
-    @Quantity("δ_0", "µm", "deflection of both its contacts", source="Eq. 2", role="step",
+    @Quantity("δ_0", "µm", "deflection of both contacts of a sprag", source="Eq. 2", role="step",
               tex=r"\delta_{kN} (\frac{N}{1000})^{1 / n}", fitted=True)  # fmt: skip
     def delta_0(self) -> float:
         return float(uniform.approach(N=self.N, k_n=self.k_n))
@@ -88,7 +88,7 @@ class ClutchStiffness(SpragLink):
                                              delta_0=self.delta_0))  # fmt: skip
 
     @Quantity("K_xy", "N/mm", "coupling of x and y by the wedge angle", when=lambda q: q.with_gap,
-              source="forces along the struts; none by Eq. 3")  # fmt: skip
+              source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_xy(self) -> float:
         """K_xy for missing sprags at psi_g: -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
@@ -97,7 +97,7 @@ class ClutchStiffness(SpragLink):
 
     @Quantity("K_yz", "N", "coupling of y and torsion by the wedge angle",
               when=lambda q: q.with_gap,
-              source="forces along the struts; none by Eq. 3")  # fmt: skip
+              source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_yz(self) -> float:
         """K_yz for missing sprags: tan(nu) K_xz."""
         if self.with_offset:
@@ -107,13 +107,19 @@ class ClutchStiffness(SpragLink):
         )
 
     @Quantity(
-        "K_y,γx", "N", "coupling of y and the tilt about x, displaced and tilted", source="Eq. 7"
+        "K_y,γx",
+        "N",
+        "coupling of y and the tilt about x, clutch with offset and tilt",
+        source="Eq. 7",
     )
     def K_y_tilt_x(self) -> float:
         return self._tilted["K_y_tilt_x"]
 
     @Quantity(
-        "K_x,γy", "N", "coupling of x and the tilt about y, displaced and tilted", source="Eq. 7"
+        "K_x,γy",
+        "N",
+        "coupling of x and the tilt about y, clutch with offset and tilt",
+        source="Eq. 7",
     )
     def K_x_tilt_y(self) -> float:
         return self._tilted["K_x_tilt_y"]
@@ -130,7 +136,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def uneven(self) -> bool:
-        """Whether the load differs between sprags or along them."""
+        """Whether the load differs between sprags or along the sprags."""
         return self.with_offset or self.with_crown or self.with_gap
 
     @shared
@@ -141,36 +147,36 @@ class ClutchStiffness(SpragLink):
         return {"": self, **found}
 
     def state(self, key: str) -> State:
-        """A state with its words."""
+        """State `key` with its text for names of rows."""
         return State(self.in_state[key], key, UNEVEN[key][1])
 
     @shared
     def sums(self) -> SpragCoupling:
-        """The clutch of Eqs. 3 to 11, with crown or gap."""
+        """Clutch of Eqs. 3 to 11, with crown or gap in the states that have them."""
         return self.clutch(crowned=self.with_crown, gap=self.with_gap)
 
     @shared
     def at_T(self) -> Array:
-        """Its displacements under T, aside or in the middle."""
+        """Displacements of the clutch under T, with the offset of the state."""
         return under_torque(self.sums, T=self.T, offset=(self._dx, 0, 0, 0))
 
     @shared
     def tangent(self) -> Array:
-        """K (5, 5) under T."""
+        """Stiffness matrix K (5, 5) under T, by Eqs. 3 to 11."""
         return self.sums.stiffness(self.at_T)
 
     def general(self, entry: str) -> float:
-        """An entry as Eqs. 3 to 11 sum it up."""
+        """Entry of K by Eqs. 3 to 11."""
         return float(self.tangent[ENTRIES[entry]])
 
     @shared
     def _inclined(self) -> Array:
-        """K (5, 5) with forces along the struts, and slices as fine as matters."""
+        """K (5, 5) with forces along the struts, and `FINE` slices."""
         clutch = self.clutch(crowned=self.with_crown, gap=self.with_gap, n_s=FINE)
         return clutch_inclined.inclined_stiffness(clutch, T=self.T, dx=self._dx)
 
     def inclined(self, entry: str) -> float:
-        """An entry with forces along the struts."""
+        """Entry of K with forces along the struts."""
         return float(self._inclined[(ENTRIES | ACROSS)[entry]])
 
     @shared
@@ -180,7 +186,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def coupling(self) -> float:
-        """K_xz over √(K_xx K_zz)."""
+        """Coupling K_xz over √(K_xx K_zz)."""
         K = self.tangent
         return float(K[0, 4] / math.sqrt(K[0, 0] * K[4, 4]))
 
@@ -190,7 +196,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def _k_left(self) -> float:
-        """Stiffness of a sprag if some sprags are missing."""
+        """Stiffness of a remaining sprag if some sprags are missing."""
         N = uniform.normal_force(T=self.T, Z=self.Z - self.missing, d_t=self.d_t)
         return float(uniform.contact_stiffness(N=N, k_n=self.k_n))
 
@@ -204,6 +210,6 @@ class ClutchStiffness(SpragLink):
 
     @property
     def aside(self) -> dict[str, float]:
-        """Offset [m] and tilt [rad] of the displaced and tilted clutch."""
+        """Offset [m] and tilt [rad] of the clutch with offset and tilt."""
         dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
         return {"dx": dx, "tilt": tilt}

@@ -1,7 +1,7 @@
 """Inputs of a sprag clutch between two rotors: sprags, deflections, torque, and uneven states.
 
-The paper states only the torque of its rig. Radii and the number of sprags are printed by these
-authors for their clutch of 2018; wedge angle and length are identified there.
+The paper states only the torque of its test rig. Radii and number of sprags are those that the
+same authors print for their clutch of 2018; wedge angle and length are identified there.
 """
 
 import math
@@ -20,7 +20,7 @@ SLICES = 41  # slices of a sprag; the paper states no number
 class SpragLink(Case):
     """Z sprags between two races under a torque, without offset, crown and missing sprags."""
 
-    T: float = given("15 N m", "N m", "T", "torque that presses the sprags", gt=0, le=1e9,
+    T: float = given("15 N m", "N m", "T", "torque that preloads the sprags", gt=0, le=1e9,
                         claims="huang2022:orbit-torque")  # fmt: skip
     Z: int = count(12, "Z", "number of sprags", ge=3, le=200,
                    claims="huang2018:table1-number-of-sprags")  # fmt: skip
@@ -32,36 +32,37 @@ class SpragLink(Case):
                          ge=0.1, le=20)  # fmt: skip
     L: float = given("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
     n_s: int = count(SLICES, "n_s", "number of slices of a sprag (not printed)", ge=2, le=1000)
-    a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; left out: "
-                               "Palmgren's, steel", omitted=None, gt=0, le=1e4,
+    a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; "
+                               "default: Palmgren's formula for steel", omitted=None, gt=0, le=1e4,
                                example="6.6 µm")  # fmt: skip
-    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor, for the uneven "
-                        "state", gt=0, le=1e4)  # fmt: skip
-    drop: float = given("1 µm", "µm", "L(L_we/2)", "crown's drop at the ends, a parabola, for "
-                           "the uneven state", ge=0, le=1e4)  # fmt: skip
-    missing: int = count(1, "m", "neighbouring sprags that are missing, for the uneven state",
+    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor, for the "
+                     "states with offset", gt=0, le=1e4)  # fmt: skip
+    drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the "
+                        "ends, for the states with crown", ge=0, le=1e4)  # fmt: skip
+    missing: int = count(1, "m", "number of missing neighbouring sprags, for the states with gap",
                          ge=1, le=197)  # fmt: skip
 
     @model_validator(mode="after")
     def _clutch(self) -> Self:
         if not self.R_i < self.R_e:
             raise ValueError(
-                f"the sprags need room between the races: R_i < R_e, got R_i = "
+                "R_i must be below R_e, to leave room for sprags between the races, got R_i = "
                 f"{self.R_i * 1e3:g} mm, R_e = {self.R_e * 1e3:g} mm"
             )
         if self.missing > self.Z - 3:
             raise ValueError(
-                f"three sprags must remain: m at most Z - 3 = {self.Z - 3}, got m = {self.missing}"
+                f"at least three sprags must remain: m may be at most Z - 3 = {self.Z - 3}, got m "
+                f"= {self.missing}"
             )
         return self
 
     @property
     def k_n(self) -> float:
-        """Force of a sprag over its deflection to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
+        """Constant of a sprag [N/m^(10/9)] (Eq. 2): force over deflection to the power 10/9."""
         return float(REFERENCE / self.yield_1kN**LINE_CONTACT)
 
     @Quantity("δ_kN", "µm", "deflection of both contacts under 1 kN", role="step",
-              source="Palmgren, or a")  # fmt: skip
+              source="Palmgren's formula, or the input a")  # fmt: skip
     def yield_1kN(self) -> float:
         both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
         return both if self.a is None else self.a
@@ -72,11 +73,11 @@ class SpragLink(Case):
         return self.R_i * math.tan(self.nu)
 
     def crown(self, x: Array) -> Array:
-        """Drop of a contact [m] at x [m] from the middle."""
+        """Drop of the crown of a contact [m] at the distance x [m] from the middle."""
         return self.drop * (2 * x / self.L) ** 2
 
     def gap(self) -> tuple[int, ...]:
-        """Numbers of the sprags that are missing; they lie around the x-axis."""
+        """Indices of the missing sprags, which lie around the x-axis."""
         return tuple(range(self.missing))
 
     def angles(self, *, uneven: bool = False) -> Array:
@@ -87,7 +88,7 @@ class SpragLink(Case):
     def clutch(
         self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None
     ) -> SpragCoupling:
-        """The clutch of the formulas, with a crown or a gap where requested."""
+        """Clutch of the formulas, with a crown or a gap where requested."""
         return SpragCoupling(
             psi=self.angles(uneven=gap), R_i=self.R_i, nu=self.nu, L=self.L, k_n=self.k_n,
             n_s=n_s or self.n_s, crown=self.crown if crowned else None,

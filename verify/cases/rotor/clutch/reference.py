@@ -1,4 +1,4 @@
-"""Partner of the clutch's formulas: struts between rigid hubs, inclined, in exact kinematics."""
+"""Reference for the clutch's formulas: struts between rigid hubs, inclined, exact kinematics."""
 
 import math
 from dataclasses import replace
@@ -25,7 +25,7 @@ SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz":
 
 
 def struts_fem(q: SpragLink) -> "SpragStruts":
-    """The clutch of the inputs as struts."""
+    """Clutch of the inputs as struts."""
     from fem.rotor.sprag_struts import SpragStruts
 
     return SpragStruts(T=q.T, Z=q.Z, R_i=q.R_i, R_e=q.R_e, nu=q.nu, L=q.L, yields_at_kn=q.a,
@@ -33,7 +33,7 @@ def struts_fem(q: SpragLink) -> "SpragStruts":
 
 
 def solve(q: SpragLink, level: int) -> Level:
-    """Struts in all states, cut into `level` slices."""
+    """Results of struts in all states, with `level` slices for each sprag."""
     struts = struts_fem(q)
     uniform, pinned = struts.rolling(level), struts.pinned(level)
     joints = {

@@ -1,4 +1,4 @@
-"""Uniform turning shaft: three beam theories, two kinds of elements, and the elastic body."""
+"""Uniform rotating shaft: three beam theories, two kinds of elements, and the elastic body."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -21,8 +21,8 @@ FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 class UniformShaft(BeamTheories):
     """Beam elements by Euler, Rayleigh and Timoshenko on a shaft with closed-form solutions.
 
-    The same shaft as an elastic body, whose whirl frequencies are known exactly, gives the error of
-    beam theory. The paper prints no dimensions: those here were chosen for this project.
+    The whirl frequencies of the same shaft as an elastic body are also known exactly: they give the
+    error of beam theory. The paper prints no dimensions; those here were chosen for this project.
     """
 
     id = "rotor-shaft"
@@ -40,12 +40,13 @@ class UniformShaft(BeamTheories):
         ),
     )  # fmt: skip
     readings: ClassVar = (
-        "the shear coefficient is Hutchinson's; with Cowper's the error falls with (d/L)² alone",
-        "terms in Ω² and the stiffness of centrifugal stress are both neglected: they cancel "
-        "where sections rotate as if rigid",
+        "the shear coefficient is Hutchinson's; with Cowper's coefficient, the error decreases "
+        "only with (d/L)²",
+        "terms in Ω² and the centrifugal stiffening are both neglected: they cancel if sections "
+        "rotate as rigid discs",
     )
     assumptions: ClassVar = (
-        "ends held across and free along, bearings rigid",
+        "ends supported in the transverse direction and free along the axis; rigid bearings",
         "linear elasticity, no damping",
         "critical speeds are those of synchronous forward whirl",
     )
@@ -61,20 +62,23 @@ class UniformShaft(BeamTheories):
         return solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a theory is inaccurate, or the speed is critical or bursts the shaft."""
+        """Warnings if a theory is inaccurate, or the speed is near-critical or bursts the shaft."""
         if (error := self.euler.at_rest(1) / self.exact.at_rest(1) - 1) > 0.02:
-            yield f"Euler's beam is {error:+.1%} off at mode 1: take Timoshenko's"
+            yield f"Euler's beam has an error of {error:+.1%} at mode 1: use Timoshenko's theory"
         worst = max((self.at_rest(j) / self.exact.at_rest(j) - 1 for j in MODES), key=abs)
         if abs(worst) > CEILING:
-            yield f"Timoshenko's beam is {worst:+.2%} off in modes 1 to 3: too short or thin-walled"
+            yield (
+                f"Timoshenko's beam has an error of up to {worst:+.2%} in modes 1 to 3: the shaft "
+                "is too short or thin-walled"
+            )
         near = min(abs(self.n / self.exact.critical - 1), 1.0)
         if near < 0.1:
             yield f"{self.n * 30 / np.pi:.5g} r/min is within {near:.0%} of the critical speed"
         if (rim := self.n * self.d_o / 2) > FASTEST:
-            yield f"its rim runs at {rim:.0f} m/s: steel bursts at some {FASTEST:.0f} m/s"
+            yield f"the rim speed is {rim:.0f} m/s: steel bursts at about {FASTEST:.0f} m/s"
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Frequencies of all theories with the frequencies of the elastic body."""
+        """Table of frequencies by all theories, and of the elastic body."""
         yield drawn.frequencies(context)
 
 

@@ -31,16 +31,16 @@ NEAR = 5e-5  # uncertainty of the predicted error of a formula
 FINE = 1e-5  # relative to a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
 DIGITS = 2e-12  # relative accuracy of both sides for this quantity
-FOUR, TWO = "elements of order four", "elements of order two"
-SOLVED = "his equation, solved independently, over the cylinder of elasticity; ± 5e-5"
+FOUR, TWO = "the elements have convergence order four", "the elements have convergence order two"
+SOLVED = "exact solution of Timoshenko's equation over that of the elastic cylinder; ± 5e-5"
 SERIES = "neglected terms of Timoshenko's equation, to second order"
-NEIGHBOURS = "distinguishes an order from its neighbours"
+NEIGHBOURS = "sufficient to distinguish neighbouring orders"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 Points = tuple[list[float], list[float], list[float]]
 
 
 def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
-    """Beams against beams, elasticity against the body, beams against the body, limits, orders."""
+    """All rows: beams against beams and body, elasticity against the body, limits, orders."""
     yield from _beams(beam)
     yield from _bodies(beam)
     yield from _neglected(beam)
@@ -65,7 +65,7 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
 
 
 def _theories(beam: BeamTheories) -> tuple[State, ...]:
-    """Euler's, Rayleigh's, Timoshenko's."""
+    """States of Euler's, Rayleigh's and Timoshenko's theory."""
     return (State(beam.euler, "euler", "Euler", "{}E"),
             State(beam.rayleigh, "rayleigh", "Rayleigh", "{}R"),
             State(beam, "", "Timoshenko"))  # fmt: skip
@@ -76,14 +76,14 @@ def _elasticity(beam: BeamTheories) -> State:
 
 
 def _beams(beam: BeamTheories) -> Iterator[Comparison]:
-    """Beam elements and weak forms against closed forms of their theory."""
+    """Rows of beam elements and weak forms against closed forms of the same theory."""
     modes = ((1, "forward"), (1, "backward"), (3, "forward"))
     for theory, state in zip(THEORIES, _theories(beam), strict=True):
         short = theory == "timoshenko"
         for q, words in _named(modes):
             third = short and q == BeamTheories.whirl(3, "forward")
             yield _whirl(
-                q, f"beam_{theory}_{q.name}", f"elements of {state.words}, {words}",
+                q, f"beam_{theory}_{q.name}", f"elements of {state.words}'s beam, {words}",
                 order=2 if short else 4, state=state, demand=2e-3 if third else 1e-3,
             )  # fmt: skip
     euler, rayleigh, timoshenko = zip(THEORIES, _theories(beam), strict=True)
@@ -92,12 +92,12 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
                                     (timoshenko, 3, "forward")):  # fmt: skip
         q = BeamTheories.whirl(j, sense)
         yield _whirl(q, f"weak_{theory}_{q.name}",
-                     f"weak form of {state.words}, mode {j} {sense}", order=4, state=state,
+                     f"weak form of {state.words}'s beam, mode {j} {sense}", order=4, state=state,
                      by="weak form")  # fmt: skip
 
 
 def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
-    """The elastic body against elasticity, and both splittings."""
+    """Rows of the elastic body against elasticity, and of both gyroscopic splittings."""
     shaft, exact = BeamTheories, _elasticity(beam)
     yield _whirl(shaft.pochhammer, "solid_at_rest_1",
                  "elastic body at rest, Pochhammer's equation", order=4)  # fmt: skip
@@ -111,7 +111,7 @@ def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
-    """Beams at rest against the body, as predicted by Timoshenko's equation."""
+    """Rows of beams at rest against the body, with the error predicted by Timoshenko's equation."""
     fine: dict[str, Any] = {"symbol": "ω", "order": 4}
     shape = {name: getattr(beam, name) for name in ("L", "d_o", "d_i", "E", "nu", "rho")}
     for j in MODES:
@@ -129,7 +129,7 @@ def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _orders(beam: BeamTheories) -> Iterator[Comparison]:
-    """Convergence of each kind of elements in mode 1 forward."""
+    """Rows of the convergence order of each kind of elements in mode 1 forward."""
     euler, rayleigh, timoshenko = _theories(beam)
     for words, model, state, order, demand in (
         ("Euler's elements", "beam_euler", euler, 4, DEMAND),
@@ -138,16 +138,16 @@ def _orders(beam: BeamTheories) -> Iterator[Comparison]:
         ("the weak form", "weak_timoshenko", timoshenko, 4, DEMAND),
         ("the elastic body", "solid", _elasticity(beam), 4, 0.03),
     ):
-        check = Order(name=f"order of {words}", symbol="p", unit="1", order=order,
+        check = Order(name=f"convergence order of {words}", symbol="p", unit="1", order=order,
                       errors=_errors(f"{model}_whirl_1_forward", state), demand=demand,
                       demand_reason=NEIGHBOURS if demand > DEMAND else "")  # fmt: skip
         yield Comparison(check=check, quantity=BeamTheories.whirl(1, "forward"), state=state)
 
 
 def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
-    """Euler's error at rest against the elastic body, as the shaft gets slender.
+    """Error of Euler's beam at rest against the elastic body, for increasing slenderness.
 
-    The uncertainty includes the meshes and the truncation after the first term, (k r)^2 of it.
+    The uncertainty includes mesh differences and neglected terms, (k r)^2 of the error.
     """
     runs = np.array([r.arrays["limit"] for r in levels])
     formula = [beam.shaft(L=beam.d_o / x).whirl(1, theory="euler")[0] for x in RATIOS]
@@ -157,7 +157,7 @@ def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
 
 
 def _timoshenko_limit(beam: BeamTheories) -> Points:
-    """Timoshenko's error at rest against the elastic cylinder, with this first term."""
+    """Error of Timoshenko's beam at rest against the elastic cylinder, over d/L."""
     d = []
     for x in TOWARDS:
         exact = beam.cylinder().whirl(np.pi * x / beam.d_o)[0][0]
@@ -176,14 +176,14 @@ def _within_ceiling(beam: BeamTheories, context: Context) -> Pair:
 
 
 def _fine(beam: BeamTheories, context: Context) -> Pair:
-    """The beam and 32 elements, the finest, on a shaft of d/L = 0.03."""
+    """Frequencies of the exact beam and of the finest mesh, 32 elements, at d/L = 0.03."""
     v, exact = context.series("beam_slender")[1][-1], beam.slender.at_rest(1)
     return Pair(exact, v, 1e-9 * abs(v), f"{v / exact - 1:.1e}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class FormulasLimit(Limit):
-    """Both sides are formulas: no finite elements."""
+    """A limit for which both sides are formulas, without finite elements."""
 
     @property
     def needs_fem(self) -> bool:
@@ -193,7 +193,7 @@ class FormulasLimit(Limit):
 def _whirl(
     q: Quantity, reference: str, name: str, *, order: float, demand: float = 1e-3, **more: Any
 ) -> Comparison:
-    """A frequency or a critical speed of elements against the exact value."""
+    """Row of a frequency or a critical speed of elements against the exact value."""
     symbol = "Ω_c" if q == BeamTheories.critical else "ω"
     shares = BEAM if "timoshenko" in reference else ""
     return identity(q, reference, name=name, symbol=symbol, unit="rad/s", order=order,
@@ -202,13 +202,13 @@ def _whirl(
 
 
 def _named(modes: tuple[tuple[int, str], ...]) -> Iterator[tuple[Quantity, str]]:
-    """Frequencies and the critical speed with their names in rows."""
+    """Quantities of the frequencies and the critical speed, with their names in rows."""
     yield from ((BeamTheories.whirl(j, sense), f"mode {j} {sense}") for j, sense in modes)
     yield BeamTheories.critical, "critical speed"
 
 
 def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], list[float]]]:
-    """Signed errors of mode 1 forward against its theory, per level."""
+    """Signed errors of mode 1 forward against the exact value of its theory, for each level."""
 
     def found(context: Context) -> tuple[list[float], list[float]]:
         h, v = context.series(key)
@@ -220,9 +220,9 @@ def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], li
 
 
 def _sense(context: Context) -> tuple[float, float, str]:
-    """Least relative excess of forward over backward whirl, as named by the elements."""
+    """Smallest relative excess of forward over backward whirl; -1 if elements name them wrongly."""
     v = context.fem[-1].values
     share = [v[f"{name}_split"] / v[f"{name}_whirl_1_forward"]
              for name in ("beam_timoshenko", "weak_timoshenko", "solid")]  # fmt: skip
     named = v["beam_sense"] == 2  # the faster of the pair is +1, the slower -1
-    return min(share) if named else -1.0, 1e-9, f"by {min(share):.2%} of the frequency"
+    return min(share) if named else -1.0, 1e-9, f"by at least {min(share):.2%} of the frequency"

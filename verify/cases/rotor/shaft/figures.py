@@ -1,4 +1,4 @@
-"""Figures of a uniform turning shaft: sketch, errors, Campbell diagram."""
+"""Figures of a uniform rotating shaft: sketch, errors, Campbell diagram."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -35,7 +35,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def frequencies(context: Context) -> Table:
-    """Frequencies of all theories with the frequencies of the elastic body."""
+    """Table of frequencies by all theories, and of the elastic body."""
     q = context.inputs
     rows = [
         (f"mode {j} {sense}",
@@ -59,7 +59,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def over_slenderness(context: Context) -> Curves:
-    """Errors of the theories against elasticity, over d/L."""
+    """Figure of the errors of the theories against elasticity, over d/L."""
     q = context.inputs
     ratio = np.geomspace(0.02, 0.5, 33)
     exact = np.array([q.cylinder().whirl(np.pi * x / q.d_o)[0][0] for x in ratio])
@@ -76,10 +76,10 @@ def over_slenderness(context: Context) -> Curves:
         curves.append(dots("Euler over the elastic body, FE", np.array(RATIOS),
                            abs(formula / context.fem[-1].arrays["limit"] - 1) * 100))  # fmt: skip
     return plot(
-        "Error of mode 1 at rest over the shaft's slenderness", "d_o/L", "|error| [%]", curves,
+        "Error of mode 1 at rest over d/L", "d_o/L", "|error| [%]", curves,
         y_log=True,
-        note=f"Against three-dimensional elasticity, d_i/d_o = {q.m:.3g}. Only Hutchinson's "
-        "coefficient makes the error fall with the fourth power.",
+        note=f"Against three-dimensional elasticity, d_i/d_o = {q.m:.3g}. Only with Hutchinson's "
+             "coefficient does the error decrease with the fourth power.",
     )  # fmt: skip
 
 
@@ -108,12 +108,13 @@ def campbell(context: Context) -> Campbell:
         names=tuple(names), excitations=(("n", 1 / 60),),
         critical=((critical / RPM, critical / HZ, f"{critical / RPM:.5g} r/min"),),
         peers=peers, peers_name="elastic body, FE",
-        note="Timoshenko's beam: forward whirl above, backward whirl below.",
+        note="Timoshenko's beam: forward whirl frequencies increase, backward whirl frequencies "
+             "decrease.",
     )  # fmt: skip
 
 
 def refinement(context: Context, order: int) -> Refinement:
-    """Errors of mode 1 forward against the exact value of each model, with a common order."""
+    """Figures of the errors of mode 1 forward against exact values, by convergence order."""
     q, first = context.inputs, "whirl_1_forward"
     series = {
         4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),
@@ -127,12 +128,12 @@ def refinement(context: Context, order: int) -> Refinement:
     )
     notes = {
         4: "Euler's elements, the weak form of Timoshenko's beam, and the elastic body, which has "
-        "half as many cells again along the shaft.",
-        2: "Timoshenko beam elements neglect inertia in their shape functions, and the shear "
-        "by it.",
+        "1.5 times as many cells along the shaft.",
+        2: "The shape functions of Timoshenko beam elements neglect inertia, and the shear caused "
+        "by inertia.",
     }
     return Refinement(
-        title="Error against the same theory's exact value, "
+        title="Error against the exact value of the same theory, "
         + ("mode 1 forward" if order == 4 else "Timoshenko's elements"),
         x_label="beam elements along the shaft", y_label="relative error",
         cells=BEAMS / np.array([r.h for r in context.fem]), errors=errors, order=order,

@@ -14,7 +14,7 @@ SENSES: tuple[Sense, ...] = ("forward", "backward")
 
 
 class BeamTheories(TurningShaft):
-    """The frequencies of a theory; the other theories are states."""
+    """Frequencies by Timoshenko's theory; the other theories are states."""
 
     theory: ClassVar[Theory | Literal["elasticity"]] = "timoshenko"
 
@@ -23,7 +23,7 @@ class BeamTheories(TurningShaft):
     def A(self) -> float:
         return self.shaft().A
 
-    @Quantity("I", "mm^4", "its second moment of area", role="geometry",
+    @Quantity("I", "mm^4", "second moment of area", role="geometry",
               tex=r"\frac{\pi}{64} (d_o^4 - d_i^4)")  # fmt: skip
     def I(self) -> float:  # noqa: E743 - what the books call it
         return self.shaft().I
@@ -42,11 +42,17 @@ class BeamTheories(TurningShaft):
     def k(self) -> float:
         return np.pi / self.L
 
-    @Quantity("e", "1", "rotary inertia of mode 1", role="step", tex=r"\frac{I}{A} k^2")
+    @Quantity("e", "1", "rotary inertia term of mode 1", role="step", tex=r"\frac{I}{A} k^2")
     def rotary(self) -> float:
         return self.I / self.A * (np.pi / self.L) ** 2
 
-    @Quantity("s", "1", "shear over rotary inertia", role="step", tex=r"\frac{E}{\kappa G}")
+    @Quantity(
+        "s",
+        "1",
+        "ratio of the shear term to the rotary inertia term",
+        role="step",
+        tex=r"\frac{E}{\kappa G}",
+    )
     def shear(self) -> float:
         return self.E * self.A / self.shaft().S
 
@@ -94,7 +100,7 @@ class BeamTheories(TurningShaft):
         return {j: self._pair(j, self.n) for j in MODES}
 
     def _pair(self, j: int, Omega: float) -> tuple[float, float]:
-        """Mode j at a speed: forward and backward [rad/s]."""
+        """Forward and backward whirl frequency [rad/s] of mode j at a speed."""
         if self.theory == "elasticity":
             ahead, behind = self.cylinder().whirl(j * np.pi / self.L, Omega=Omega)
             return float(ahead[0]), float(behind[0])
@@ -102,20 +108,20 @@ class BeamTheories(TurningShaft):
 
     @shared
     def euler(self) -> Self:
-        """Without rotary inertia and shear."""
+        """The beam without rotary inertia and shear."""
         return self.variant(theory="euler")
 
     @shared
     def rayleigh(self) -> Self:
-        """With rotary inertia."""
+        """The beam with rotary inertia, without shear."""
         return self.variant(theory="rayleigh")
 
     @shared
     def exact(self) -> Self:
-        """By three-dimensional elasticity."""
+        """The shaft by three-dimensional elasticity."""
         return self.variant(theory="elasticity")
 
     @shared
     def slender(self) -> Self:
-        """A shaft that is longer over its diameter."""
+        """A shaft of a given small d/L."""
         return self.model_copy(update={"L": self.d_o / SLENDER})

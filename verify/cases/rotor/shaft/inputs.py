@@ -1,4 +1,4 @@
-"""Inputs of a uniform shaft that turns in short bearings at both ends."""
+"""Inputs of a uniform shaft that rotates in short bearings at both ends."""
 
 from typing import Self
 
@@ -20,12 +20,14 @@ class TurningShaft(Case):
     """A uniform shaft, solid or hollow, simply supported at both ends."""
 
     L: float = given(
-        "600 mm", "mm", "L", "distance of the bearings (none is printed)", gt=0, le=1e5
+        "600 mm", "mm", "L", "distance between the bearings (not printed)", gt=0, le=1e5
     )
-    d_o: float = given("60 mm", "mm", "d_o", "outer diameter (none is printed)", gt=0, le=1e5)
-    d_i: float = given("30 mm", "mm", "d_i", "bore; 0 for a solid shaft", omitted=0.0, ge=0)
+    d_o: float = given("60 mm", "mm", "d_o", "outer diameter (not printed)", gt=0, le=1e5)
+    d_i: float = given(
+        "30 mm", "mm", "d_i", "bore diameter; 0 for a solid shaft", omitted=0.0, ge=0
+    )
     n: float = given("10000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
-    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (not printed)", gt=0, le=1e5)
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
@@ -33,26 +35,27 @@ class TurningShaft(Case):
     def _shaft(self) -> Self:
         if not self.d_i < 0.98 * self.d_o:
             raise ValueError(
-                f"a shaft needs d_i < 0.98 d_o, got d_i = {self.d_i * 1e3:g} mm, "
-                f"d_o = {self.d_o * 1e3:g} mm"
+                f"d_i must be below 0.98 d_o, got d_i = {self.d_i * 1e3:g} mm, d_o = "
+                f"{self.d_o * 1e3:g} mm"
             )
         if 0 < self.d_i < 0.05 * self.d_o:
             raise ValueError(
-                f"a bore of {self.d_i * 1e3:g} mm is below a twentieth of d_o = "
-                f"{self.d_o * 1e3:g} mm: take the shaft as solid, d_i = 0"
+                f"d_i must be 0 or at least d_o/20, got d_i = {self.d_i * 1e3:g} mm, d_o = "
+                f"{self.d_o * 1e3:g} mm: set d_i = 0 for a solid shaft"
             )
         if self.d_o > STUBBY * self.L:
             raise ValueError(
-                f"d_o/L = {self.d_o / self.L:.2g} is above {STUBBY:g}: a block, not a shaft"
+                f"d_o/L = {self.d_o / self.L:.2g} must not be above {STUBBY:g}: beam theory "
+                "requires a slender shaft"
             )
         return self
 
-    @Quantity("m", "1", "bore over outer diameter", role="geometry")
+    @Quantity("m", "1", "bore diameter over outer diameter", role="geometry")
     def m(self) -> float:
         return self.d_i / self.d_o
 
     def shaft(self, *, kappa: float | None = None, L: float | None = None) -> UniformShaft:
-        """The shaft in closed form, with Hutchinson's shear coefficient unless another is given."""
+        """The shaft for closed forms; the default shear coefficient is Hutchinson's."""
         return UniformShaft(
             L=self.L if L is None else L, d_o=self.d_o, d_i=self.d_i, E=self.E, nu=self.nu,
             rho=self.rho, kappa=hutchinson(nu=self.nu, m=self.m) if kappa is None else kappa,

@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts, over all le
 
 
 def solve(q: TurningShaft, level: int) -> Level:
-    """All models on a level."""
+    """Results of all models on a level."""
     values = elements(q, level) | weak_forms(q, level) | of_body(q, body(q, q.L, level))
     limit = np.array([_half_at_rest(q, q.d_o / ratio, level) for ratio in RATIOS])
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
@@ -41,13 +41,13 @@ def solve(q: TurningShaft, level: int) -> Level:
 
 
 def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
-    """Frequencies of a model by the quantities' names."""
+    """Whirl frequencies of a model, by the names of the quantities."""
     senses = (("forward", forward), ("backward", backward))
     return {f"{name}_whirl_{j}_{sense}": found[j - 1] for sense, found in senses for j in MODES}
 
 
 def elements(q: TurningShaft, level: int) -> dict[str, float]:
-    """Beam elements: whirl, critical speeds, and mode 1 of a slender shaft."""
+    """Results of beam elements: whirl, critical speeds, and mode 1 of a slender shaft."""
     n = BEAMS * level
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
 
@@ -73,7 +73,7 @@ def elements(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
-    """The shaft as a weak form."""
+    """Beam of the shaft as a weak form."""
     s = q.shaft()
     mesh = MeshLine(np.linspace(0, q.L, BEAMS * level + 1))
     values: dict[str, float] = {}
@@ -88,7 +88,7 @@ def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> RotatingSolid:
-    """The elastic body; its ends are held across and free along, `half` with symmetry at L/2."""
+    """Elastic body, supported transversely at its ends; `half`: with symmetry at L/2."""
     cells = level * ALONG // (2 if half else 1)
     across = (level + 1) // 2 if half else level
     mesh = section(
@@ -102,7 +102,7 @@ def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> Rotati
 
 
 def of_body(q: TurningShaft, solid: RotatingSolid) -> dict[str, float]:
-    """Its whirl at the speed and at rest, its splitting, its critical speed."""
+    """Whirl frequencies of the body at the speed and at rest, splitting and critical speed."""
     found = solid.modes(q.n, len(MODES))
     at_rest = solid.modes(0.0, len(MODES)).forward
     return _whirl("solid", found.forward, found.backward) | {
@@ -113,5 +113,5 @@ def of_body(q: TurningShaft, solid: RotatingSolid) -> dict[str, float]:
 
 
 def _half_at_rest(q: TurningShaft, L: float, level: int) -> float:
-    """Mode 1 at rest of the shaft with its bearings at the distance L."""
+    """Frequency of mode 1 at rest of the shaft with bearings at the distance L."""
     return float(body(q, L, level, half=True).modes(0.0, 1).forward[0])

@@ -37,7 +37,7 @@ class Statement:
     place: str = "Sec. 2.2"
 
     def asked(self, a: Arrays) -> Members:
-        """The members in which all compared responses have a peak."""
+        """Whether all compared responses of a member have a peak, shape (m,)."""
         of = self.compares(a)
         return np.asarray(np.isfinite(of.reshape(len(of), -1)).all(axis=1))
 
@@ -49,7 +49,7 @@ def opposite(a: Arrays) -> Arrays:
 
 
 def base(a: Arrays) -> Array:
-    """Peaks (m, 3, 22) with the lowest unbalance 2."""
+    """Peaks (m, 3, 22) under the lowest unbalance 2."""
     return a["peaks"][:, 0]
 
 
@@ -80,7 +80,7 @@ def more_on_4(a: Arrays) -> Members:
 
 
 def small(a: Arrays, node: int) -> Members:
-    """Whether the peaks of `node` are below half the median of the nodes without bearing."""
+    """Whether the peaks of `node` are below half the median of nodes without bearings."""
     others = [i for i in range(OUTER) if i + 1 not in (2, 6)]
     of = base(a)
     return np.asarray((of[:, :, node - 1] < SMALL * np.median(of[:, :, others], axis=2)).all(1))
@@ -121,12 +121,12 @@ def inverse_inertia(a: Arrays, order: int) -> Array:
 
 
 def torsion(a: Arrays) -> Array:
-    """Torsion at the critical speeds; it is defined without a peak."""
+    """Torsion at the critical speeds, which is defined even without a peak."""
     return a["torsion"]
 
 
 def growing(name: str, node: int, at: slice = slice(None)) -> Statement:
-    """Peaks of a node at some critical speeds grow with unbalance 2."""
+    """Statement that the peaks of a node at some critical speeds grow with unbalance 2."""
 
     def peaks(a: Arrays) -> Array:
         return a["peaks"][:, :, at, node - 1]
@@ -140,26 +140,29 @@ def value(*ids: str) -> tuple[str, ...]:
 
 OUTER_NODES, INNER_NODES = slice(OUTER), slice(OUTER, None)
 STATEMENTS = (
-    Statement(name="node 11 is the highest of nodes 1 to 11 at critical speed 1", symbol="x_11",
+    Statement(name="node 11 has the highest peak of nodes 1 to 11 at critical speed "
+                   "1", symbol="x_11",
               holds=lambda a: outer(a, 11, 1, last=11),
               compares=lambda a: outer_peaks(a, 1, last=11),
               printed=value("outer-highest-node-at-critical-1")),
-    Statement(name="node 11 is the highest of the outer rotor at critical speed 1, with its free "
-              "end", symbol="x_11", holds=lambda a: outer(a, 11, 1),
+    Statement(name="node 11 has the highest peak of the outer rotor at critical speed 1, with its "
+                   "free end", symbol="x_11", holds=lambda a: outer(a, 11, 1),
               compares=lambda a: outer_peaks(a, 1)),
-    Statement(name="node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
+    Statement(name="node 11 has the highest peak of nodes 1 to 11 at critical speeds 3 and 5",
               symbol="x_11", holds=lambda a: outer(a, 11, 3, 5, last=11),
               compares=lambda a: outer_peaks(a, 3, 5, last=11),
               printed=value("outer-highest-node-at-critical-3-and-5")),
-    *(Statement(name=f"node {node} stays below half of the others at every peak",
+    *(Statement(name=f"node {node} stays below half the median of nodes without bearings at every "
+                     "peak",
                 symbol=f"x_{node}", holds=partial(small, node=node),
                 compares=lambda a: outer_peaks(a, *ORDERS),
                 printed=value(f"outer-small-node-at-bearing-{k}"))
       for k, node in enumerate(GROUNDED[:2], start=1)),
-    Statement(name="nodes 13 to 19 are highest at critical speed 1", symbol="x",
+    Statement(name="nodes 13 to 19 have their highest peaks at critical speed 1", symbol="x",
               holds=first_highest, compares=lambda a: base(a)[:, :, OUTER:19],
               printed=value("inner-high-range-first-node", "inner-high-range-last-node")),
-    Statement(name="node 19 is the highest of the inner rotor at every peak", symbol="x_19",
+    Statement(name="node 19 has the highest amplitude of the inner rotor at every "
+                   "peak", symbol="x_19",
               holds=lambda a: inner(a, 19), compares=lambda a: base(a)[:, :, OUTER:],
               printed=value("inner-highest-node")),
     Statement(name="torsion is uniform along the outer rotor at critical speed 1", symbol="θ_z",
@@ -182,7 +185,7 @@ STATEMENTS = (
           ("loads of bearings 3 and 4 are higher at higher critical speeds", "F",
            lambda a: rises(a["loads"])),
           ("load of bearing 4 exceeds that of bearing 3 at every peak", "F_4", more_on_4))),
-    Statement(name="torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical "
-              "speed 1", symbol="θ_z", holds=lambda a: inverse_inertia(a, 1) < 0.03,
+    Statement(name="ratio of the torsions of nodes 4 and 19 is −J_in/J_out within 3 % at critical "
+                   "speed 1", symbol="θ_z", holds=lambda a: inverse_inertia(a, 1) < 0.03,
               compares=lambda a: np.abs(a["turned"])),
 )  # fmt: skip

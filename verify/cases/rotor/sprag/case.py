@@ -20,8 +20,8 @@ class SpragRotor(CentralSystem):
 
     The paper prints three critical speeds, but none of the dimensions and stiffnesses. Many sets of
     parameters give all three speeds; each set is compared with all other statements of the paper.
-    The set found from the middle of all ranges (the central system) is computed by exact transfer
-    matrices, by refined beams and as elastic bodies.
+    The set that is fitted from the middle of all ranges (the central system) is computed by exact
+    transfer matrices, by refined beams and as elastic bodies.
     """
 
     id = "rotor-sprag"
@@ -36,21 +36,24 @@ class SpragRotor(CentralSystem):
         ),
     )
     readings: ClassVar = (
-        "orders 1, 3 and 5 are the three lowest forward whirls: unbalance drives no other on "
-        "isotropic supports, and the response peaks there; orders 2, 4 and 6 are their backward "
-        "partners, though these lie below",
-        "the paper's mesh is what was fitted: one beam element in each of the 20",
-        "node 12 is the drum's free end: it moves more than node 11 in every overhung drum",
+        "orders 1, 3 and 5 are the three lowest forward whirls: on isotropic supports, unbalance "
+        "excites only forward whirl, and the response peaks there; orders 2, 4 and 6 are the "
+        "corresponding backward whirls, although their critical speeds are lower",
+        "the parameters are fitted with the paper's mesh: one beam element in each of the 20 "
+        "segments",
+        "node 12 is the free end of the drum: it moves more than node 11 in every overhung drum",
     )
     assumptions: ClassVar = (
         "linear vibration about the preloaded state; isotropic bearings unless stated otherwise",
-        "both rotors turn at one speed (engaged clutch); steel; Hutchinson's shear coefficients",
-        "Rayleigh damping acts on absolute motion: damping ratios at critical speeds 1 and 5 are "
-        "even over their range in the sets of parameters",
-        "both unbalances in phase (no angle is printed); shares in opposite phase are reported too",
-        "a clutch load uneven in space (offset of the rings), all sprags on one contact law",
-        "rigid races: the clutch's torsional stiffness is that of rotor-clutch, too high by "
-        "the difference that sprag-wedge finds for the wind-up of rigid races",
+        "both rotors have the same speed (engaged clutch); steel; Hutchinson's shear coefficients",
+        "Rayleigh damping acts on absolute motion; the damping ratios at critical speeds 1 and 5 "
+        "are uniformly distributed over their range in the sets of parameters",
+        "both unbalances in phase (no angle is printed); shares with opposite phase are also "
+        "reported",
+        "the load of the clutch is uneven in space (offset of the rings); all sprags have one "
+        "contact law",
+        "rigid races: the torsional stiffness of the clutch is that of rotor-clutch; it is too "
+        "high, by the difference that sprag-wedge reports for the wind-up with rigid races",
     )
 
     tables = staticmethod(tabulated.tables)
@@ -58,28 +61,31 @@ class SpragRotor(CentralSystem):
     sketch = tabulated.sketch
 
     def reference(self, level: int) -> Level:
-        """The central system as beams; on the mesh of the paper, also the ensemble."""
+        """Beams of the central system; on the mesh of the paper, also the ensemble."""
         from verify.cases.rotor.sprag.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Exact, fitted, linear and elastic rows, and statements of the paper."""
+        """Exact, fitted, linear and elastic rows, and rows of the paper's statements."""
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
-        """Critical speeds, the nearest critical speed, and the sprags' deformation."""
+        """Critical speeds, the one nearest to the rig's speed, and deflection of the sprags."""
         found = {k: self.critical_forward(k) for k in ORDERS}
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())
         yield (
-            f"the central system has forward critical speeds at {speeds} r/min, to which twelve "
-            "unknowns were fitted: no evidence for any of them"
+            f"the central system has forward critical speeds at {speeds} r/min; twelve unknowns "
+            "were fitted to these speeds, which are therefore no evidence for any of the unknowns"
         )
-        yield f"{self.rig_speed / RPM:.5g} r/min lies {near[0]:.0%} off critical speed {near[1]}"
         yield (
-            f"{self.T:.3g} N m deflect its sprags by {self.delta_0 * 1e6:.2g} µm: an offset of "
-            f"{self.offset * self.delta_0 * 1e6:.2g} µm couples bending and torsion here"
+            f"{self.rig_speed / RPM:.5g} r/min differs by {near[0]:.0%} from critical speed "
+            f"{near[1]}"
+        )
+        yield (
+            f"{self.T:.3g} N m deflects the sprags by {self.delta_0 * 1e6:.2g} µm: an offset of "
+            f"{self.offset * self.delta_0 * 1e6:.2g} µm couples bending and torsion"
         )
 
     def warnings(self) -> Iterator[str]:
@@ -89,10 +95,10 @@ class SpragRotor(CentralSystem):
             if off < 0.1:
                 yield (
                     f"{self.rig_speed / RPM:.5g} r/min is within {off:.1%} of critical speed {k}: "
-                    "orbits there depend more on the damping than on the stiffness"
+                    "orbits at this speed depend more on the damping than on the stiffness"
                 )
         if self.zeta_high > 0.05:
-            yield "peaks 3 and 5 differ by 12 % in speed: damping ratios above 5 % merge them"
+            yield "peaks 3 and 5 differ by 12 % in speed: with damping ratios above 5 % they merge"
 
 
 SPRAG_ROTOR = adapted(SpragRotor)

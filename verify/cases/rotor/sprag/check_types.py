@@ -17,7 +17,7 @@ from verify.papers.ledger import published
 
 Arrays = Mapping[str, Array]
 COARSE = 2e-4  # acceptance figure of the mesh with one beam element for each element of the paper
-NO_SETS = "no set of parameters hits the three critical speeds"
+NO_SETS = "no set of parameters gives the three critical speeds"
 FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
 
@@ -27,7 +27,7 @@ def arrays(context: Context) -> Arrays:
 
 
 def band(values: Array, factor: float = 1.0, digits: int = 3) -> str:
-    """Median, 5th and 95th percentile of the members in words."""
+    """Text with the median, 5th and 95th percentile of values over the members."""
     low, middle, high = (float(v) / factor for v in np.percentile(values, (5, 50, 95)))
     return f"{middle:.{digits}g} ({low:.{digits}g} to {high:.{digits}g})"
 
@@ -42,7 +42,7 @@ class Share(Claim):
     of: str = "sets"
 
     def asked(self, context: Context) -> Members:
-        """Sets for which the claim is evaluated: all sets."""
+        """Whether a claim is evaluated for a set, shape (m,): all sets."""
         return np.ones(self.holds(context).size, dtype=bool)
 
     def words(self, context: Context) -> str:
@@ -54,7 +54,9 @@ class Share(Claim):
         if not held.size:
             verdict = judge.Verdict(Status.FAIL, NO_SETS)
         elif not asked.any():
-            verdict = judge.Verdict(Status.SKIP, "no set of parameters has the peaks it compares")
+            verdict = judge.Verdict(
+                Status.SKIP, "no set of parameters has the peaks that the statement compares"
+            )
         else:
             reason = f"holds in {self.words(context)}; {FITTED}"
             verdict = judge.Verdict(Status.CALIBRATED, reason)
@@ -67,7 +69,7 @@ class Share(Claim):
 class Claimed(Share):
     """A statement of the paper, evaluated for sets with peaks, also with opposite unbalances.
 
-    The statement of the paper names nodes only, not values.
+    The statement of the paper names only nodes, not values.
     """
 
     statement: Statement
@@ -82,7 +84,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Share of sets in which a statement holds, among the sets that have the compared peaks."""
+    """Text: number of sets in which a statement holds, of the sets with the compared peaks."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
@@ -114,7 +116,7 @@ class Spread(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Rounded(Claim):
-    """A property exact to round-off for each member: the largest `residual` is below `bound`."""
+    """A property exact to round-off for each member: the largest residual is below `bound`."""
 
     kind = Kind.EXACT
 
@@ -138,7 +140,7 @@ class Rounded(Claim):
 class FittedTo(Claim):
     """A critical speed of the central system, fitted to the printed value: CALIBRATED within 2e-4.
 
-    It was fitted on the mesh of the paper; the formula is the exact model of the same system.
+    It was fitted with the mesh of the paper; the formula is the exact model of the same system.
     """
 
     kind = Kind.APPROXIMATION
@@ -168,7 +170,7 @@ class FittedTo(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn(Claim):
-    """Counts of nodes and node numbers: those of the model agree with the figure of the paper."""
+    """Counts of nodes and node numbers of the model, compared with the figure of the paper."""
 
     kind = Kind.FACT
 

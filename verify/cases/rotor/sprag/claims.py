@@ -17,7 +17,7 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 BEAMS = 5e-6  # acceptance figure of 8 beam elements in each element of the paper
 BARS = 1e-5  # tolerance for torsion elements, with linear twist
 WITHIN_PRINTED = 3e-3
-EIGHT = "acceptance figure of beams against transfer matrices, 8 in each element"
+EIGHT = "acceptance criterion of beams against transfer matrices, 8 elements in each segment"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 system = CentralSystem
 
@@ -31,13 +31,13 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """Critical speed on the mesh of the paper, against the exact model."""
+    """Margin of the frequencies on the mesh of the paper against the exact model, with its text."""
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"20 elements are off by {error:.1e} at most"
+    return WITHIN_PRINTED - error, 0.0, f"20 elements differ by at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
-    """Critical speeds of the exact model and of 20 elements, at their largest difference."""
+    """Frequencies of the exact model and of 20 elements, at their largest difference."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])
@@ -74,7 +74,7 @@ IDENTITIES = (
     *(identical(system.amplitude(n), system.amplitude(n).what) for n in DISCS),
     identical(system.torsion_clutch, "torsional frequency of the clutch"),
     identical(system.torsion_shaft, "torsional frequency of the inner shaft", demand=BARS),
-    identity(system.coupling, sensitivity=(1e-9, "the same sums on both sides")),
+    identity(system.coupling, sensitivity=(1e-9, "the same sums in both models")),
     Comparison(
         check=Accepted(
             name="20 elements against the exact model, frequencies 1 to 6", symbol="Δf/f", unit="1",
@@ -98,11 +98,12 @@ FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
       ) for k in ORDERS),
     Rounded(name="every set of parameters has the three printed speeds", symbol="Δn/n", unit="1",
             residual=hit, bound=1.1e-8, scale_name="printed speed",
-            bound_reason="where sets are accepted, and round-off of another assembly"),
-    Share(name="starts of the fit that meet all three speeds", symbol="", unit="%", of="starts",
+            bound_reason="tolerance of accepted sets, and round-off of a second assembly"),
+    Share(name="initial values of the fit that lead to all three speeds", symbol="", unit="%",
+          of="initial values",
           holds=lambda c: arrays(c)["start met"] > 0),
-    Share(name="starts of the fit that meet them inside the ranges", symbol="", unit="%",
-          of="starts",
+    Share(name="initial values of the fit that lead to all three speeds within the ranges",
+          symbol="", unit="%", of="initial values",
           holds=lambda c: arrays(c)["start in range"] > 0),
 )  # fmt: skip
 SHARES: tuple[Check, ...] = tuple(map(shares, STATEMENTS))

@@ -1,4 +1,4 @@
-"""Difference of elastic bodies and beams: three-dimensional elasticity against the beams."""
+"""Difference between elastic bodies (three-dimensional elasticity) and beams."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,9 +22,9 @@ from verify.judging.convergence import grid_convergence
 
 @dataclass(frozen=True, kw_only=True)
 class Bodies(Claim):
-    """Exact beams over elastic bodies of revolution with the same springs and discs: SHOWN.
+    """Row of exact beams against elastic bodies with the same springs and discs, status SHOWN.
 
-    The flexibility of a bell on a shaft has no second source: no interval is expected.
+    No second source gives the flexibility of a bell on a shaft, so that no interval is expected.
     """
 
     kind = Kind.APPROXIMATION
@@ -41,8 +41,8 @@ class Bodies(Claim):
         wide = arrays(context)["solid, wide bands"][self.order - 1] / values[0] - 1
         within = "within" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "not surely within"
         reason = (
-            f"beams {m:+.2%} ± {100 * U:.1g} %, bodies {wide:+.2%} where held on 20 mm, not 10: "
-            f"{within} the 0.3 % of beam against beam"
+            f"the beams differ by {m:+.2%} ± {100 * U:.1g} %; bodies supported on 20 mm differ "
+            f"from those on 10 mm by {wide:+.2%}: {within} the 0.3 % between beam models"
         )
         verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [
@@ -54,7 +54,7 @@ class Bodies(Claim):
 
 
 def drawn() -> Array:
-    """Mass [kg], polar and diametral moment about node 1 [kg m^2] (3,) of beams and discs."""
+    """Mass [kg] and polar and diametral moment about node 1 [kg m^2] (3,) of beams and discs."""
     s = layout(CENTRAL)
     nodes = s.z[0]
     ends = np.concatenate([nodes[1:OUTER], nodes[OUTER + 1 :]])
@@ -70,8 +70,8 @@ def inertia(i: int) -> Callable[[Context], float]:
 
 ELASTIC: tuple[Comparison | Check, ...] = (
     *(Rounded(name=f"{what} of the elastic bodies with discs", symbol=symbol, unit="1",
-              residual=inertia(i), bound=1e-11, scale_name="that of beams and discs",
-              bound_reason="Gauss' rule is exact on straight cells")
+              residual=inertia(i), bound=1e-11, scale_name="value of beams and discs",
+              bound_reason="Gauss quadrature is exact on straight cells")
       for i, (what, symbol) in enumerate((
           ("mass", "Δm/m"), ("polar moment of inertia", "ΔI_p/I_p"),
           ("diametral moment of inertia about node 1", "ΔI_d/I_d")))),

@@ -67,7 +67,8 @@ def campbell(a: Arrays) -> Campbell:
         critical=tuple((n / RPM, n / (2 * pi), f"n_{k}")
                        for k, n in zip(ORDERS, PRINTED, strict=True)),
         peers=(speeds.ravel(), peers.ravel()), peers_name="transfer matrices",
-        note="critical speeds 1, 3 and 5 are the forward ones, to which parameters were fitted",
+        note="critical speeds 1, 3 and 5 are the forward critical speeds, to which the parameters "
+             "were fitted",
     )  # fmt: skip
 
 
@@ -92,7 +93,7 @@ def shapes(context: Context, a: Arrays) -> Whirl:
 
 
 def _outline(k: int) -> tuple[Array, Array]:
-    """Positions and radii along a rotor; a step has two points."""
+    """Positions and radii along a rotor; two points at a step."""
     s = layout(CENTRAL)
     own = slice(OUTER - 1) if k == 0 else slice(OUTER - 1, None)
     nodes = slice(OUTER) if k == 0 else slice(OUTER, None)
@@ -132,7 +133,7 @@ def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]])
 
 
 def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
-    """Medians of nodes 4 and 19 for the three unbalances (Fig. 11)."""
+    """Figures of nodes 4 and 19 for the three values of unbalance 2: medians (Fig. 11)."""
     x = a["grid"] / RPM
     return tuple(
         plot(
@@ -149,7 +150,7 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Torsion of node 19 at the critical speeds over the offset, by the slope at small offsets."""
+    """Figure of the torsion of node 19 at the critical speeds over the offset, extrapolated."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
@@ -161,7 +162,8 @@ def torsion(context: Context, a: Arrays) -> Curves:
             Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
             for i in range(len(ORDERS))
         ),
-        y_log=True, note=f"{BANDS}. Linear in the offset: without it there is none",
+        y_log=True, note=f"{BANDS}. The torsion is proportional to the offset, and zero without "
+                         "offset",
     )  # fmt: skip
 
 
@@ -174,14 +176,14 @@ def orbits(context: Context, a: Arrays) -> tuple[Shapes, ...]:
             panels=tuple(
                 _orbit(f"k_y = {times:.3g} k_x", a[f"orbit, {key}"][:, i]) for key, times in stiffer
             ),
-            note="the set of median size, with the nine nearest in size behind it",
+            note="the set of median size; the nine sets nearest in size are drawn behind it",
         )
         for i, node in enumerate(DISCS)
     )
 
 
 def _orbit(name: str, members: Any) -> Panel:
-    """Orbits x, y (m, 2) of members."""
+    """Orbit curves x, y (m, 2) of the members."""
     lines = [np.column_stack([(x * TURN).real, (y * TURN).real]) / um for x, y in members]
     size = np.abs(members).max(axis=1)
     middle = int(np.argsort(size)[size.size // 2])
@@ -200,5 +202,5 @@ def parallel(a: Arrays) -> Parallel:
         title="Sets of parameters that all have the three printed critical speeds", axes=axes,
         members=members, highlighted=((len(members) - 1, "central system", 0),),
         members_name="sets of parameters",
-        note="every line hits all three speeds: they fix none of the axes",
+        note="every line has all three speeds: the speeds determine none of the parameters",
     )  # fmt: skip

@@ -71,12 +71,12 @@ def rotor() -> transfer.TransferMatrixRotor:
 
 
 def coupling(offset: float) -> float:
-    """K_xz [N/rad] of the central clutch, rings offset along x by `offset` deflections."""
+    """K_xz [N/rad] of the central clutch with its rings offset along x by `offset` deflections."""
     return float(uneven(offset)[0, 4])
 
 
 def uneven(offset: float) -> Array:
-    """K (5, 5) of the central clutch at a deflection of 1 µm; only the offset over it matters."""
+    """K (5, 5) of the central clutch at 1 µm deflection; only the ratio of offset to it matters."""
     R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
     k = 2 * CENTRAL[K_C] / SPRAGS
     clutch = SpragCoupling(
@@ -87,7 +87,7 @@ def uneven(offset: float) -> Array:
 
 
 def yield_of_sprags(T: float, parameters: Array) -> Array:
-    """delta_0 (m,) [m] under T [N m], from K = n T/(2 d_t delta_0)."""
+    """Sprag deflection delta_0 (m,) [m] under T [N m], from K = n T/(2 d_t delta_0)."""
     s = layout(parameters)
     return EXPONENT * T / (2 * s.d_t * s.k_c)
 
@@ -96,7 +96,7 @@ Whirl = Literal["forward", "backward"]
 
 
 class CentralSystem(SpragRotorInputs):
-    """Numerical results of the central system."""
+    """Results of the central system."""
 
     @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed of comparison").over(
         range(1, MODES + 1)
@@ -139,15 +139,15 @@ class CentralSystem(SpragRotorInputs):
     def exponent(self) -> float:
         return EXPONENT
 
-    @Quantity("K_xx", "N/µm", "stiffness of the clutch across, central system", role="step")
+    @Quantity("K_xx", "N/µm", "radial stiffness of the clutch, central system", role="step")
     def across(self) -> float:
         return float(CENTRAL[K_C])
 
-    @Quantity("d_t", "mm", "deformation of the sprags over the angle of twist", role="step")
+    @Quantity("d_t", "mm", "deflection of the sprags over the angle of twist", role="step")
     def d_t(self) -> float:
         return float(layout(CENTRAL).d_t[0])
 
-    @Quantity("δ_0", "µm", "deformation of the sprags under T", role="step",
+    @Quantity("δ_0", "µm", "deflection of the sprags under T", role="step",
               tex=r"\frac{m T}{2 d_t K_{xx}}")  # fmt: skip
     def delta_0(self) -> float:
         return float(yield_of_sprags(self.T, CENTRAL)[0])
@@ -156,7 +156,8 @@ class CentralSystem(SpragRotorInputs):
     def coupling(self) -> float:
         return coupling(self.offset)
 
-    @Quantity("K_xz1", "N", "the same, first order", role="step",
+    @Quantity("K_xz1", "N", "coupling of bending and torsion by the offset, first "
+                            "order", role="step",
               source="coupling by an offset, first order",
               tex=r"(m - 1) K_{xx} d_t \Delta x/\delta_0")  # fmt: skip
     def coupling_first(self) -> float:

@@ -21,40 +21,45 @@ class SpragRotorInputs(Case):
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
-    members: int = count(48, "N", "required sets of parameters", ge=8, le=MOST)
+    members: int = count(48, "N", "required number of sets of parameters", ge=8, le=MOST)
     zeta_low: float = given(
-        "0.5 %", "%", "ζ_min", "least damping ratio at critical speeds 1 and 5 (none is printed)",
+        "0.5 %", "%", "ζ_min", "smallest damping ratio at critical speeds 1 and 5 (not printed)",
         ge=0.05, le=20,
     )  # fmt: skip
     zeta_high: float = given(
-        "3 %", "%", "ζ_max", "largest damping ratio there (none is printed)", ge=0.05, le=20
+        "3 %",
+        "%",
+        "ζ_max",
+        "largest damping ratio at critical speeds 1 and 5 (not printed)",
+        ge=0.05,
+        le=20,
     )
     U_1: float = given(
         "1.4e-5 kg m", "kg m", "U_1", "unbalance 1, at node 4", gt=0, le=1,
         claims="huang2022:unbalance-1",
     )  # fmt: skip
     U_2: float = given(
-        "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: lowest of three", gt=0, le=1,
+        "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: lowest of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-low",
     )  # fmt: skip
     U_2_middle: float = given(
-        "3e-5 kg m", "kg m", "U_2", "middle of three", gt=0, le=1,
+        "3e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: middle of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-middle",
     )  # fmt: skip
     U_2_high: float = given(
-        "5e-5 kg m", "kg m", "U_2", "highest of three", gt=0, le=1,
+        "5e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: highest of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-high",
     )  # fmt: skip
     rig_speed: float = given(
-        "7000 r/min", "r/min", "n_r", "speed of the orbit", ge=2000, le=60_000,
+        "7000 r/min", "r/min", "n_r", "speed at which orbits are computed", ge=2000, le=60_000,
         claims="huang2022:orbit-speed",
     )  # fmt: skip
     u_rig_1: float = given(
-        "7e-5 kg m", "kg m", "U_1", "unbalance of the rig at node 4", gt=0, le=1,
+        "7e-5 kg m", "kg m", "U_1", "unbalance of the test rig at node 4", gt=0, le=1,
         claims="huang2022:rig-unbalance-1",
     )  # fmt: skip
     u_rig_2: float = given(
-        "6e-5 kg m", "kg m", "U_2", "unbalance of the rig at node 19", gt=0, le=1,
+        "6e-5 kg m", "kg m", "U_2", "unbalance of the test rig at node 19", gt=0, le=1,
         claims="huang2022:rig-unbalance-2",
     )  # fmt: skip
     T: float = given(
@@ -62,25 +67,25 @@ class SpragRotorInputs(Case):
         claims="huang2022:orbit-torque",
     )  # fmt: skip
     offset: float = given(
-        0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the sprags' deformation "
-        "(none is printed)", ge=0.001, le=0.9,
+        0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the deflection of the sprags "
+                            "(not printed)", ge=0.001, le=0.9,
     )  # fmt: skip
     anisotropy: float = given(
-        0.2, "1", "k_y/k_x − 1", "how much stiffer bearings to the ground are along y "
-        "(none is printed)", ge=0, le=2,
+        0.2, "1", "k_y/k_x − 1", "relative excess of the stiffness along y of bearings to the "
+                                 "ground (not printed)", ge=0, le=2,
     )  # fmt: skip
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:
         if self.zeta_low > self.zeta_high:
             raise ValueError(
-                f"damping ratios need zeta_low <= zeta_high, got {self.zeta_low:.3%} and "
+                f"zeta_low must not exceed zeta_high, got {self.zeta_low:.3%} and "
                 f"{self.zeta_high:.3%}"
             )
         if not self.U_2 < self.U_2_middle < self.U_2_high:
             raise ValueError(
-                "the three values of unbalance 2 must ascend, got "
-                f"{self.U_2:g}, {self.U_2_middle:g} and {self.U_2_high:g} kg m"
+                f"the three values of unbalance 2 must be in ascending order, got {self.U_2:g}, "
+                f"{self.U_2_middle:g} and {self.U_2_high:g} kg m"
             )
         return self
 

@@ -1,4 +1,4 @@
-"""Fig. 1 of the paper, its missing dimensions as parameters: numbers for formulas and reference.
+"""The system of Fig. 1 of the paper, with its missing dimensions as parameters.
 
 Nodes are numbered as in the paper, 1 to 12 on the outer and 13 to 22 on the inner rotor.
 """
@@ -29,7 +29,7 @@ OPPOSITE = ", opposite"  # key suffix of arrays with unbalance 2 opposite to unb
 
 @dataclass(frozen=True, kw_only=True)
 class Parameter:
-    """A missing value: symbol, meaning, unit with its size in SI, range and its reason."""
+    """A value that the paper does not print: symbol, meaning, unit and its SI factor, range."""
 
     symbol: str
     what: str
@@ -41,30 +41,33 @@ class Parameter:
 
 
 PARAMETERS = (
-    Parameter(symbol="l_1", what="bearing 1 to bearing 2", unit="mm", factor=1e-3,
-              low=100, high=300, reason="three to eight shaft diameters, a disc between them"),
-    Parameter(symbol="l_2", what="bearing 2 to bearing 3", unit="mm", factor=1e-3,
-              low=60, high=180, reason="overhang of the drum that holds the clutch"),
-    Parameter(symbol="l_3", what="bearing 3 to bearing 4", unit="mm", factor=1e-3,
-              low=40, high=100, reason="a clutch some 10 mm long and a bearing on either side"),
-    Parameter(symbol="l_4", what="bearing 4 to bearing 5", unit="mm", factor=1e-3,
-              low=150, high=450, reason="free part of the inner rotor with a disc in it"),
-    Parameter(symbol="d_1", what="shaft of the outer rotor", unit="mm", factor=1e-3,
+    Parameter(symbol="l_1", what="distance from bearing 1 to bearing 2", unit="mm", factor=1e-3,
+              low=100, high=300, reason="three to eight shaft diameters, with a disc between the "
+                                        "bearings"),
+    Parameter(symbol="l_2", what="distance from bearing 2 to bearing 3", unit="mm", factor=1e-3,
+              low=60, high=180, reason="overhang of the drum that carries the clutch"),
+    Parameter(symbol="l_3", what="distance from bearing 3 to bearing 4", unit="mm", factor=1e-3,
+              low=40, high=100, reason="a clutch about 10 mm long, with a bearing on either side"),
+    Parameter(symbol="l_4", what="distance from bearing 4 to bearing 5", unit="mm", factor=1e-3,
+              low=150, high=450, reason="free part of the inner rotor with a disc"),
+    Parameter(symbol="d_1", what="shaft diameter of the outer rotor", unit="mm", factor=1e-3,
               low=25, high=45, reason="seats of angular contact bearings for 36,000 r/min"),
-    Parameter(symbol="D", what="drum of the outer rotor", unit="mm", factor=1e-3,
-              low=45, high=80, reason="about the 52.5 mm of the same authors' clutch (Ref. 9)"),
-    Parameter(symbol="d_2", what="inner rotor", unit="mm", factor=1e-3,
-              low=16, high=32, reason="about the 22.2 mm of that clutch's inner race"),
-    Parameter(symbol="m_4", what="disc at node 4", unit="kg", factor=1.0,
-              low=0.3, high=3, reason="steel, 20 mm wide, 55 to 160 mm across"),
-    Parameter(symbol="m_19", what="disc at node 19", unit="kg", factor=1.0,
-              low=0.3, high=3, reason="as at node 4"),
-    Parameter(symbol="k_g", what="bearings 1, 2 and 5", unit="MN/m", factor=1e6,
-              low=10, high=300, reason="ball bearings of that size, lightly to firmly preloaded"),
-    Parameter(symbol="k_s", what="bearings 3 and 4", unit="MN/m", factor=1e6,
-              low=10, high=300, reason="as those to the ground"),
-    Parameter(symbol="k_c", what="clutch, across", unit="MN/m", factor=1e6,
-              low=100, high=3000, reason="n T/(2 d_t δ_0) at 15 N m with δ_0 of 3 to 200 µm"),
+    Parameter(symbol="D", what="drum diameter of the outer rotor", unit="mm", factor=1e-3,
+              low=45, high=80, reason="about 52.5 mm, as in the same authors' clutch (Ref. 9)"),
+    Parameter(symbol="d_2", what="diameter of the inner rotor", unit="mm", factor=1e-3,
+              low=16, high=32, reason="about 22.2 mm, as the inner race of the same authors' "
+                                      "clutch (Ref. 9)"),
+    Parameter(symbol="m_4", what="mass of the disc at node 4", unit="kg", factor=1.0,
+              low=0.3, high=3, reason="steel, 20 mm wide, diameter 55 to 160 mm"),
+    Parameter(symbol="m_19", what="mass of the disc at node 19", unit="kg", factor=1.0,
+              low=0.3, high=3, reason="the same range as for the disc at node 4"),
+    Parameter(symbol="k_g", what="stiffness of bearings 1, 2 and 5", unit="MN/m", factor=1e6,
+              low=10, high=300, reason="ball bearings for these shafts, with light to heavy "
+                                       "preload"),
+    Parameter(symbol="k_s", what="stiffness of bearings 3 and 4", unit="MN/m", factor=1e6,
+              low=10, high=300, reason="the same range as for the bearings to the ground"),
+    Parameter(symbol="k_c", what="radial stiffness of the clutch", unit="MN/m", factor=1e6,
+              low=100, high=3000, reason="n T/(2 d_t δ_0) at 15 N m, with δ_0 of 3 to 200 µm"),
 )  # fmt: skip
 L_1, L_2, L_3, L_4, D_1, D, D_2, M_4, M_19, K_G, K_S, K_C = range(len(PARAMETERS))
 LOW = np.array([p.low * p.factor for p in PARAMETERS])
@@ -108,12 +111,12 @@ class Layout:
 
     @property
     def k_tilt(self) -> Array:
-        """Tilt stiffness of an evenly loaded clutch [N m/rad]."""
+        """Tilting stiffness of an evenly loaded clutch [N m/rad]."""
         return self.k_c * SPRAG_LENGTH**2 / 12 * (1 - 1 / SLICES**2)
 
     @property
     def k_turn(self) -> Array:
-        """Torsional stiffness of the clutch [N m/rad], Z k d_t^2; the lateral one is Z k/2."""
+        """Torsional stiffness of the clutch [N m/rad], Z k d_t^2; the radial stiffness is Z k/2."""
         return 2 * self.k_c * self.d_t**2
 
     @property
@@ -126,7 +129,7 @@ class Layout:
 
 
 def layout(parameters: ArrayLike) -> Layout:
-    """The systems with `parameters` (m, 12) [SI], in the order of `PARAMETERS`."""
+    """Layouts with `parameters` (m, 12) [SI], in the order of `PARAMETERS`."""
     p = np.atleast_2d(np.asarray(parameters, dtype=np.float64))
     d_o = p[:, ACROSS]
     mass, bore = p[:, [M_4, M_19]], p[:, [D_1, D_2]]

@@ -44,7 +44,7 @@ NODES = {
 
 
 def as_drawn(_: Context) -> float:
-    """The numbers of nodes and the number of unknowns of a node agree with the printed numbers."""
+    """Positive margin if node numbers and unknowns of a node agree with the printed numbers."""
     unknowns = published("huang2022:commercial-beam-dofs").value
     off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
@@ -73,35 +73,35 @@ def exponents(a: dict[str, Array]) -> Array:
 
 
 def linear(context: Context) -> Pair:
-    """The exponent of torsion over the offset with the largest difference from 1."""
+    """Exponent of torsion over the offset, and 1, for the member with the largest difference."""
     found = exponents(dict(arrays(context)))
     return farthest(found, np.ones_like(found), 0.0)
 
 
 def never_between(context: Context) -> tuple[float, str]:
-    """Least rise of node 19's peak from U_2 = 3 to 5e-5 kg m, if it rises from 1 to 3e-5 kg m."""
+    """Smallest rise of node 19's peak from U_2 = 3 to 5e-5 kg m, if it rises from 1 to 3e-5."""
     peaks = arrays(context)["peaks"][:, :, 1, 18]
     peaks = peaks[np.isfinite(peaks).all(axis=1)]
     rising = peaks[:, 1] > peaks[:, 0]
     if not rising.any():
-        return -1.0, f"rises from 1 to 3e-5 kg m in none of {rising.size} sets with a peak"
+        return -1.0, f"does not rise from 1 to 3e-5 kg m in any of {rising.size} sets with a peak"
     step = peaks[rising, 2] / peaks[rising, 1] - 1
     words = (
-        f"rises from 1 to 3e-5 kg m in {int(rising.sum())} of {rising.size} sets with a peak, in "
-        f"all of these on to 5e-5 by {100 * step.min():.0f} % or more; it falls from 3 to 5e-5 in "
-        f"{int((peaks[:, 1] > peaks[:, 2]).sum())}"
+        f"rises from 1 to 3e-5 kg m in {int(rising.sum())} of {rising.size} sets with a peak; in "
+        f"all of these it also rises from 3 to 5e-5 kg m, by {100 * step.min():.0f} % or more; it "
+        f"falls from 3 to 5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
     )
     return float(step.min()), words
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """The highest node with unbalance 1 at node 4 (figure), and at node 11 (text of the paper)."""
+    """Shares of sets with node 11 highest: unbalance 1 at node 4 (figure) or at node 11 (text)."""
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))
     moved = a | {"peaks": a["peaks, moved"][:, None]}
     words = (
         f"{highest.name} in {held_of(highest, a)} (unbalance 1 at node 4), in "
-        f"{held_of(highest, moved)} (at node 11)"
+        f"{held_of(highest, moved)} (unbalance 1 at node 11)"
     )
     nodes = [published(f"huang2022:{key}").value
             for key in ("outer-highest-node-at-critical-3-and-5", "unbalance-1-node")]  # fmt: skip
@@ -113,9 +113,10 @@ def ellipses(context: Context) -> tuple[float, str]:
     same, other = ((a[f"axes, {k}"][..., 0] / a[f"axes, {k}"][..., 1])
                    for k in ("isotropic", "anisotropic"))  # fmt: skip
     words = (
-        f"axes differ by {float(np.abs(same - 1).max()):.0e} on supports equal in x and y, by "
+        f"the axes of the orbits differ by {float(np.abs(same - 1).max()):.0e} on supports with "
+        "equal stiffness in x and y; in the median they differ by "
         f"{100 * float(np.median(other[:, 1]) - 1):.1f} % (node 19) and "
-        f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) in the median where k_y is "
+        f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) if k_y is "
         f"{1 + context.inputs.anisotropy:.2g} k_x"
     )
     return float(np.median(other) - 1) - 1e6 * circles(context), words
@@ -124,8 +125,8 @@ def ellipses(context: Context) -> tuple[float, str]:
 def no_coupling(context: Context) -> tuple[float, str]:
     p = exponents(dict(arrays(context)))
     words = (
-        f"torsion at the bending critical speeds is zero for an even clutch in every set, and "
-        f"grows with the offset to the power {p.min():.4f} to {p.max():.4f}"
+        "torsion at the bending critical speeds is zero for an evenly loaded clutch in every set, "
+        f"and grows with the offset to the power {p.min():.4f} to {p.max():.4f}"
     )
     return 1e-12 - untouched(context), words
 
@@ -134,7 +135,7 @@ def at_one_speed(context: Context) -> tuple[float, str]:
     v = context.analytic
     off = [v[f"frequency_{2 * i + 2}"] * 2 * np.pi / v[f"critical_forward_{k}"] - 1
            for i, k in enumerate(ORDERS)]  # fmt: skip
-    words = "forward frequencies at 5000 r/min are off the critical speeds by " + ", ".join(
+    words = "forward frequencies at 5000 r/min differ from the critical speeds by " + ", ".join(
         f"{x:+.2%}" for x in off
     )
     return min(map(abs, off)) - 1e-5, words
@@ -144,7 +145,7 @@ def on_the_ground(_: Context) -> tuple[float, str]:
     between = {node for pair in BETWEEN for node in pair}
     wrong = {6, 21} - between
     return 0.5 if wrong <= set(GROUNDED) and wrong else -0.5, (
-        "nodes 6 and 21 are on bearings to the ground, bearing 3 (nodes 9 and 14) is not drawn"
+        "nodes 6 and 21 are on bearings to the ground, and bearing 3 (nodes 9 and 14) is not drawn"
     )
 
 
@@ -164,27 +165,30 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Drawn(name="nodes and their unknowns are those of Fig. 1", symbol="", unit="1",
          margin=as_drawn,
          printed=tuple(f"huang2022:{key}" for key in (*NODES, "commercial-beam-dofs"))),
-    Rounded(name="amplitudes are convex in unbalance 2, each solved", symbol="Δx/x", unit="1",
+    Rounded(name="amplitudes are convex in unbalance 2 (both unbalances solved "
+                 "together)", symbol="Δx/x", unit="1",
             residual=lambda c: max(0.0, float(arrays(c)["convex"].max())), bound=ROUND_OFF,
             scale_name="chord", bound_reason="round-off"),
     Rounded(name="orbits are circles on isotropic supports", symbol="b/a − 1", unit="1",
-            residual=circles, bound=ROUND_OFF, scale_name="large axis", bound_reason="round-off"),
+            residual=circles, bound=ROUND_OFF, scale_name="semi-major axis",
+            bound_reason="round-off"),
     Rounded(name="no torsion without offset", symbol="θ_z", unit="1", residual=untouched,
             bound=1e-12, scale_name="torsion with offset", bound_reason="round-off"),
     Rounded(name="angular momenta of both rotors balance", symbol="ΣJθ_z", unit="1",
-            residual=momentum, bound=FREE, scale_name="inner rotor's",
+            residual=momentum, bound=FREE, scale_name="angular momentum of the inner rotor",
             bound_reason="the drive's 0.1 N m/rad over J_out Ω² at critical speed 1"),
     Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
               accepted=LINEAR,
-              source=suites("half of the required sensitivity of rows, 1 %"),
+              source=suites("half of the sensitivity required of rows, 1 %"),
               by="theory", everywhere=True),
     *(Spread(name=f"critical speed {k} without {what} stiffness of the clutch",
              symbol=f"Δn_{k}/n_{k}", unit="%", values=of_speed(key, i))
       for key, what in (("without clutch", "lateral and tilting"),
                         ("without clutch across", "lateral"), ("without clutch in tilt", "tilting"))
       for i, k in enumerate(ORDERS)),
-    *(Spread(name=f"backward critical speed beside {k}", symbol=f"Δn_{k}/n_{k}", unit="%",
-             values=of_speed("backward", i), words=" below the forward one")
+    *(Spread(name="backward critical speed paired with forward critical speed "
+                  f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
+             values=of_speed("backward", i), words=" below the forward critical speed")
       for i, k in enumerate(ORDERS)),
     *(Spread(name=f"ratio of the orbit's axes at node {n}, supports that differ in x and y",
              symbol="a/b", unit="1", values=ratio_of_axes(i))

@@ -1,4 +1,4 @@
-"""The central system on refined beams; on the mesh of the paper, also the ensemble."""
+"""The central system as refined beams; on the mesh of the paper, also the ensemble."""
 
 from math import pi
 from typing import Any
@@ -23,7 +23,7 @@ SWEPT = np.linspace(0, 40_000, 41) * RPM
 
 
 def solve(q: SpragRotorInputs, level: int) -> Level:
-    """Beams of a level; on the mesh of the paper, also the ensemble, its responses and bodies."""
+    """Beam results of a level; on the mesh of the paper, also ensemble, responses and bodies."""
     values = beams_fem(q, level)
     arrays: dict[str, Any] = {}
     if level == LEVELS[0]:
@@ -35,7 +35,7 @@ def solve(q: SpragRotorInputs, level: int) -> Level:
 
 
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
-    """The members, the result of each initial value, and the critical speeds of the members."""
+    """Members, success of each initial value, and critical speeds of the members."""
     starts = {"start met": found.met, "start in range": found.kept}
     slopes = elasticities_fem(found.members)
     return {

@@ -59,7 +59,7 @@ def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
 
 def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array]:
-    """Peaks (U_2, 3, 22) of nodes and (U_2, 3, 2) of loads of bearings 3 and 4; also over speed."""
+    """Peaks (U_2, 3, 22) of nodes, peaks (U_2, 3, 2) of loads of bearings 3 and 4, and curves."""
     from fem.rotor.peaks import above_chord
     from fem.rotor.response import unbalance_responses
 
@@ -96,7 +96,7 @@ def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
 
 
 def peaks_fem(f: Array) -> Array:
-    """Peaks (U_2, 3, k) of the curves f (U_2, k, speeds) in the windows about the peaks."""
+    """Peaks (U_2, 3, k) of the curves f (U_2, k, speeds) in the windows at critical speeds."""
     from fem.rotor.peaks import peaks
 
     near = f[:, :, GRID.size :].reshape(*f.shape[:2], len(PRINTED), WINDOW.size)
@@ -104,7 +104,7 @@ def peaks_fem(f: Array) -> Array:
 
 
 def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """Amplitudes of theta_z (3, 22) at the critical speeds, with and without offset; momentum."""
+    """Amplitudes of theta_z (3, 22) at the critical speeds with and without offset, and momenta."""
     from fem.rotor.response import unbalance_response
 
     def offset_by(offset: float) -> Any:
@@ -133,7 +133,7 @@ def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[s
 
 
 def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """Orbit axes of nodes 4 and 19 at the speed of the rig, isotropic and anisotropic supports."""
+    """Orbit axes of nodes 4 and 19 at the rig's speed, on isotropic and anisotropic supports."""
     from fem.rotor.response import unbalance_response
 
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}

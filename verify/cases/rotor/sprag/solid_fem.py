@@ -1,4 +1,4 @@
-"""The central system as two elastic bodies of revolution with the beams' springs and discs."""
+"""The central system as two elastic bodies of revolution, with the beams' springs and discs."""
 
 from math import pi
 from typing import TYPE_CHECKING
@@ -30,7 +30,7 @@ COARSEST = 0.012  # m, cell size before refinement
 
 
 def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
-    """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, both whirls, ascending.
+    """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, in ascending order.
 
     Also the frequencies (6,) of the coarsest mesh with bands of twice the width, and the mass [kg],
     the polar and the diametral moment about node 1 [kg m^2] of all rotating parts.
@@ -52,7 +52,7 @@ def frequencies_fem(body: "RotatingSolid", speed: float) -> Array:
 
 
 def body_fem(refine: int, width: float) -> "RotatingSolid":
-    """Both rotors, supported on bands of `width`."""
+    """Model of both rotors, supported on bands of `width`."""
     from fem.fourier.solid import FourierSolid
     from fem.fourier.vibration import RotatingSolid
     from fem.fourier.vibration_mounts import Mount, RigidDisc

@@ -48,7 +48,8 @@ def table_1(context: Context) -> Table:
         header=("order", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
                 "20 elements, error [%]", "elastic bodies [Hz]", "exact beams, error [%]"),
         rows=tuple(rows),
-        note="of the central system, backward before forward; no figure of Table 1 is in the text",
+        note="Frequencies of the central system, with backward before forward whirl. The text "
+             "contains no number of Table 1.",
     )  # fmt: skip
 
 
@@ -61,11 +62,12 @@ def facts(context: Context) -> Table:
         for s in STATEMENTS
     )
     return Table(
-        title="Not fitted: statements of the paper in the sets of parameters",
+        title="Statements of the paper that were not fitted, in the sets of parameters",
         header=("statement", "place", "holds in", "%", "unbalances opposite: holds in", "%"),
         rows=rows,
-        note=f"no set was chosen by them; at most {int(most.max())} of {len(STATEMENTS)} hold in "
-        "one set. Sets without a compared peak about a critical speed are not evaluated",
+        note=f"No set was chosen by these statements; at most {int(most.max())} of "
+             f"{len(STATEMENTS)} hold in one set. A set is not evaluated if a compared response "
+             "has no peak near a critical speed.",
     )  # fmt: skip
 
 
@@ -75,7 +77,7 @@ def _share(statement: Statement, a: Arrays) -> str:
 
 
 def unknowns(members: Array | None) -> Table:
-    """Values missing in the paper: ranges with reasons, and ranges after the fit of the speeds."""
+    """Table of values missing in the paper: ranges with reasons, and ranges after the fit."""
     rows = []
     for i, p in enumerate(PARAMETERS):
         left = ("", "", "")
@@ -84,16 +86,19 @@ def unknowns(members: Array | None) -> Table:
             left = tuple(f"{float(x):.3g}" for x in spread)  # type: ignore[assignment]
         rows.append((p.symbol, p.what, p.unit, p.low, p.high, *left, p.reason))
     return Table(
-        title="Missing in the paper: ranges, and what remains of them by three critical speeds",
-        header=("symbol", "what", "unit", "from", "to", "5 %", "50 %", "95 %", "reason"),
+        title="Values missing in the paper: ranges before and after the fit of three critical "
+              "speeds",
+        header=("symbol", "what", "unit", "from", "to", "5th percentile", "median",
+                "95th percentile", "reason"),
         rows=tuple(rows),
-        note="even over the logarithm; discs 20 mm wide, a drum with the walls of Ref. 9's outer "
-        "race; steel",
+        note="Logarithms of the values are uniformly distributed before the fit. Discs are 20 mm "
+             "wide, the drum has the relative wall thickness of the outer race in Ref. 9; all "
+             "parts are of steel.",
     )  # fmt: skip
 
 
 def slopes(elasticities: Array) -> Table:
-    """Medians of the relative changes (m, 3, 12); combinations without effect on the speeds."""
+    """Table of the medians of relative changes (m, 3, 12), with the combinations that matter."""
     middle = np.median(elasticities, axis=0)
     stiff = np.linalg.svd(middle, compute_uv=False)
     rows = tuple(
@@ -101,16 +106,17 @@ def slopes(elasticities: Array) -> Table:
         for i, p in enumerate(PARAMETERS)
     )
     return Table(
-        title="Change of a critical speed in % for 1 % more of a parameter",
+        title="Change of a critical speed in % for an increase of a parameter by 1 %",
         header=("symbol", "what", *(f"n_{k}" for k in ORDERS)), rows=rows,
-        note="medians of the sets. Three combinations of the parameters are held, a step of 1 % "
-        "along them changes the speeds by " + ", ".join(f"{float(x):.2g}" for x in stiff)
-        + f" %; along {len(PARAMETERS) - len(stiff)} others nothing changes",
+        note="Medians of the sets. The three speeds determine three combinations of the "
+             "parameters; a step of 1 % along these changes the speeds "
+             "by " + ", ".join(f"{float(x):.2g}" for x in stiff)
+        + f" %. Along {len(PARAMETERS) - len(stiff)} other combinations the speeds do not change.",
     )  # fmt: skip
 
 
 def sketch(_: SpragRotorInputs) -> Sketch:
-    """Fig. 1 with one step for each node: the outer rotor above, the inner rotor below."""
+    """Sketch of Fig. 1 with equal node distances: outer rotor above, inner rotor below."""
     x = {n: n - 1.0 for n in range(1, OUTER + 1)}
     x |= {n: n - CLUTCH[1] + x[CLUTCH[0]] for n in range(OUTER + 1, OUTER + INNER + 1)}
     up = {n: UPPER if n <= OUTER else 0.0 for n in x}
@@ -135,7 +141,9 @@ def sketch(_: SpragRotorInputs) -> Sketch:
                    for side in (1, -1)]  # fmt: skip
         tip = np.array([[x[n], up[n] + 2.7], [x[n], up[n] + (1.9 if n <= OUTER else 0.9)]])
         shapes.append(shape("load", tip, f"unbalance {k}"))
-    return sketches.sketch("nodes of Fig. 1, one step each: no length is printed", shapes)
+    return sketches.sketch(
+        "nodes of Fig. 1 at equal distances, because no length is printed", shapes
+    )
 
 
 def _box(left: float, right: float, middle: float, half: float) -> Shape:

@@ -38,10 +38,11 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 class SteppedBeam(SteppedShaft):
-    """A step of the diameter, for which beam theory overestimates the stiffness of a shaft.
+    """A shaft with a step of the diameter, for which beam theory overestimates the stiffness.
 
-    The corners of the thick part are unloaded. The elastic body of revolution gives the error of
-    the beam, with nominal diameters and by the 45° rule. Different beam models agree to round-off.
+    The corners of the thick part carry little stress. The elastic body of revolution gives the
+    error of the beam, with nominal diameters and by the 45° rule. Different beam models agree to
+    round-off.
     The paper prints no dimensions; the dimensions here were chosen for this project.
     """
 
@@ -53,14 +54,16 @@ class SteppedBeam(SteppedShaft):
     cone: ClassVar[bool] = False  # whether the 45° rule reduces the stiffness of the beam below
     slices: ClassVar[int] = SLICES
     readings: ClassVar = (
-        "a bearing is a spring on the mean motion of its seat, on a beam one at the seat's middle",
-        "45° rule: from a step on, the stiff diameter grows by twice the distance; masses "
-        "are those of the nominal diameters",
+        "a bearing is a spring on the mean motion of its seat; on a beam, it acts at the middle of "
+        "the seat",
+        "45° rule: behind a step, the diameter that counts for stiffness grows by twice the "
+        "distance from the step; masses are those of the nominal diameters",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no damping, sharp corners: at 270° the energy of finite elements "
-        "converges with order 2 · 0.5445 = 1.089 at least (Williams), faster on graded meshes",
-        "one body: nothing shrunk on",
+        "linear elasticity, no damping, sharp corners: at re-entrant corners of 270° the energy of "
+        "finite elements converges at least with order 2 · 0.5445 = 1.089 (Williams), and faster "
+        "on graded meshes",
+        "the shaft is one body: no shrink fit",
         BEAM,
     )
 
@@ -76,7 +79,7 @@ class SteppedBeam(SteppedShaft):
     def split(self) -> float:
         return self.whirl(2, "forward") - self.whirl(2, "backward")
 
-    @Quantity("ω_1f/ω_1f'", "1", "nominal diameters over the 45° rule, mode 1 forward",
+    @Quantity("ω_1f/ω_1f'", "1", "ratio of nominal diameters to 45° rule, mode 1 forward",
               role="step", tex=r"\frac{\omega_{1f}}{\omega_{1f}'}")  # fmt: skip
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))
@@ -127,7 +130,7 @@ class SteppedBeam(SteppedShaft):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """Closed-form elements, the weak form of both beams, and the elastic body."""
+        """Results of closed-form elements, the weak form of both beams, and the elastic body."""
         from verify.cases.rotor.step.reference import solve
 
         return solve(self, level)
@@ -150,7 +153,7 @@ class SteppedBeam(SteppedShaft):
             yield Comparison(check=check, quantity=first)
 
     def _beams(self) -> Iterator[Comparison]:
-        """Closed-form elements and the weak form against the exact beam."""
+        """Rows of closed-form elements and of the weak form against the exact beam."""
         beam, fast = SteppedBeam, "elements against the exact beam"
         options: dict[str, Any] = {"unit": "rad/s", "shares": BEAM}
         for q, words in self._named((1, "forward"), (1, "backward"), (3, "forward")):
@@ -180,12 +183,15 @@ class SteppedBeam(SteppedShaft):
         for q in (SteppedBeam.mass, SteppedBeam.polar):
             check = Exact(name=f"{q.what} of the elastic body", symbol=q.symbol, unit=q.unit,
                           fem=f"{q.name}_error", scale=q.name, bound=1e-11,
-                          bound_reason="Gauss' rule is exact on straight cells")  # fmt: skip
+                          bound_reason="Gauss quadrature is exact on straight cells")  # fmt: skip
             yield Comparison(check=check, quantity=q)
 
     def _against_body(self) -> Iterator[Comparison]:
-        """Both beams against the elastic body."""
-        sources = ("measured: corners that carry nothing", "measured: an engineer's rule")
+        """Rows of both beams against the elastic body."""
+        sources = (
+            "computed: the corners of the thick part carry little stress",
+            "computed: the 45° rule is a rule of thumb",
+        )
         modes = ((1, "forward"), (1, "backward"), (2, "forward"), (3, "forward"))
         for state, source in zip(self._states, sources, strict=True):
             for q, words in self._named(*(m for m in modes if not state.key or m[1] == "forward")):
@@ -200,7 +206,7 @@ class SteppedBeam(SteppedShaft):
 
     @staticmethod
     def _named(*modes: tuple[int, str]) -> Iterator[tuple[Quantity, str]]:
-        """Frequencies and the critical speed with their names in rows."""
+        """Quantities of the frequencies and the critical speed, with their names in rows."""
         yield from ((SteppedBeam.whirl(j, sense), f"mode {j} {sense}") for j, sense in modes)
         yield SteppedBeam.critical, "critical speed"
 
@@ -212,7 +218,7 @@ class SteppedBeam(SteppedShaft):
         return formula / runs[:, -1] - 1, 3 * float(abs(runs[:, -1] / runs[:, -2] - 1).max())
 
     def _too_fast(self, context: Context) -> tuple[float, float, str]:
-        """Least error of modes 1 to 3; it is positive at a step, where a beam has stiff corners."""
+        """Smallest error of modes 1 to 3; positive if the beam overestimates the stiffness."""
         m, U = self._errors(context, self)
         return float(m.min()), U, ", ".join(f"{x:+.2%}" for x in m)
 
@@ -223,7 +229,7 @@ class SteppedBeam(SteppedShaft):
         return (
             0.5 - abs(left / m),
             U / m,
-            f"{m:+.2%} with nominal diameters, {left:+.2%} by the rule",
+            f"{m:+.2%} with nominal diameters, {left:+.2%} by the 45° rule",
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
@@ -242,21 +248,21 @@ class SteppedBeam(SteppedShaft):
         return [r - 1 for r in NEAR_ONE], (formula / runs[-1] - 1).tolist(), u.tolist()
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Frequencies of both beams with the frequencies of the elastic body."""
+        """Table of frequencies of both beams and of the elastic body."""
         if context.fem:
             yield drawn.frequencies(self, context.fem[-1].values)
 
     def pictures(self) -> Iterator[Picture]:
-        """Mode 1 of the body."""
+        """Picture of mode 1 of the body."""
         yield drawn.MODE
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the 45° rule differs from the beam with nominal diameters."""
+        """Warning if the 45° rule differs from the beam with nominal diameters."""
         off = max(self.whirl(j, "forward") / self.by_rule.whirl(j, "forward") - 1 for j in MODES)
         if off >= 0.002:
             yield (
                 f"the 45° rule lowers the beam's frequencies by up to {off:.1%}: the beam with "
-                "nominal diameters overestimates them at the steps by about as much or more; "
+                "nominal diameters overestimates the frequencies by about this amount or more; "
                 "compare with the elastic body"
             )
 

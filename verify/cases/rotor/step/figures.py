@@ -21,8 +21,8 @@ LIMITS = (0.01, 0.02, 0.05)
 
 MODE = Picture(
     field="mode 1", data="stress along z", symbol="σ_z", unit="cut", factor=1.0, share=0.1,
-    caption="Mode 1: axial stress in the plane of bending, colours cut at the magnitude that 98 % "
-    "of the volume stays below",
+    caption="Mode 1: axial stress in the plane of bending; the colour scale ends at the magnitude "
+            "that 98 % of the volume do not exceed",
 )  # fmt: skip
 
 
@@ -45,7 +45,7 @@ def sketch(q: Any) -> Sketch:
         shape("body", np.vstack([half, half[::-1] * [1, -1]])),
         shape("modelled", np.vstack([half, [[1, 0], [0, 0]]])),
         arrow((-0.06, 0.0), (1.06, 0.0), style="axis"), shape("faint", cone),
-        leader((first + 0.1, thick + 0.1), (x, y), "45° rule: stiff within"),
+        leader((first + 0.1, thick + 0.1), (x, y), "45° rule: stiff part"),
         size(first, last, 0.08, "L_2"), size(0, 1, 0.18, "L"),
         leader((0.12, thick), (0.15, thin), f"d_1 = {q.d_1 / mm:.5g} mm"),
         leader((last + 0.12, thick + 0.04), (last - 0.02, thick), f"d_2 = {q.d_2 / mm:.5g} mm"),
@@ -54,7 +54,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def frequencies(q: Any, body: Values) -> Table:
-    """Frequencies of both beams with the frequencies of the elastic body."""
+    """Table of frequencies of both beams and of the elastic body."""
     rows = []
     for j in MODES:
         for sense in ("backward", "forward"):
@@ -72,7 +72,7 @@ def frequencies(q: Any, body: Values) -> Table:
 
 
 def errors(context: Context) -> Any:
-    """Errors (shares, ratios, 2) of mode 1 at rest: nominal diameters, 45° rule."""
+    """Errors (shares, ratios, 2) of mode 1 at rest, with nominal diameters and by the 45° rule."""
     return next(r.arrays["map"] for r in context.fem if "map" in r.arrays)
 
 
@@ -92,9 +92,9 @@ def _map(q: Any, title: str, m: Any) -> Map:
         title=f"Error of mode 1, {title}", x_label="d_2/d_1", y_label="L_2/L",
         columns=tuple(f"{r:g}" for r in RATIOS), rows=tuple(f"{s:g}" for s in SHARES),
         error=m, limits=LIMITS,
-        note=f"Beam over elastic body less one, at rest, thick part in the middle; d_1/L = "
-        f"{q.d_1 / q.L:.3g}, bearings as given. Weak form of the beam, coarse mesh of the body "
-        "(0.1 % of the frequency).",
+        note="Frequency of the beam over that of the elastic body, minus one, at rest, with the "
+             f"thick part in the middle; d_1/L = {q.d_1 / q.L:.3g}, bearings as given. Weak form "
+             "of the beam, coarse mesh of the body (0.1 % of the frequency).",
     )  # fmt: skip
 
 
@@ -107,5 +107,5 @@ def over_ratio(context: Context) -> Curves:
     ]  # fmt: skip
     return plot(
         "Error of mode 1 over the step", "d_2/d_1", "error [%]", curves,
-        note="These errors are errors of beam theory: finer beam elements do not remove them.",
+        note="These errors are errors of beam theory: finer beam elements do not reduce them.",
     )  # fmt: skip

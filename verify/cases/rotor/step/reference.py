@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:
-    """All models on a level; a single level also has the map of errors."""
+    """Results of all models on a level; with a single level, also the map of errors."""
     values = elements(q, level)
     weak = {"weak": weak_form(q, level), "weak_cone": weak_form(q, level, cone=True)}
     for name, shaft in weak.items():
@@ -47,13 +47,13 @@ def solve(q: SteppedShaft, level: int) -> Level:
 
 
 def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
-    """Frequencies of a model by the names of the quantities."""
+    """Frequencies of a model, by the names of the quantities."""
     senses = (("forward", forward), ("backward", backward))
     return {f"{name}_whirl_{j}_{sense}": found[j - 1] for sense, found in senses for j in MODES}
 
 
 def elements(q: SteppedShaft, level: int) -> dict[str, float]:
-    """Timoshenko beam elements with the nominal diameters."""
+    """Results of Timoshenko beam elements with the nominal diameters."""
     rotor = beam(q, ELEMENTS * level)
     found = modes(rotor, q.n, 2 * len(MODES)).frequencies
     # frequencies are in pairs: backward, forward
@@ -73,7 +73,7 @@ def beam(q: SteppedShaft, refine: int) -> Rotor:
 
 
 def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
-    """The shaft as a weak form; with `cone`, stiffness by the 45° rule."""
+    """Shaft as a weak form; with `cone`, its stiffness follows the 45° rule."""
     return stepped_weak(
         L=q.L, d_1=q.d_1, d_2=q.d_2, step=(q.start, q.end), seats=q.seats, k=q.k,
         reach=q.reach if cone else 0.0, E=q.E, nu=q.nu, rho=q.rho, level=level,
@@ -81,7 +81,7 @@ def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
 
 
 def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
-    """The elastic body; springs act on the mean motion of the seats; `half`: symmetry at L/2."""
+    """Elastic body; springs act on the mean motion of the seats; `half`: symmetry at L/2."""
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)
@@ -113,13 +113,13 @@ def _mode(body: RotatingSolid, u: Any) -> Field:
 
 
 def _half_at_rest(q: SteppedShaft, ratio: float, share: float, level: int, first: float) -> float:
-    """Mode 1 at rest of the shaft with the thick part in the middle."""
+    """Frequency of mode 1 at rest of the shaft with the thick part in the middle."""
     own = q.with_middle(ratio, share)
     return float(body(own, level, first, half=True).modes(0.0, 1).forward[0])
 
 
 def _errors(q: SteppedShaft, ratio: float, share: float) -> tuple[float, float]:
-    """Errors of mode 1 at rest: of the beam with nominal diameters, and by the 45° rule."""
+    """Errors of mode 1 at rest of the beam with nominal diameters and by the 45° rule."""
     exact = _half_at_rest(q, ratio, share, 1, MAP_FIRST)
     own = q.with_middle(ratio, share)
     drawn, cone = (weak_form(own, MAPPED, cone=c).whirl(0.0, count=1)[0][0] for c in (False, True))

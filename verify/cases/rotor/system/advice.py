@@ -1,4 +1,4 @@
-"""Critical speeds of a rotor against its operating speeds, in words, the verdict first."""
+"""Texts on critical speeds of a rotor and its operating speeds, with the verdict first."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -8,7 +8,7 @@ import numpy as np
 from verify.cases.rotor.system.formulas import TransferRotor
 from verify.cases.rotor.system.inputs import RPM
 
-SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
+SENSE = {1: "forward", -1: "backward", 0: "planar"}
 
 
 class Critical(NamedTuple):
@@ -20,7 +20,7 @@ class Critical(NamedTuple):
 
 
 def criticals(q: TransferRotor) -> list[Critical]:
-    """Critical speeds by unbalance of every shaft, ascending."""
+    """Critical speeds for the unbalance of every shaft, in ascending order."""
     return sorted(
         Critical(float(speed), " and ".join(excited.shafts), int(whirl))
         for excited in q.study.excited
@@ -29,7 +29,7 @@ def criticals(q: TransferRotor) -> list[Critical]:
 
 
 def limits(q: TransferRotor) -> tuple[float, float]:
-    """Operating speeds widened by the required margin [rad/s]."""
+    """Range of the operating speeds [rad/s], widened by the required margin."""
     return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
 
 
@@ -59,7 +59,7 @@ def _verdict(q: TransferRotor) -> list[str]:
 
 def _told(q: TransferRotor, critical: Critical) -> str:
     far = distance(q, critical.speed)
-    place = "among the operating speeds" if far == 0 else f"{abs(far):.1%} "
+    place = "within the operating speeds" if far == 0 else f"{abs(far):.1%} "
     place += "" if far == 0 else "below them" if far < 0 else "above them"
     return (
         f"critical at {critical.speed / RPM:.5g} r/min (unbalance of {critical.shafts}, "
@@ -68,7 +68,7 @@ def _told(q: TransferRotor, critical: Critical) -> str:
 
 
 def _neighbours(q: TransferRotor) -> list[str]:
-    """The nearest critical speeds on both sides of the margin."""
+    """Texts on the nearest critical speeds below and above the operating range with its margin."""
     low, high = limits(q)
     found = criticals(q)
     below = [c for c in found if c.speed < low][-1:]
@@ -93,7 +93,7 @@ def _amplitudes(q: TransferRotor) -> list[str]:
         for k, spring in enumerate(springs, start=1)
     }
     worst = max(loads, key=loads.__getitem__)
-    together = ", the unbalances of all shafts added" if len(q.study.responses) > 1 else ""
+    together = ", sum over the unbalances of all shafts" if len(q.study.responses) > 1 else ""
     return [
         f"at {q.speed / RPM:.5g} r/min node {q.probe} whirls with "
         f"{q.amplitude * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
@@ -102,7 +102,7 @@ def _amplitudes(q: TransferRotor) -> list[str]:
 
 
 def summary(q: TransferRotor) -> Mapping[str, Any]:
-    """JSON: the verdict, and every critical speed found with its distance."""
+    """Verdict and every critical speed with its distance, as JSON."""
     return {
         "verdict": "not clear" if too_near(q) else "clear",
         "critical_speeds": [
@@ -115,8 +115,8 @@ def summary(q: TransferRotor) -> Mapping[str, Any]:
 
 
 def refusal(q: TransferRotor) -> str:
-    """Reason to refuse the reference with eight elements in each segment; empty if none."""
+    """Reason why the reference does not cover the rotor (too many segments); empty if it does."""
     most = 60
     if len(q.segments) > most:
-        return f"{len(q.segments)} segments, at most {most} are cut into elements"
+        return f"there are {len(q.segments)} segments; beam elements cover at most {most}"
     return ""

@@ -1,4 +1,4 @@
-"""Any rotor of coaxial shafts: exact transfer matrices against beams, from a user's file."""
+"""Any rotor of coaxial shafts from a user's file: exact transfer matrices against beams."""
 
 from typing import ClassVar
 
@@ -13,9 +13,9 @@ from verify.form.adapter import adapted
 
 
 class RotorSystem(TransferRotor):
-    """Shafts in segments, discs, bearings, links and unbalances as described in a file.
+    """Shafts in segments, with discs, bearings, links and unbalances, as described in a file.
 
-    Exact transfer matrices find every frequency and critical speed; refined beam elements converge
+    Exact transfer matrices give every frequency and critical speed; refined beam elements converge
     to these values. The default inputs were chosen for this project.
     """
 
@@ -28,15 +28,15 @@ class RotorSystem(TransferRotor):
         Scan(vary=("speed=5000r/min,9000r/min", "supports[1].k=1e7N/m,6e7N/m,3e8N/m"), star=True),
     )
     readings: ClassVar = (
-        "an unbalance turns with the shaft on which it is mounted, not with the first one",
-        "critical speeds are the rotor's, whichever shaft's unbalance meets them",
+        "an unbalance rotates with the shaft on which it is mounted",
+        "critical speeds are those of the whole rotor, for the unbalance of any shaft",
     )
     assumptions: ClassVar = (
         "nodes are the ends of segments; bearings, discs and clutches act at a node",
         "Timoshenko's beams with Hutchinson's shear coefficient; rigid discs",
-        "linear bearings, which do not change with the speed",
-        "frequencies and critical speeds without damping; the response with it",
-        "unbalances of shafts that turn at different speeds add their amplitudes",
+        "linear bearings whose coefficients do not depend on the speed",
+        "frequencies and critical speeds are computed without damping, the response with damping",
+        "amplitudes by unbalances of shafts with different speeds are added",
     )
 
     comparisons = compared.rows
@@ -48,7 +48,7 @@ class RotorSystem(TransferRotor):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """Beams; each segment is divided into `level` elements."""
+        """Results of beams; each segment is divided into `level` elements."""
         from verify.cases.rotor.system.reference import solve
 
         return solve(self, level)

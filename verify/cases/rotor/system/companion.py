@@ -1,8 +1,9 @@
 """A second rotor (companion), in which bearings and shafts differ in every property.
 
-Stiffness and damping of the bearings differ in x and y, with coupling terms; the bearings resist
-tilting; the shafts rotate in opposite senses; each shaft has two unbalances at an angle. A wrong
-sign or conjugate that has no effect on the default rotor changes the results of the companion.
+Stiffness and damping of the bearings differ in x and y, with coupling terms. The bearings resist
+tilting, the shafts rotate in opposite senses, and each shaft has two unbalances at an angle. A
+wrong sign or conjugate that has no effect on the default rotor changes the results of the
+companion.
 """
 
 from typing import TypeVar

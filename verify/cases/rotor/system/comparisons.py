@@ -14,7 +14,7 @@ from verify.core.results import Row
 from verify.judging.checks import Fact, Identity, Order
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-SHARP = "both sides solve the same beam: only the elements' size lies between them"
+SHARP = "both sides solve the same beam: they differ only by the size of the elements"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 COARSE, FINE = 2e-4, 5e-6
 FINER = 8
@@ -24,7 +24,7 @@ rotor = TransferRotor
 
 @dataclass(frozen=True, kw_only=True)
 class Present(Identity):
-    """An identity, if the rotor has the quantity: a critical speed, a link, an unbalance."""
+    """A row that exists only if the rotor has the quantity: critical speed, link or unbalance."""
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if self.analytic in context.analytic else []
@@ -32,7 +32,7 @@ class Present(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Companion(Present):
-    """An identity of the companion, judged only together with the default rotor."""
+    """A row of the companion, judged only together with the default rotor."""
 
     paper_only: bool = True
 
@@ -52,14 +52,14 @@ def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
     if q.is_default:
         yield from _of_companion()
     for name, level, figure in (
-        ("frequencies with an element a segment", 0, COARSE),
-        (f"frequencies with {FINER} elements a segment", -1, FINE),
+        ("frequencies with one element per segment", 0, COARSE),
+        (f"frequencies with {FINER} elements per segment", -1, FINE),
     ):
         yield _accepted(q, name, level, figure)
     last = rotor.euler(FREQUENCIES)
-    order = Order(name="order of a frequency by Euler's theory", symbol="p", unit="1",
+    order = Order(name="convergence order of a frequency by Euler's theory", symbol="p", unit="1",
                   errors=errors_of(last), order=4, demand=0.05,
-                  demand_reason="the coarsest level still has terms of higher order")  # fmt: skip
+                  demand_reason="terms of higher order matter on the coarsest level")  # fmt: skip
     yield Comparison(check=order, quantity=last)
 
 
@@ -75,7 +75,7 @@ def _identical(
 
 
 def _of_companion() -> Iterator[Comparison]:
-    """All values of the companion that are judged."""
+    """Rows of all judged values of the companion."""
     built = State(
         companion(TransferRotor),
         "companion",
@@ -96,7 +96,7 @@ def _of_companion() -> Iterator[Comparison]:
 
 
 def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Comparison:
-    """The frequency or critical speed on a level with the largest difference."""
+    """Row of the frequency or critical speed with the largest difference on a level."""
 
     def pair(context: Context) -> Pair:
         exact, v = q.undamped, context.fem[level].values
@@ -110,7 +110,7 @@ def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Compari
 
 
 def _senses(context: Context) -> tuple[float, float]:
-    """Positive if both sides have equal senses of whirl in each mode."""
+    """Positive margin if the senses of whirl of all modes agree."""
     v = context.fem[-1].values
     keys = [k for k in context.analytic if k.startswith("sense_")]
     equal = all(v[k] == context.analytic[k] for k in keys)

@@ -51,10 +51,12 @@ def _campbell(q: TransferRotor) -> Campbell:
 
 def _sense(q: TransferRotor) -> str:
     if q.rotor.isotropic:
-        return "Unbalance excites whirl where its line crosses a branch of the same sense."
+        return (
+            "Unbalance excites whirl where the unbalance line crosses a branch of the same sense."
+        )
     return (
-        "On bearings that differ in x and y whirl is elliptical and unbalance meets every branch; "
-        f"the sense is that at {q.speed / RPM:.5g} r/min."
+        "On bearings that differ in x and y, whirl is elliptical and unbalance excites every "
+        f"branch; the sense of whirl is that at {q.speed / RPM:.5g} r/min."
     )
 
 
@@ -95,7 +97,7 @@ def _response(q: TransferRotor) -> Curves:
             y = found.amplitude(q.probe - 1) / um
             curves.append(line(f"unbalance of {names}", speeds / RPM, y, k))
     return plot(f"Amplitude of node {q.probe} over the speed", "n [r/min]", "|r| [µm]", curves,
-                y_log=True, note="Half the large axis of the orbit.")  # fmt: skip
+                y_log=True, note="Semi-major axis of the orbit.")  # fmt: skip
 
 
 def _refinement(context: Context) -> Sequence[Figure]:
@@ -111,8 +113,8 @@ def _refinement(context: Context) -> Sequence[Figure]:
     )
     return (
         Refinement(
-            title="Beams against transfer matrices", x_label="elements a segment",
+            title="Beams against transfer matrices", x_label="elements per segment",
             y_label="|error|", cells=cells, errors=errors, order=2,
-            note="Natural frequencies at the speed.",
+            note="Natural frequencies at the given speed.",
         ),
     )  # fmt: skip

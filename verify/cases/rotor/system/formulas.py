@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def _found(group: int) -> Any:
-    """Whether a rotor has critical speed k of the group."""
+    """Function that returns whether a rotor has critical speed `k` of the group."""
 
     def has(q: Any, k: int) -> bool:
         excited = q.study.excited
@@ -27,7 +27,7 @@ def _found(group: int) -> Any:
 
 
 def _turning(q: Any) -> bool:
-    """Whether a shaft with an unbalance turns."""
+    """Whether any shaft with an unbalance rotates."""
     return bool(q.study.responses)
 
 
@@ -35,8 +35,8 @@ class TransferRotor(DescribedRotor):
     """Results of transfer matrices of a rotor; speeds in rad/s, frequencies in Hz."""
 
     @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed", role="step",
-              source="turning Timoshenko shaft; none missed: the negative eigenvalues of D count "
-              "the roots below ω",
+              source="rotating Timoshenko shaft; the number of negative eigenvalues of D equals "
+                     "the number of roots below ω, so that no root is missed",
               tex=r"\omega,\quad \det D(\omega, n)=0,\quad "
               r"\frac{d}{dz}\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}="
               r"\begin{pmatrix} 0&1&\frac{1}{\kappa GA}&0\\ 0&0&0&\frac{1}{EI}\\ "
@@ -60,7 +60,8 @@ class TransferRotor(DescribedRotor):
     def critical_first(self, k: int) -> float:
         return float(self.study.excited[0].speeds[k - 1])
 
-    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of another speed", safe="too low",
+    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of a shaft at another "
+                                  "speed", safe="too low",
               when=_found(2)).over(range(1, CRITICALS + 1))  # fmt: skip
     def critical_other(self, k: int) -> float:
         return float(self.study.excited[1].speeds[k - 1])
@@ -74,7 +75,7 @@ class TransferRotor(DescribedRotor):
     def euler(self, k: int) -> float:
         return float(self.study.slender[k - 1] / TURN)
 
-    @Quantity("|r|", "µm", "amplitude of the probe's node", safe="too high", when=_turning)
+    @Quantity("|r|", "µm", "amplitude of the probe node", safe="too high", when=_turning)
     def amplitude(self) -> float:
         return float(sum(r.amplitude(self.probe - 1)[0] for r in self.study.responses))
 
@@ -89,7 +90,7 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def study(self) -> Study:
-        """Modes at the speed, critical speeds of each shaft's unbalance, response, torsion."""
+        """Modes at the speed, critical speeds for each shaft's unbalance, response and torsion."""
         names = tuple(shaft.name for shaft in self.shafts)
         return study(self.rotor, names, self.speed, self.unbalanced(), FREQUENCIES)
 
@@ -104,7 +105,7 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def speed_axis(self) -> float:
-        """End of speed axes [rad/s]: they include the nearest critical speed above."""
+        """End of the speed axes of figures [rad/s], beyond the next critical speed."""
         top = max(self.speed_to, self.speed)
         above = [w for excited in self.study.excited for w in excited.speeds if w > top]
         return float(max(1.2 * top, 1.1 * min(above, default=0.0)))

@@ -1,4 +1,4 @@
-"""Inputs of any rotor: by default two shafts, one inside the other."""
+"""Inputs of any rotor of coaxial shafts; the default has two shafts, one inside the other."""
 
 from typing import Self
 
@@ -28,7 +28,7 @@ def critical_name(group: int) -> str:
 
 
 def _segments() -> tuple[SegmentInputs, ...]:
-    """A tube on a longer solid shaft."""
+    """Default segments: a tube on a longer solid shaft."""
     tube = [(0.06, 0.07), (0.12, 0.07), (0.12, 0.07), (0.06, 0.06)]
     core = [(0.06, 0.03), (0.10, 0.035), (0.12, 0.035), (0.12, 0.035), (0.12, 0.035),
             (0.12, 0.035), (0.10, 0.035), (0.06, 0.03)]  # fmt: skip
@@ -42,9 +42,21 @@ class CoaxialRotor(Case):
     """Coaxial shafts with discs, bearings, links and unbalances."""
 
     speed_from: float = given(
-        "5600 r/min", "r/min", "n_1", "operating speeds of the first shaft, from", ge=0, le=1e6
+        "5600 r/min",
+        "r/min",
+        "n_1",
+        "lower limit of the operating speeds of the first shaft",
+        ge=0,
+        le=1e6,
     )
-    speed_to: float = given("9000 r/min", "r/min", "n_2", "operating speeds, to", gt=0, le=1e6)
+    speed_to: float = given(
+        "9000 r/min",
+        "r/min",
+        "n_2",
+        "upper limit of the operating speeds of the first shaft",
+        gt=0,
+        le=1e6,
+    )
     margin: float = given(
         0.15,
         "1",
@@ -60,13 +72,13 @@ class CoaxialRotor(Case):
     probe: int = count(4, "", "node whose amplitude is reported", ge=1, le=10_000)
     shafts: tuple[ShaftInputs, ...] = table(
         (ShaftInputs(name="outer", ratio=1.0, start=0.16), ShaftInputs(name="inner", ratio=1.4)),
-        "Shafts; speeds are the first one's, whose ratio is 1.",
+        "Shafts. All speeds are those of the first shaft, whose ratio must be 1.",
         required=True,
     )
     segments: tuple[SegmentInputs, ...] = table(
         _segments(),
-        "Segments, in their order along each shaft; their ends are the nodes, numbered from 1 "
-        "along the first shaft, then on along the next.",
+        "Segments, in their order along each shaft. Their ends are the nodes, numbered from 1 "
+        "along the first shaft, then onwards along the next shaft.",
         required=True,
     )
     discs: tuple[DiscInputs, ...] = table(
@@ -76,8 +88,8 @@ class CoaxialRotor(Case):
             DiscInputs(node=7, d_o=0.2, d_i=0.03, width=0.02),
             DiscInputs(node=13, d_o=0.22, d_i=0.035, width=0.025),
         ),
-        "Rigid discs at nodes: mass, polar and diametral, or d_o, d_i, width and rho of a cylinder "
-        "for what is left out. Discs of one shaft must not overlap.",
+        "Rigid discs at nodes: mass, polar and diametral moment of inertia. For omitted values, "
+        "give d_o, d_i, width and rho of a cylinder. Discs of one shaft must not overlap.",
     )
     supports: tuple[SupportInputs, ...] = table(
         (
@@ -97,24 +109,24 @@ class CoaxialRotor(Case):
             UnbalanceInputs(node=4, value=units.parse("14 g mm", "g mm")),
             UnbalanceInputs(node=13, value=units.parse("50 g mm", "g mm"), angle=np.pi / 2),
         ),
-        "Unbalances, each turning with its shaft.",
+        "Unbalances, each of which rotates with its shaft.",
     )
 
     @model_validator(mode="after")
     def _sensible(self) -> Self:
         if not self.speed_from < self.speed_to:
             raise ValueError(
-                "the operating speeds need speed_from < speed_to, got speed_from = "
-                f"{self.speed_from / RPM:g} r/min, speed_to = {self.speed_to / RPM:g} r/min"
+                f"speed_from must be below speed_to, got speed_from = {self.speed_from / RPM:g} "
+                f"r/min, speed_to = {self.speed_to / RPM:g} r/min"
             )
         description.check_shafts(self.shafts, self.segments)
         nodes = len(self.segments) + len(self.shafts)
         if nodes > MOST_NODES:
-            raise ValueError(f"segments have {nodes} nodes, at most {MOST_NODES} are taken")
+            raise ValueError(f"the segments have {nodes} nodes, at most {MOST_NODES} are allowed")
         description.check_nodes(
             nodes, discs=self.discs, supports=self.supports, links=self.links,
             unbalances=self.unbalances,
         )  # fmt: skip
         if self.probe > nodes:
-            raise ValueError(f"probe = {self.probe}: there are nodes 1 to {nodes}")
+            raise ValueError(f"probe = {self.probe} must be one of the nodes 1 to {nodes}")
         return self

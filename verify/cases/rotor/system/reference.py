@@ -1,4 +1,4 @@
-"""The rotor as beams, every segment divided into `refine` elements."""
+"""The rotor as beams, with every segment divided into `refine` elements."""
 
 from typing import Any
 
@@ -18,7 +18,7 @@ RIGID = 1e-4  # relative to a torsional frequency: a lower frequency is a rigid-
 
 
 def fem_rotor(q: CoaxialRotor, refine: int, theory: str = "timoshenko") -> Any:
-    """The rotor of a user's file as beam elements."""
+    """Rotor of a user's file as beam elements."""
     from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
 
     shafts = [
@@ -56,7 +56,7 @@ def _bearing(spring: Any) -> dict[str, Any]:
 
 
 def solve(q: CoaxialRotor, level: int) -> Level:
-    """Beams of the rotor and, with the default rotor, of its companion."""
+    """Beam results of the rotor and, for the default rotor, of its companion."""
     values = fem_values(q, level)
     if q.is_default:
         other = fem_values(companion(CoaxialRotor), level)
@@ -97,7 +97,7 @@ def still(q: CoaxialRotor) -> CoaxialRotor:
 
 
 def _fem_response(q: CoaxialRotor, rotor: Any) -> dict[str, float]:
-    """Amplitude and loads at the speed; amplitudes by unbalances of different speeds are added."""
+    """Amplitude and loads at the speed, summed over unbalances that rotate at different speeds."""
     from fem.rotor.response import unbalance_response
 
     groups: dict[float, dict[int, complex]] = {}

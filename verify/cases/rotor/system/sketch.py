@@ -55,7 +55,10 @@ def sketch(q: DescribedRotor) -> Sketch:
         joined = [np.array([q.places[n - 1], -radius[n - 1]]) for n in (link.node, link.to)]
         shapes.append(_diamond((joined[0] + joined[1]) / 2, size / 2))
     names = ", ".join(s.name for s in q.shafts)
-    title = f"shafts {names}, radii drawn larger; nodes of discs above, of bearings below"
+    title = (
+        f"shafts {names}, radii on a larger scale than lengths; nodes of discs above, of bearings "
+        "below"
+    )
     title += "; diamonds: links between shafts" if q.links else ""
     return sketches.sketch(title, shapes)
 
@@ -68,7 +71,7 @@ def _radius(q: DescribedRotor, lines: list[tuple[Any, Any]], station: int) -> fl
 
 
 def _triangle(top: Array, size: float, number: str) -> list[Shape]:
-    """A bearing to the ground, with its number below its lines."""
+    """Lines of a bearing to the ground, with its number below."""
     wedge = top + size * np.array([[0.0, 0.0], [-1.0, -1.7], [1.0, -1.7]])
     below = top + size * np.array([[0.0, -3.3]])
     return [shape("body", wedge), shape("text", below, number)]

@@ -41,17 +41,19 @@ class DescribedRotor(CoaxialRotor):
             if a == b:
                 raise EntryError(
                     "links", k, f"to = {link.to}",
-                    f"node {link.node} is on shaft {a.name} too: a link joins two shafts",
+                    f"node {link.node} must be on a shaft other than {a.name}: a link joins two "
+                    "shafts",
                 )  # fmt: skip
             if link.k_turn > 0 and a.ratio != b.ratio:
                 raise EntryError(
                     "links", k, f"k_turn = {link.k_turn:g} N m/rad",
-                    f"shafts {a.name} and {b.name} turn at different speeds",
+                    f"shafts {a.name} and {b.name} have different speeds: a torsional stiffness "
+                    "between them must be 0",
                 )  # fmt: skip
 
     @cached_property
     def rotor(self) -> TransferMatrixRotor:
-        """The rotor of the formulas."""
+        """Rotor of the formulas; raises EntryError for invalid entries."""
         made = (
             SegmentedShaft(
                 ratio=shaft.ratio,
@@ -68,7 +70,7 @@ class DescribedRotor(CoaxialRotor):
         )
 
     def _springs(self) -> tuple[tuple[StationSupport, ...], tuple[StationLink, ...]]:
-        """Bearings and links; EntryError if a coefficient is invalid, or both nodes are equal."""
+        """Bearings and links; raises EntryError for an invalid coefficient or two equal nodes."""
         supports, links = [], []
         for k, entry in enumerate(self.supports, start=1):
             try:
@@ -77,7 +79,7 @@ class DescribedRotor(CoaxialRotor):
                 raise EntryError("supports", k, "", str(error)) from error
         for k, link in enumerate(self.links, start=1):
             if link.node == link.to:
-                raise EntryError("links", k, f"to = {link.to}", "joins a node with itself")
+                raise EntryError("links", k, f"to = {link.to}", "must differ from node")
             try:
                 links.append(StationLink(a=link.node - 1, b=link.to - 1, **coefficients(link)))
             except ValueError as error:
@@ -109,14 +111,14 @@ def coefficients(spring: SpringInputs) -> dict[str, Any]:
 
 
 def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
-    """Mass [kg], polar and diametral moment [kg m²]; ValueError if they cannot be determined."""
+    """Mass [kg], polar and diametral moment [kg m²]; raises ValueError if undetermined."""
     given = (disc.mass, disc.polar, disc.diametral)
     if disc.d_o is None or disc.width is None:
         if disc.mass is None or disc.polar is None or disc.diametral is None:
-            raise ValueError("needs mass, polar and diametral, or d_o and width of a cylinder")
+            raise ValueError("must have mass, polar and diametral, or d_o and width of a cylinder")
         return disc.mass, disc.polar, disc.diametral
     if not disc.d_i < disc.d_o:
-        raise ValueError(f"needs d_i < d_o, got {disc.d_i * 1e3:g}, {disc.d_o * 1e3:g} mm")
+        raise ValueError(f"d_i must be below d_o, got {disc.d_i * 1e3:g} mm, {disc.d_o * 1e3:g} mm")
     own = cylinder_inertia(
         d_o=disc.d_o, d_i=disc.d_i, width=disc.width, rho=disc.rho, mass=disc.mass
     )
@@ -125,7 +127,7 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
 
 
 def discs_of(discs: Sequence[DiscInputs]) -> tuple[StationDisc, ...]:
-    """The discs of the formulas; EntryError if the mass of a disc cannot be determined."""
+    """Discs of the formulas; raises EntryError if the mass of a disc is not determined."""
     found = []
     for k, disc in enumerate(discs, start=1):
         try:
@@ -135,14 +137,14 @@ def discs_of(discs: Sequence[DiscInputs]) -> tuple[StationDisc, ...]:
         if polar > 2 * diametral * (1 + ROUNDED):
             raise EntryError(
                 "discs", k, f"polar = {polar:.6g} kg m^2",
-                f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
+                f"must not exceed twice the diametral moment, {2 * diametral:.6g} kg m^2",
             )  # fmt: skip
         found.append(StationDisc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
     return tuple(found)
 
 
 def check_widths(discs: Sequence[DiscInputs], rotor: TransferMatrixRotor) -> None:
-    """EntryError if two discs of a shaft overlap."""
+    """Raise EntryError if two discs of a shaft overlap."""
     wide = sorted(
         (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)
         for k, d in enumerate(discs, start=1)

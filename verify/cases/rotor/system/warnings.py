@@ -44,8 +44,8 @@ def _links(q: DescribedRotor) -> Iterator[str]:
         gap = q.places[link.node - 1] - q.places[link.to - 1]
         if abs(gap) > AXIAL_GAP:
             yield (
-                f"links[{k}] joins nodes with an axial distance of {abs(gap) * 1e3:.4g} mm: set "
-                "the shafts' start"
+                f"links[{k}] joins nodes at an axial distance of {abs(gap) * 1e3:.4g} mm: set "
+                "start of the shafts"
             )
 
 
@@ -64,7 +64,7 @@ def _through(q: DescribedRotor) -> Iterator[str]:
             )
     if met:
         more = f"; and {len(met) - LISTED} more" if len(met) > LISTED else ""
-        yield f"shafts pass through each other: {'; '.join(met[:LISTED])}{more}"
+        yield f"shafts overlap radially: {'; '.join(met[:LISTED])}{more}"
 
 
 def _damping(q: DescribedRotor) -> Iterator[str]:
@@ -74,14 +74,15 @@ def _damping(q: DescribedRotor) -> Iterator[str]:
         for k, s in enumerate(entries, start=1)
     ]
     if q.unbalances and not any(s.c or s.cyy or s.c_tilt for _, s in springs):
-        yield "no bearing is damped: amplitudes at critical speeds have no bound"
+        yield "no bearing has damping: amplitudes at critical speeds are unbounded"
     for name, s in springs:
         across = s.c, s.k
         along_y = s.c if s.cyy is None else s.cyy, s.k if s.kyy is None else s.kyy
         if any(c * q.speed_to > RIGID * k for c, k in (across, along_y)):
             yield (
-                f"{name}: damping times the highest operating speed is above {RIGID:g} of the "
-                "stiffness: it acts rigid; damping is left out of frequencies and critical speeds"
+                f"{name}: damping times the highest operating speed exceeds {RIGID:g} of the "
+                "stiffness, so that the bearing acts as rigid; frequencies and critical speeds do "
+                "not include damping"
             )
 
 
@@ -100,7 +101,9 @@ def _short(q: DescribedRotor) -> Iterator[str]:
         names = ", ".join(f"segments[{run[0].k}]" for run in short[:LISTED])
         more = f" and {len(short) - LISTED} more" if len(short) > LISTED else ""
         verb = "is" if len(short) == 1 else "are"
-        yield f"{names}{more} {verb} shorter than a tenth of the diameter: no beam there"
+        yield (
+            f"{names}{more} {verb} shorter than a tenth of the diameter: beam theory does not apply"
+        )
 
 
 def _steps(q: DescribedRotor) -> Iterator[str]:
@@ -111,11 +114,11 @@ def _steps(q: DescribedRotor) -> Iterator[str]:
     ]  # fmt: skip
     if steps:
         yield (
-            f"the diameter steps by half or more after segments[{steps[0]}]: beam theory is too "
-            "stiff there, by up to some 9 % of a frequency"
+            f"the diameter changes by half or more after segments[{steps[0]}]: beam theory "
+            "overestimates the frequencies of stepped shafts, by up to about 9 %"
         )
 
 
 def _speed(q: DescribedRotor) -> Iterator[str]:
     if q.speed > 1.2 * q.speed_to or q.speed < 0.8 * q.speed_from:
-        yield f"speed = {q.speed / RPM:.5g} r/min is not among the operating speeds"
+        yield f"speed = {q.speed / RPM:.5g} r/min is not within the operating speeds"

@@ -137,9 +137,9 @@ ROTORS = (
         what=f"a uniform shaft of {PIECES} elements that turns, in hard bearings",
         pose=partial(shaft, True),
         quantities=(
-            frequency(1, "elements of Timoshenko, mode 1 backward"),
-            frequency(2, "elements of Timoshenko, mode 1 forward"),
-            frequency(6, "elements of Timoshenko, mode 3 forward"),
+            frequency(1, "elements of Timoshenko's beam, mode 1 backward"),
+            frequency(2, "elements of Timoshenko's beam, mode 1 forward"),
+            frequency(6, "elements of Timoshenko's beam, mode 3 forward"),
         ),
     ),
     Cross(
