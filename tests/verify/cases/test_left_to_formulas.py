@@ -54,7 +54,7 @@ LEFT = [
     ("contact-slip", {"share": 0.49}, "run `check` without --fem"),
     ("contact-sphere", {"P": "4e-8 N"}, "round-off"),
     ("contact-roller", {"d": "0.1 mm"}, "d = 0.1 mm is shorter than l/64 = 0.141 mm"),
-    ("rotor-clutch", {"T": "600 N m"}, "too far for rolling"),
+    ("rotor-clutch", {"T": "600 N m"}, "for rolling sprags"),
 ]
 
 

@@ -55,7 +55,7 @@ def test_entries_of_tables_are_compared_by_entry() -> None:
     supports = [*raw["supports"][:1], {**raw["supports"][1], "k": "50 N/µm"}]
     html = side_by_side("rotor-system", raw, raw | {"supports": supports})
     listed = {line[0]: line for line in rows(html.partition("<details>")[0])}
-    assert listed["supports[2] k"][1:] == ["stiffness across", "40 N/µm", "50 N/µm"]
+    assert listed["supports[2] k"][1:] == ["radial stiffness", "40 N/µm", "50 N/µm"]
     assert listed["supports[3] k"][2:] == ["40 N/µm", "left out"]
     assert "supports[1] k" not in listed
 

@@ -70,7 +70,7 @@ def test_a_rule_between_inputs_is_stated_where_every_value_is_right() -> None:
     raw = dict(describe("rotor-system").raw)
     supports = [{**raw["supports"][0], "node": "99"}, *raw["supports"][1:]]
     found = answered("rotor-system", raw | {"supports": supports})
-    assert found.faults == {"supports[1].node": "supports[1].node = 99: there are nodes 1 to 14"}
+    assert found.faults == {"supports[1].node": "supports[1].node = 99: the nodes are 1 to 14"}
 
 
 def test_inputs_that_are_missing_and_wrong_are_both_marked() -> None:

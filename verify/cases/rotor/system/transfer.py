@@ -118,7 +118,9 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
             raise ValueError("must have mass, polar and diametral, or d_o and width of a cylinder")
         return disc.mass, disc.polar, disc.diametral
     if not disc.d_i < disc.d_o:
-        raise ValueError(f"d_i must be below d_o, got {disc.d_i * 1e3:g} mm, {disc.d_o * 1e3:g} mm")
+        raise ValueError(
+            f"d_i must be below d_o, got d_i = {disc.d_i * 1e3:g} mm, d_o = {disc.d_o * 1e3:g} mm"
+        )
     own = cylinder_inertia(
         d_o=disc.d_o, d_i=disc.d_i, width=disc.width, rho=disc.rho, mass=disc.mass
     )
