@@ -70,10 +70,10 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     yield accepted(of_cam, f"torque against {on_cam}", "torque_cam", "off by", within=1e-3,
                    source=OTHER)  # fmt: skip
     yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N",
-                   "difference", within=1e-3, source=TORQUE, by="the flat's")  # fmt: skip
+                   "difference", within=1e-3, source=TORQUE, by="value on the flat")  # fmt: skip
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
                    f"{n.unlike_forces} to either side of the bisector: difference", within=4e-3,
-                   source=BOTH, by="the flat's")  # fmt: skip
+                   source=BOTH, by="value on the flat")  # fmt: skip
     yield accepted(clutch.phi, "wind-up ∫dU/T against exact rolling", "rolling", within=5e-3,
                    words=f"tangential forces deform {n.rolling}; error of rolling")  # fmt: skip
     yield balance("forces", "balance of both contact forces on a roller", "ΣF", "1",

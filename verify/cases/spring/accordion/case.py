@@ -206,7 +206,7 @@ class AccordionSpring(FreeStage):
         yield Comparison(quantity=spring.slenderness, check=Contradiction(
             name="L_0/b of the paper's spring against its limit", symbol="L_0/b", unit="1",
             analytic="slenderness", reference="wang2023:rule-length-thickness-max",
-            erratum="wang2023:eq-13-own-spring",
+            erratum="wang2023:eq-13-printed-spring",
         ))  # fmt: skip
         for q, elements, order in ((spring.k_N, "straight", 2), (spring.k_V, "curved", 4)):
             for ends in (PAPER, *COMBINED):
