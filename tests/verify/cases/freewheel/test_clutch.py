@@ -28,9 +28,9 @@ def findings(**changes):
 @pytest.mark.parametrize(
     ("changes", "verdict"),
     [
-        ({}, "green: μ/μ_req = 1.109: by Coulomb's law it holds"),
-        ({"mu": 0.065}, "yellow: μ/μ_req = 0.9013: by Coulomb's law it slips"),
-        ({"F_ax": 3000.0}, "red: μ/μ_req = 0.552: by Coulomb's law it slips"),
+        ({}, "green: μ/μ_req = 1.109: by Coulomb's law the clutch holds"),
+        ({"mu": 0.065}, "yellow: μ/μ_req = 0.9013: by Coulomb's law the clutch slips"),
+        ({"F_ax": 3000.0}, "red: μ/μ_req = 0.552: by Coulomb's law the clutch slips"),
         ({"T": -3.0}, "free: the torque turns against the locking direction"),
         ({"T": 0.0}, "red: without torque the rollers are not pressed: no friction resists F_ax"),
         ({"T": 0.0, "F_ax": 0.0}, "green: no load"),

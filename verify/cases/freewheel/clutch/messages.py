@@ -57,9 +57,9 @@ def verdict(q: ClutchInputs, v: Values) -> str:
     if light(q, v) == "overloaded":
         return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
     if v["safety"] >= 1:
-        return f"{ratio}: by Coulomb's law it holds ({needs})"
+        return f"{ratio}: by Coulomb's law the clutch holds ({needs})"
     seen = "; class yellow follows the paper's observations" if light(q, v) == "yellow" else ""
-    return f"{ratio}: by Coulomb's law it slips ({needs}){seen}"
+    return f"{ratio}: by Coulomb's law the clutch slips ({needs}){seen}"
 
 
 def beyond(q: ClutchInputs, v: Values) -> str:

@@ -94,5 +94,5 @@ def _ends_of_X(q: ClutchInputs) -> list[str]:
         (until_pop_through(q.duty), "larger", "the rollers pop through between flat and race"),
     ]
     near = sorted(one for one in limits if math.isfinite(one[0]))
-    parts = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]
+    parts = [f"if X is {side} by {dX * 1e6:.3g} µm, {what}" for dX, side, what in near]
     return ["; ".join(parts)] if parts else []
