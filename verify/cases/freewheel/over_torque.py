@@ -66,8 +66,8 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 def pressure(where: str) -> AlongLine:
     """Figure of the pressure on a part, over its maximum, in the state of largest load."""
     return AlongLine(
-        title=f"Pressure on the {where}, in the state of largest "
-              "load", x=("x/a", "1"), y=("p/p_0", "1"),
+        title=f"Pressure on the {where}, in the state of largest load",
+        x=("x/a", "1"), y=("p/p_0", "1"),
         curve=lambda x: np.sqrt(1 - x**2), reference=f"p_on_{where}", at=ACROSS, points=WIDTH,
         order=1, scale=1.0, neglects=True,
         note="a follows from the moments of the pressure, and p_0 = 2P/(πa): only the shape is "

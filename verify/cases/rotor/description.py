@@ -62,21 +62,21 @@ class DiscInputs(NodeInputs):
         le=1e6,
     )
     diametral: float | None = quantity(
-        None, "kg m^2", "I_d", "diametral moment of "
-                               "inertia", omitted=None, example="0.017 kg m^2", ge=0,
+        None, "kg m^2", "I_d", "diametral moment of inertia",
+        omitted=None, example="0.017 kg m^2", ge=0,
         le=1e6,
     )  # fmt: skip
     d_o: float | None = quantity(
-        None, "mm", "d_o", "outer diameter, for a cylindrical "
-                           "disc", omitted=None, example="200 mm", gt=0,
+        None, "mm", "d_o", "outer diameter, for a cylindrical disc",
+        omitted=None, example="200 mm", gt=0,
         le=1e5,
     )  # fmt: skip
     d_i: float = quantity(
         "0 mm", "mm", "d_i", "bore, for a cylindrical disc", omitted=0.0, ge=0, le=1e5
     )
     width: float | None = quantity(
-        None, "mm", "b", "width, for a cylindrical disc with the node in its "
-                         "middle", omitted=None, example="20 mm", gt=0,
+        None, "mm", "b", "width, for a cylindrical disc with the node in its middle",
+        omitted=None, example="20 mm", gt=0,
         le=1e5,
     )  # fmt: skip
     rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)

@@ -39,8 +39,8 @@ def other_modulus(part: str, what: str, example: str) -> Any:
 
 def other_poisson(part: str, what: str, example: str) -> Any:
     """Optional input: Poisson's ratio of a part of another material."""
-    return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, if different from "
-                                         "ν", omitted=None,
+    return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, if different from ν",
+                 omitted=None,
                  ge=0, le=0.45, example=example)  # fmt: skip
 
 
@@ -86,8 +86,8 @@ class ClutchInputs(Case):
     )  # fmt: skip
     e_lim: float | None = given(
         None, "1", "(e/L)_lim", "permissible shift of the contact forces along the rollers, over "
-                                "L; default 1/6, at which one end lifts "
-                                "off", omitted=None, gt=0, lt=0.5,
+                                "L; default 1/6, at which one end lifts off",
+                                omitted=None, gt=0, lt=0.5,
         example="0.1",
     )  # fmt: skip
     X_tol: float = given("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)

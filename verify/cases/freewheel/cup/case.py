@@ -141,8 +141,8 @@ class FreewheelCup(Cup):
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(
-        "α", "deg", "clamping angle without load, used as the angle under "
-                    "torque", equation="4", form="corrected",
+        "α", "deg", "clamping angle without load, used as the angle under torque",
+        equation="4", form="corrected",
         form_of="alpha", safe="too high", tex=r"\alpha_0",
     ).reads(lambda q: q.alpha_0)  # fmt: skip
     F_t = Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",

@@ -32,8 +32,8 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
         return Comparison(check=check, quantity=q, shares=COULOMB)
 
     yield judged(
-        Agreement(name="friction at which both contacts slip completely, torque alone (Eq. "
-                       "1)", symbol="μ/tan α",
+        Agreement(name="friction at which both contacts slip completely, torque alone (Eq. 1)",
+                  symbol="μ/tan α",
                   unit="1", pair=onset, accepted=ONSET, source=SUBJECT), mu_T,
     )  # fmt: skip
     yield judged(
@@ -49,8 +49,8 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                       accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip
     yield judged(
-        Deviation(name="forces of slipping contacts are on the friction "
-                       "cone", symbol="F/(μF_n) − 1",
+        Deviation(name="forces of slipping contacts are on the friction cone",
+                  symbol="F/(μF_n) − 1",
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
     )  # fmt: skip
     yield judged(

@@ -76,8 +76,8 @@ def _cone(q: Any, last: Any) -> Curves:
         dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
                np.abs(creep[:, 4:6]).mean(axis=1), 1),
         dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
-        dots("FE, slipping, clutches with other wedge "
-             "angles", slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
+        dots("FE, slipping, clutches with other wedge angles",
+             slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
              2),
         note="F_t/F_n is tan α for any F_a: an axial load moves the point vertically to the cone.",
     )  # fmt: skip
@@ -126,8 +126,8 @@ def _let_out(q: Any, last: Any) -> Curves:
     out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return plot(
-        "Remaining torque of a ring held against rotation that slides along the "
-        "axis", "axial slip [µm]",
+        "Remaining torque of a ring held against rotation that slides along the axis",
+        "axial slip [µm]",
         "T/T at rest",
         line("Coulomb's law and the equilibrium at each F_n", u[::-1] / µm, T[::-1]),
         dots("FE", (out[:, 0] - start).clip(0) / µm, out[:, 7]),
@@ -143,8 +143,8 @@ def _shares(last: Any) -> Curves:
         "share of F_n on slipping nodes",
         dots("FE, star", 1 / k, star),
         dots("FE, ring", 1 / k, ring, 1),
-        dashes("both contacts slip: the roller is "
-               "released", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
+        dashes("both contacts slip: the roller is released",
+               np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
         note="Nodes slip one after the other, from the edge inwards, because the roller is placed "
              "between the races in one step. A torque that grows from zero causes less slip.",
     )  # fmt: skip

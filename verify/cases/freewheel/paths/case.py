@@ -156,8 +156,8 @@ class LoadPaths(Pulled):
         return self.courses[case].slips_at
 
     F_2 = Quantity(
-        "F_2", "N", "axial load at the time t_2 of the largest required friction, load case "
-                    "2", role="step",
+        "F_2", "N", "axial load at the time t_2 of the largest required friction, load case 2",
+        role="step",
         tex=r"F_{ax} \frac{t_2 - t_T}{t_{end} - t_T} " r"\sin\left(2 \pi f (t_2 - t_T)\right)",
     ).reads(lambda q: q.paths[2].axial_load(q.courses[2].when))  # fmt: skip
     phi = Quantity(

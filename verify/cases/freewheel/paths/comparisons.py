@@ -218,11 +218,11 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
     """Rows of numbers of the paper that are used as printed."""
     for name, key, why in (
-        ("red, upper "
-         "limit", "red-yellow", "by Coulomb's law the clutch slips below 1 (erratum "
+        ("red, upper limit",
+         "red-yellow", "by Coulomb's law the clutch slips below 1 (erratum "
                                     "traffic-light-wording)"),
-        ("green, lower "
-         "limit", "yellow-green", "it is the limit of Coulomb's law, with the equal sign "
+        ("green, lower limit",
+         "yellow-green", "it is the limit of Coulomb's law, with the equal sign "
                                        "(erratum eq-10-strictness)"),
     ):  # fmt: skip
         check = Adopted(name=f"class {name}", symbol="μ/μ_req", unit="1", analytic="coulomb",

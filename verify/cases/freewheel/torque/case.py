@@ -114,13 +114,13 @@ class FreewheelTorque(Star):
         return float(printed.torque_on_cam(self.cam, F_t=self.state.F_t))
 
     alpha_rigid = Quantity(
-        "α", "deg", "clamping angle without load, used as the angle under "
-                    "torque", equation="4", form="corrected",
+        "α", "deg", "clamping angle without load, used as the angle under torque",
+        equation="4", form="corrected",
         form_of="alpha", safe="too high", tex=r"\alpha_0",
     ).reads(lambda q: q.alpha_0)  # fmt: skip
     alpha_0_printed = Quantity(
-        "α", "deg", "clamping angle without load, used as the angle under "
-                    "torque", equation="4", form="as printed",
+        "α", "deg", "clamping angle without load, used as the angle under torque",
+        equation="4", form="as printed",
         form_of="alpha", safe="too high",
         tex=r"\arccos\left(\sqrt{\frac{r + X}{2 (R - r)}}\right)",
     ).reads(lambda q: printed.alpha0(q.cam))  # fmt: skip
@@ -139,8 +139,8 @@ class FreewheelTorque(Star):
         "φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
         tex=r"\frac{s}{R} + \frac{s}{X}",
     ).reads(lambda q: q.state.phi_printed)  # fmt: skip
-    phi_small = Quantity("φ", "deg", "wind-up angle, approximation for small "
-                                     "angles", form="small angles",
+    phi_small = Quantity("φ", "deg", "wind-up angle, approximation for small angles",
+                         form="small angles",
                          form_of="phi", role="step",
                          tex=r"\frac{2 s}{R}").reads(lambda q: q.state.phi_small)  # fmt: skip
     p_i = Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",

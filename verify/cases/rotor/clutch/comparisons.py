@@ -201,8 +201,8 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
         exponent = math.log(2) / math.log(two / one)
         return Pair(exponent, 10 / 9, 0.0, f"{exponent:.12g}")
 
-    tangent = Deviation(name="tangent stiffness against differences of the loads, "
-                             "1e-8", symbol="ΔK/K_xx",
+    tangent = Deviation(name="tangent stiffness against differences of the loads, 1e-8",
+                        symbol="ΔK/K_xx",
                         unit="1", size=by_differences, accepted=DIFFERENCES, source=SUBJECT,
                         whole="K_xx", fem_needed=False, by="differences of the loads",
                         everywhere=True)  # fmt: skip
@@ -263,8 +263,8 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
     for name, symbol, erratum, margin in (
         ("Eq. 9 with one angle for all sprags", "F_r", "eq-9-sprag-index", one_angle),
         ("Eq. 10 with whole displacements", "P_s", "eq-10-increments", whole_displacement),
-        ("a torque with a lever different from that in Eq. "
-         "4", "M_z", "eq-9-torque-row", another_lever),
+        ("a torque with a lever different from that in Eq. 4",
+         "M_z", "eq-9-torque-row", another_lever),
         ("bending and torsion coupled by the torque alone", "K_xz", "eq-11-bending-torsion",
          no_coupling),
     ):  # fmt: skip

@@ -140,8 +140,8 @@ def value(*ids: str) -> tuple[str, ...]:
 
 OUTER_NODES, INNER_NODES = slice(OUTER), slice(OUTER, None)
 STATEMENTS = (
-    Statement(name="node 11 has the highest peak of nodes 1 to 11 at critical speed "
-                   "1", symbol="x_11",
+    Statement(name="node 11 has the highest peak of nodes 1 to 11 at critical speed 1",
+              symbol="x_11",
               holds=lambda a: outer(a, 11, 1, last=11),
               compares=lambda a: outer_peaks(a, 1, last=11),
               printed=value("outer-highest-node-at-critical-1")),
@@ -161,8 +161,8 @@ STATEMENTS = (
     Statement(name="nodes 13 to 19 have their highest peaks at critical speed 1", symbol="x",
               holds=first_highest, compares=lambda a: base(a)[:, :, OUTER:19],
               printed=value("inner-high-range-first-node", "inner-high-range-last-node")),
-    Statement(name="node 19 has the highest amplitude of the inner rotor at every "
-                   "peak", symbol="x_19",
+    Statement(name="node 19 has the highest amplitude of the inner rotor at every peak",
+              symbol="x_19",
               holds=lambda a: inner(a, 19), compares=lambda a: base(a)[:, :, OUTER:],
               printed=value("inner-highest-node")),
     Statement(name="torsion is uniform along the outer rotor at critical speed 1", symbol="θ_z",

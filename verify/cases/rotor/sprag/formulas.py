@@ -156,8 +156,8 @@ class CentralSystem(SpragRotorInputs):
     def coupling(self) -> float:
         return coupling(self.offset)
 
-    @Quantity("K_xz1", "N", "coupling of bending and torsion by the offset, first "
-                            "order", role="step",
+    @Quantity("K_xz1", "N", "coupling of bending and torsion by the offset, first order",
+              role="step",
               source="coupling by an offset, first order",
               tex=r"(m - 1) K_{xx} d_t \Delta x/\delta_0")  # fmt: skip
     def coupling_first(self) -> float:

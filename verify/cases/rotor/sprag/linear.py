@@ -165,8 +165,8 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Drawn(name="nodes and their unknowns are those of Fig. 1", symbol="", unit="1",
          margin=as_drawn,
          printed=tuple(f"huang2022:{key}" for key in (*NODES, "commercial-beam-dofs"))),
-    Rounded(name="amplitudes are convex in unbalance 2 (both unbalances solved "
-                 "together)", symbol="Δx/x", unit="1",
+    Rounded(name="amplitudes are convex in unbalance 2 (both unbalances solved together)",
+            symbol="Δx/x", unit="1",
             residual=lambda c: max(0.0, float(arrays(c)["convex"].max())), bound=ROUND_OFF,
             scale_name="chord", bound_reason="round-off"),
     Rounded(name="orbits are circles on isotropic supports", symbol="b/a − 1", unit="1",

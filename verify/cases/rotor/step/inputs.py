@@ -21,8 +21,8 @@ class SteppedShaft(Case):
     d_2: float = given("80 mm", "mm", "d_2", "diameter of the thick part", gt=0, le=1e5)
     L_2: float = given("200 mm", "mm", "L_2", "length of the thick part", gt=0, le=1e5)
     a: float | None = given(
-        None, "mm", "a", "start of the thick part; default: symmetric about the "
-                         "middle", omitted=None, gt=0,
+        None, "mm", "a", "start of the thick part; default: symmetric about the middle",
+        omitted=None, gt=0,
         example="150 mm",
     )  # fmt: skip
     b: float = given("15 mm", "mm", "b", "width of both bearings, at the ends of the shaft", gt=0)
@@ -71,8 +71,8 @@ class SteppedShaft(Case):
     def reach(self) -> float:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
-    @Quantity("d_stiff", "mm", "diameter that counts for stiffness at that "
-                               "distance", source="45° rule",
+    @Quantity("d_stiff", "mm", "diameter that counts for stiffness at that distance",
+              source="45° rule",
               role="geometry")  # fmt: skip
     def d_stiff(self) -> float:
         return min(self.d_2, self.d_1 + 2 * self.reach)

@@ -60,8 +60,8 @@ class TransferRotor(DescribedRotor):
     def critical_first(self, k: int) -> float:
         return float(self.study.excited[0].speeds[k - 1])
 
-    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of a shaft at another "
-                                  "speed", safe="too low",
+    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of a shaft at another speed",
+              safe="too low",
               when=_found(2)).over(range(1, CRITICALS + 1))  # fmt: skip
     def critical_other(self, k: int) -> float:
         return float(self.study.excited[1].speeds[k - 1])
