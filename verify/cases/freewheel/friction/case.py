@@ -125,8 +125,8 @@ class FreewheelFriction(Pulled):
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
-    @Quantity("p_1/p", "1", "maximum of Hertz's pressure over its mean along the roller, by the "
-                            "shift e", role="step",
+    @Quantity("p_1/p", "1", "maximum of Hertz's pressure over its value at the mean line load",
+              role="step",
               tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
     def pressure(self) -> float:
         return float(tilt.pressure_factor(e=self.e, L=self.L))
