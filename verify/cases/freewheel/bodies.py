@@ -8,7 +8,7 @@ from typing import Protocol
 
 
 class OneClutch(Protocol):
-    """Rollers of radius `r` between flats at a distance `flat` and a race of radius `race`, SI."""
+    """Clutch of rollers of radius `r` between flats at `flat` and a race of radius `race` [m]."""
 
     def __hash__(self) -> int: ...
     @property

@@ -8,7 +8,7 @@ from verify.core.figures import Picture
 
 
 def around_roller(q: Any) -> tuple[float, float, float, float]:
-    """Window (left, bottom, right, top) [m] about the roller."""
+    """Window (left, bottom, right, top) [m] around the roller."""
     x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
     w = 1.35 * q.r
     return x - w, y - w, x + w, y + w

@@ -43,7 +43,7 @@ class Rollers(Case):
 
     @shared
     def clutch(self: Any) -> RollerClutch:
-        """The elastic clutch."""
+        """The clutch of elastic bodies, for the formulas."""
         return of_one_steel(self, self.cam)
 
     @shared

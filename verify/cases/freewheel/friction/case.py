@@ -147,7 +147,7 @@ class FreewheelFriction(Pulled):
         return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: forces and required friction; the limit; onset and location of slip."""
+        """Rows on forces, required friction, limit of the axial load, and onset of slip."""
         law, bounds = FreewheelFriction, self.within
         more: Any = {"order": 2, "shares": SHARED}
         yield identity(law.F_t, name="tangential force of a roller (Eq. 3, corrected)", **STATICS)
@@ -191,7 +191,7 @@ class FreewheelFriction(Pulled):
     figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
-        """Displacement and shear along the axis."""
+        """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
             "Displacement along the axis under torque and axial load: the ring is pulled out, the "
             "rollers move less, and the star is clamped on its shaft",

@@ -90,7 +90,7 @@ class ClutchStiffness(SpragLink):
     @Quantity("K_xy", "N/mm", "coupling of x and y by the wedge angle", when=lambda q: q.with_gap,
               source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_xy(self) -> float:
-        """K_xy for missing sprags at psi_g: -k tan(nu) sum cos(2 psi_g)."""
+        """K_xy with sprags missing at psi_g: -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
             return self.inclined("K_xy")
         return clutch_inclined.coupling_across(self._gone, k=self._k_left, nu=self.nu)
@@ -99,7 +99,7 @@ class ClutchStiffness(SpragLink):
               when=lambda q: q.with_gap,
               source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_yz(self) -> float:
-        """K_yz for missing sprags: tan(nu) K_xz."""
+        """K_yz with missing sprags, tan(nu) K_xz."""
         if self.with_offset:
             return self.inclined("K_yz")
         return clutch_inclined.coupling_with_torsion(

@@ -56,7 +56,7 @@ class UniformShaft(BeamTheories):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """Beam elements, weak forms, and the elastic body."""
+        """Results of beam elements, weak forms, and the elastic body."""
         from verify.cases.rotor.shaft.reference import solve
 
         return solve(self, level)

@@ -167,7 +167,7 @@ def _timoshenko_limit(beam: BeamTheories) -> Points:
 
 
 def _within_ceiling(beam: BeamTheories, context: Context) -> Pair:
-    """Timoshenko's beam and the elastic body at the largest difference of modes 1 to 3."""
+    """Frequencies of Timoshenko's beam and the body, at their largest difference, modes 1 to 3."""
     runs = [context.series(f"solid_at_rest_{j}")[1] for j in MODES]
     beams, bodies = (np.array(v) for v in ([beam.at_rest(j) for j in MODES],
                                            [v[-1] for v in runs]))  # fmt: skip

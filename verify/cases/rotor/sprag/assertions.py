@@ -43,7 +43,7 @@ class Statement:
 
 
 def opposite(a: Arrays) -> Arrays:
-    """The arrays for unbalance 2 opposite to unbalance 1 (phase difference 180°)."""
+    """Arrays of responses with unbalance 2 opposite to unbalance 1 (phase difference 180°)."""
     turned = {key.removesuffix(OPPOSITE): v for key, v in a.items() if key.endswith(OPPOSITE)}
     return {**a, **turned}
 
@@ -98,7 +98,7 @@ def first_torsion(a: Arrays) -> Members:
 
 
 def grows(values: Array) -> Members:
-    """Whether values (m, U_2, ...) grow with unbalance 2 everywhere."""
+    """Whether all values (m, U_2, ...) of a member grow with unbalance 2."""
     return np.asarray((np.diff(values, axis=1) > 0).reshape(len(values), -1).all(axis=1))
 
 

@@ -22,7 +22,7 @@ FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
 
 def arrays(context: Context) -> Arrays:
-    """Arrays of the mesh of the paper, which include the ensemble."""
+    """Result arrays of the paper's mesh, which include those of the ensemble."""
     return context.fem[0].arrays
 
 

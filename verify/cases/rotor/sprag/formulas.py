@@ -37,7 +37,7 @@ ORDERS = (1, 3, 5)
 
 
 def rotor() -> transfer.TransferMatrixRotor:
-    """The central system without damping."""
+    """Rotor of the central system without damping, for transfer matrices."""
     s = layout(CENTRAL)
     segments = tuple(
         transfer.Segment(length=length, d_o=d_o, d_i=d_i, E=E, nu=NU, rho=RHO)

@@ -37,7 +37,7 @@ def damped(zeta: Array) -> Damped:
 
 
 def windows(zeta: Array) -> Array:
-    """Speeds (3, 25) [rad/s] about the three critical speeds."""
+    """Speeds (3, 25) [rad/s] in windows around the three critical speeds."""
     wide = np.minimum(RATIOS * zeta[[0, 1, 1]], WIDEST)
     return np.asarray(np.array(PRINTED)[:, None] * (1 + wide[:, None] * WINDOW))
 
@@ -87,7 +87,7 @@ def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array
 
 
 def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
-    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, each solved with both unbalances acting."""
+    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, solved with both unbalances together."""
     from fem.rotor.response import unbalance_responses
 
     acting = [{DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2} for U_2 in q.unbalances_2.tolist()]

@@ -68,7 +68,7 @@ def rotor_fem(
 
 
 def uneven_clutch_fem(parameters: Array, offset: float) -> Array:
-    """K (6, 6) of sprags whose deformation is delta_0 (1 + offset cos psi)."""
+    """Stiffness (6, 6) of a clutch whose sprags are deformed by delta_0 (1 + offset cos psi)."""
     from fem.rotor.uneven_links import uneven_links
 
     s = layout(parameters)

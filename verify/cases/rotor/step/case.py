@@ -86,7 +86,7 @@ class SteppedBeam(SteppedShaft):
 
     @property
     def shape(self) -> SteppedShape:
-        """Dimensions of the shaft."""
+        """Dimensions of the stepped shaft for the formulas."""
         return SteppedShape(L=self.L, d_1=self.d_1, d_2=self.d_2, L_2=self.L_2, start=self.start,
                             seats=self.seats)  # fmt: skip
 
@@ -136,7 +136,7 @@ class SteppedBeam(SteppedShaft):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: beams against beams, both beams against the body, and conclusions."""
+        """Rows of beams against beams, of both beams against the body, and conclusions."""
         yield from self._beams()
         yield from self._inertia()
         yield from self._against_body()

@@ -62,7 +62,7 @@ def elements(q: SteppedShaft, level: int) -> dict[str, float]:
 
 
 def beam(q: SteppedShaft, refine: int) -> Rotor:
-    """The shaft with nominal diameters; `refine` elements in each piece between steps and seats."""
+    """Beam with nominal diameters; `refine` elements in each piece between steps and seats."""
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     inside = [
         Element(high - low, q.d_2 if q.start < (low + high) / 2 < q.end else q.d_1, 0.0, steel)

@@ -38,7 +38,7 @@ class Companion(Present):
 
 
 def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
-    """All rows, in the order of the page."""
+    """All rows of a rotor, in the order of the report page."""
     for k in range(1, FREQUENCIES + 1):
         yield _identical(rotor.frequency(k))
     yield Fact(name="sense of each whirl", symbol="", unit="1", margin=_senses)

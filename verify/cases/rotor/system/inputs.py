@@ -23,7 +23,7 @@ FREQUENCIES, CRITICALS = 6, 3  # compared frequencies; compared critical speeds 
 
 
 def critical_name(group: int) -> str:
-    """Name of the critical speeds that the unbalance of a shaft excites."""
+    """Name of the critical speeds that the unbalance of a shaft excites, in results."""
     return {1: "critical_first", 2: "critical_other"}.get(group, f"critical_{group}")
 
 

@@ -26,7 +26,7 @@ ROUNDED = 0.01  # permissible relative excess of rounded numbers over a bound
 
 
 class DescribedRotor(CoaxialRotor):
-    """The description with the rotor of the formulas."""
+    """A user's description of a rotor, with the rotor for the transfer matrices."""
 
     @model_validator(mode="after")
     def _is_rotor(self) -> Self:
@@ -103,7 +103,7 @@ class DescribedRotor(CoaxialRotor):
 
 
 def coefficients(spring: SpringInputs) -> dict[str, Any]:
-    """Coefficients of a bearing by the names of the formulas."""
+    """Coefficients of a bearing, with the names used in the formulas."""
     return {
         "kxx": spring.k, "kyy": spring.kyy, "kxy": spring.kxy, "cxx": spring.c, "cyy": spring.cyy,
         "k_tilt": spring.k_tilt, "c_tilt": spring.c_tilt, "k_turn": spring.k_turn,
