@@ -72,7 +72,7 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     """Change of alpha_0 per micrometre, and the deviation of X at which the clutch slips."""
     by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
-        f"1 µm on {s.name} by {s.slope * 1e-6 * DEGREE:+.3f}°"
+        f"1 µm on {s.name} changes it by {s.slope * 1e-6 * DEGREE:+.3f}°"
         + (f" (μ/μ_req by {100 * ratio[s.name]:+.2g} %)" if ratio else "")
         for s in by
     )

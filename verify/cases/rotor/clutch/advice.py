@@ -32,12 +32,12 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
         f"µm, and the wind-up is {math.degrees(q.twist):.3g}°; the clutch acts as an isotropic "
         f"bearing of {q.K_xx / 1e6:.4g} N/µm and a torsion spring of {q.K_zz:.4g} N m/rad",
         f"under torque alone, bending and torsion are not coupled; an offset of {q.e * 1e6:g} µm "
-        f"causes a coupling of {abs(offset.coupling):.2%} of √(K_xx K_zz); {q.missing} missing of "
-        f"{q.Z} sprags cause {abs(gap.coupling):.2%}",
+        f"causes a coupling of {abs(offset.coupling):.2%} of √(K_xx K_zz); with {q.missing} of "
+        f"{q.Z} sprags missing, it is {abs(gap.coupling):.2%}",
         "the stiffness grows with the tenth root of the torque: half the torque lowers it by "
         f"{1 - 0.5**0.1:.1%}; Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under "
-        f"even load, and tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} sprags "
-        f"missing, x and y are coupled by {gap.K_xy / gap.K_xx:.2%} of K_xx, and y and torsion by "
+        f"even load, and tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} of the "
+        f"sprags missing, x and y are coupled by {gap.K_xy / gap.K_xx:.2%} of K_xx, and y and torsion by "
         "tan ν of K_xz; by Eq. 3 both couplings are zero",
         "d_t = R_i tan ν is constant only if the sprags roll: struts pinned to both races "
         f"{rolled}",
