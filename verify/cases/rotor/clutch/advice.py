@@ -37,8 +37,8 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
         "the stiffness grows with the tenth root of the torque: half the torque lowers it by "
         f"{1 - 0.5**0.1:.1%}; Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under "
         f"even load, and tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} of the "
-        f"sprags missing, x and y are coupled by {gap.K_xy / gap.K_xx:.2%} of K_xx, and y and torsion by "
-        "tan ν of K_xz; by Eq. 3 both couplings are zero",
+        f"sprags missing, x and y are coupled by {gap.K_xy / gap.K_xx:.2%} of K_xx, and y and "
+        "torsion by tan ν of K_xz; by Eq. 3 both couplings are zero",
         "d_t = R_i tan ν is constant only if the sprags roll: struts pinned to both races "
         f"{rolled}",
     )
