@@ -1,1 +1,1 @@
-"""Expected errors of formulas, found before and without the formulas themselves."""
+"""Expected errors of formulas, computed before a comparison and without the formulas."""

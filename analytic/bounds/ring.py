@@ -1,12 +1,12 @@
-r"""Expected errors of Eq. 6 of Huang 2018 and of Hertz's local approach, a race under n loads.
+r"""Expected errors of Eq. 6 of Huang 2018 and of Hertz's approach, for a race under n loads.
 
-Eq. 6 is the mean of the Fourier ring, so that its error at a place where the ring deflects by
-u, less the local approach h, is
+Eq. 6 is the mean of the Fourier ring. Therefore, its error at a place with the deflection u, of
+which h is the local approach, is
 
 .. math:: m = \frac{\bar u + h_a}{u - h} - 1
 
-with the approach h_a that the formula adds. Both are integrated along the axis of the contact,
-from McEwen's stresses.
+with the approach h_a that the formula adds. Both approaches are integrated along the axis of the
+contact from McEwen's stresses.
 
 References
 ----------
@@ -25,10 +25,11 @@ Interval = tuple[float, float]
 def smeared_error(
     *, mean: float, at: float, load: float, indentation: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Relative error of Eq. 6 with `added`, against `at` less `indentation`, within ACCEPTED.
+    """Interval of the error of Eq. 6 plus `added` against `at` minus `indentation`.
 
-    Displacements [length] of the loaded wall: its `mean`, `at` the place, and at a `load`. None
-    if less than PART of the last one remains without the local indentation.
+    The displacements [length] are those of the loaded wall: its `mean`, `at` the place, and at a
+    `load`. The tolerance is ACCEPTED. None if `at` minus `indentation` is less than PART of the
+    displacement at a load.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)
@@ -45,7 +46,7 @@ def smeared_error(
 def integrated_dent(depth: float, *, P: float, a: float, E: float, nu: float) -> float:
     """Shortening [length] of the axis of a contact down to `depth` in a half plane, plane stress.
 
-    Under the load P per length on the half-width a, elliptic.
+    The load P per length has an elliptic distribution over the half-width a.
     """
     p_0 = 2 * P / (np.pi * a)
 

@@ -1,1 +1,1 @@
-"""Bounds of the subject contact."""
+"""Expected errors of contact formulas."""

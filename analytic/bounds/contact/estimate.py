@@ -1,10 +1,10 @@
-"""An expected error with its tolerance."""
+"""Expected error of a formula, with its tolerance."""
 
 from typing import NamedTuple
 
 
 class Estimate(NamedTuple):
-    """Signed error formula/true - 1 [1] that is expected, and its tolerance."""
+    """Expected signed error formula/true - 1 [1], and its tolerance."""
 
     error: float
     slack: float

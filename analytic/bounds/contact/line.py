@@ -1,9 +1,9 @@
 """Errors of Hertz's line contact for a disc between rigid flats.
 
-Each estimate is the signed error of Hertz's value and the possible deviation from it, from Hertz's
-half-width a over the radius R: coefficients of `disc_series` and `shear_series`. The next terms,
-whose coefficients are not known, are included once with the factor 1. Range: small a/R, no
-friction, plane strain.
+Each estimate contains the expected signed error of Hertz's value and its tolerance. The error
+follows from the ratio of Hertz's half-width a to the radius R with the coefficients of
+`disc_series` and `shear_series`. The coefficients of the next terms are not known; these terms are
+included in the tolerance with the factor 1. Range: small a/R, no friction, plane strain.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ PRESSURE, WIDTH, APPROACH = -3 / 16, 1 / 4, -9 / 16  # of (a/R)², by which Hert
 
 @dataclass(frozen=True)
 class OnFlat:
-    """A disc pressed between rigid flats; `ratio` is a/R.
+    """Disc pressed between rigid flats; `ratio` is a/R.
 
     >>> OnFlat(0.25).pressure.error, OnFlat(0.25).width.error
     (-0.01171875, 0.015625)
@@ -28,7 +28,7 @@ class OnFlat:
 
     @property
     def pressure(self) -> Estimate:
-        """Expected error of the peak pressure; the next term is (a/R)⁴."""
+        """Expected error of the peak pressure; the tolerance is the next term, (a/R)⁴."""
         return self._second_order(PRESSURE)
 
     @property
@@ -38,13 +38,13 @@ class OnFlat:
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach, whose coefficient is in the bracket of the logarithm."""
+        """Expected error of the approach, relative to the bracket that contains the logarithm."""
         error, slack = self._second_order(APPROACH)
         return Estimate(error / float(2 * np.log(4 / self.ratio) - 1), slack)
 
     @property
     def shear(self) -> Estimate:
-        """Error of the largest shear stress of a disc on a flat, to first order in a/R."""
+        """Expected error of the largest shear stress of a disc on a flat, to first order in a/R."""
         return of_shear(a=self.ratio, R=1.0, inclined=0.0, slack=self.ratio**2)
 
     def _second_order(self, coefficient: float) -> Estimate:
@@ -52,7 +52,7 @@ class OnFlat:
 
 
 def of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
-    """First-order errors of a shear stress: by a disc on a flat, and by `inclined` pressure."""
+    """First-order error of the largest shear stress, by disc shape and `inclined` pressure."""
     first = float(shear_series.shear_excess(a=a, R=R))
     first += shear_series.tilted_shear_excess(inclined)
     return Estimate(1 / (1 + first) - 1, slack)

@@ -1,9 +1,10 @@
 """Errors of Hertz's line contact for two elastic bodies of finite size.
 
-Each estimate is the signed error of Hertz's value and the possible deviation from it, from sizes,
-materials and Hertz's half-width a: coefficients of `pair_series` and `shear_series`. The next
-terms, whose coefficients are not known, are included once with the factor 1; e is a over the
-smallest length. Range: small e, no friction, plane strain.
+Each estimate contains the expected signed error of Hertz's value and its tolerance. The error
+follows from dimensions, materials and Hertz's half-width a with the coefficients of `pair_series`
+and `shear_series`. The coefficients of the next terms are not known; these terms are included in
+the tolerance with the factor 1. e is the ratio of a to the smallest dimension. Range: small e, no
+friction, plane strain.
 """
 
 from dataclasses import dataclass
@@ -24,7 +25,7 @@ PLANE: Assumption = "plane strain"
 
 @dataclass(frozen=True, kw_only=True)
 class TwoBodies:
-    """A roller of the radius R_1 above a body of the radius R_2, negative for a bore."""
+    """Roller of radius R_1 above a body of radius R_2, which is negative for a bore."""
 
     a: float
     R_1: float
@@ -36,12 +37,12 @@ class TwoBodies:
 
     @property
     def materials(self) -> dict[str, float]:
-        """Moduli and Poisson's ratios."""
+        """Young's moduli and Poisson's ratios of both bodies by name."""
         return {"E_1": self.E_1, "nu_1": self.nu_1, "E_2": self.E_2, "nu_2": self.nu_2}
 
     @cached_property
     def kappa(self) -> float:
-        """Curvature of the surface on which the bodies meet [1/m]."""
+        """Curvature of the deformed contact surface [1/m]."""
         return pair_series.meeting_curvature(
             R_1=self.R_1, R_2=self.R_2, **self.materials, assumption=PLANE
         )
@@ -53,25 +54,26 @@ class OfDiscs(TwoBodies):
 
     @property
     def e(self) -> float:
-        """A over the smaller radius [1]."""
+        """Ratio of the half-width a to the smaller radius [1]."""
         return self.a / min(self.R_1, self.R_2)
 
     @cached_property
     def series(self) -> tuple[pair_series.Excess, pair_series.Excess]:
-        """Excess of true pressure and half-width over Hertz's."""
+        """Relative excess of the true pressure and half-width over Hertz's values."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         return pair_series.excess(**sizes, **self.materials, assumption=PLANE)
 
     @property
     def coupled(self) -> float:
-        """Coupling by unlike materials [1], of first order."""
+        """First-order effect of the coupling by different materials [1]."""
         return abs(self.series[0].first) + abs(self.series[1].first)
 
     @property
     def pressure(self) -> Estimate:
-        """Expected error of the peak pressure: the series.
+        """Expected error of the peak pressure, from the series.
 
-        The square of its terms and the first-order one times a/R count once.
+        The tolerance contains the square of the terms of the series, and the first-order term times
+        a/R.
         """
         return self._second_order(self.series[0])
 
@@ -82,7 +84,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def bounded(self) -> tuple[Estimate, Estimate]:
-        """Error of pressure and half-width: the series and the bound of its remainder."""
+        """Expected errors of pressure and half-width; the tolerance bounds the remainder."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
         p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)
@@ -90,14 +92,14 @@ class OfDiscs(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Error of the approach: half of e², as its brackets are 4 and more, plus coupling."""
+        """Expected error 0 of the approach; the tolerance is e²/2 plus the coupling."""
         return Estimate(0.0, self.e**2 / 2 + self.coupled)
 
     @property
     def shear(self) -> Estimate:
-        """Expected error of the largest shear stress; e² and the coupling count once.
+        """Expected error of the largest shear stress; the tolerance is e² plus the coupling.
 
-        Of equal discs it is 0.57 e².
+        For equal discs, the term of order e² is 0.57 e².
         """
         inclined, slack = self.kappa * self.a, self.e**2 + self.coupled
         return of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
@@ -109,18 +111,18 @@ class OfDiscs(TwoBodies):
 
 @dataclass(frozen=True, kw_only=True)
 class InRace(TwoBodies):
-    """A roller in the bore of a race of the thickness `wall` with a fixed rim."""
+    """Roller in the bore of a race of thickness `wall` with a fixed rim."""
 
     wall: float
 
     @property
     def small(self) -> float:
-        """(a/R)² + (a/wall)²: effects of curvature and of the fixed rim, each with the factor 1."""
+        """Sum (a/R)² + (a/wall)²: orders of the effects of curvature and fixed rim."""
         return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
 
     @property
     def coupled(self) -> float:
-        """Coupling by unlike materials [1], of first order."""
+        """First-order effect of the coupling by different materials [1]."""
         return float(dundurs_beta(**self.materials, assumption=PLANE)) * self.kappa * self.a
 
     @property
@@ -135,12 +137,15 @@ class InRace(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach: half of `small`, as its brackets are 2 and more."""
+        """Expected error 0 of the approach; the tolerance is `small`/2 plus the coupling.
+
+        The brackets of the approach are at least 2.
+        """
         return Estimate(0.0, self.small / 2 + abs(self.coupled))
 
     @property
     def shear(self) -> Estimate:
-        """Expected error of the largest shear stress; `small` and the coupling count once."""
+        """Expected error of the largest shear stress; the tolerance is `small` plus coupling."""
         inclined, slack = self.kappa * self.a, self.small + abs(self.coupled)
         return of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
 

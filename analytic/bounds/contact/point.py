@@ -1,15 +1,16 @@
 """Errors of Hertz's point contact for finite spheres.
 
-`beyond` is (a/R)² of the smaller sphere, the size of the terms after the first correction.
+`beyond` is (a/R)² of the smaller sphere, the order of the terms after the first correction.
 """
 
 from analytic.bounds.contact.estimate import Estimate
 
 
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
-    """Error of a value that finite spheres exceed by the share `excess`, by the first correction.
+    """Expected error of a formula whose true value is larger by the fraction `excess`.
 
-    The value is proportional to the approach to the `power`: 3/2 for the load.
+    `excess` is the first correction for finite spheres. The value is proportional to the approach
+    to the `power`: 3/2 for the load.
 
     >>> corrected(1.0, beyond=0.01)
     Estimate(error=-0.5, slack=0.01)
@@ -18,9 +19,9 @@ def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
 
 
 def axis_shear(*, beyond: float) -> Estimate:
-    """Expected error of the largest shear stress on the axis.
+    """Expected error 0 of the largest shear stress on the axis; the tolerance is a/R.
 
-    The pressure on the curved surface is inclined by r/R; on the axis it adds this share of
-    p_0 to the shear stress.
+    The pressure on the curved surface is inclined by r/R. On the axis, this adds the fraction a/R
+    of p_0 to the shear stress.
     """
     return Estimate(0.0, beyond**0.5)

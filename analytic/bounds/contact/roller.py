@@ -1,4 +1,4 @@
-"""Errors expected of models of a roller of finite length, before a better one is solved."""
+"""Expected errors of models of a finite roller, before a more accurate model is solved."""
 
 from math import isfinite
 
@@ -23,13 +23,13 @@ def of_strips(
     loaded: bool,
     user_inputs: bool,
 ) -> Interval | None:
-    """Interval of strips/half-space - 1, from the error estimate of the strips alone.
+    """Interval of strips/half-space - 1, from the error estimate of the strips only.
 
-    The interval is half to twice the error `missing` of the `value`. On both sides, the remaining
-    first-order error of the strips is added: twice the change of the value with `twice` as many
-    strips, and this change once more under a `loaded` end, for which more strips need not be
-    better. None if no estimate is known. b is the half-width; `user_inputs`: the strips are not
-    adapted to them.
+    The interval extends from half to twice the error `missing` of the `value`. On both sides, the
+    remaining first-order error of the strips is added: twice the change of the value with `twice`
+    as many strips, or once this change at a `loaded` end, where more strips need not be more
+    accurate. None if no estimate is known. b is the half-width. With `user_inputs`, the strips are
+    not adapted to the inputs.
 
     >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "user_inputs": False}
     >>> low, high = of_strips(0.02, value=1.0, twice=1.0, **contact)
@@ -51,10 +51,10 @@ def of_strips(
 
 
 def local_pressure(*, b: float, R: float, length: float) -> Interval:
-    """Interval of the error of Hertz's pressure at the line load at mid-length.
+    """Interval of the error of Hertz's pressure for the line load at mid-length.
 
-    Circles and the change of load along the roller are neglected, each with a factor of one about
-    the square of the half-width b over radius and half-length.
+    Hertz's theory neglects the circular shape and the change of load along the roller. These
+    effects are estimated by (b/R)² and (2b/length)² with the half-width b.
     """
     most = (b / R) ** 2 + (2 * b / length) ** 2 + CELLS
     return -most, most

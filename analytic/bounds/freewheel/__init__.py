@@ -1,1 +1,1 @@
-"""Expected errors of a roller freewheel's formulas."""
+"""Expected errors of the formulas of roller freewheels."""

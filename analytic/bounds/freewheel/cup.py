@@ -1,8 +1,8 @@
-"""Expected errors of the formulas of a drawn cup, from rings that enclose it and from sizes.
+"""Expected errors of the formulas of a drawn cup, from enclosing rings and from dimensions.
 
-The torque winds up cup and shaft. At equal torque, errors increase near the maximum, at which a
-small compliance reduces the torque considerably. Therefore, the whole course is computed with the
-approaches at the ends of their intervals.
+The torque causes wind-up of cup and shaft. At a given torque, errors increase near the torque
+maximum, where a small additional compliance reduces the torque considerably. Therefore, the whole
+torque curve is computed with the approaches at the ends of their intervals.
 """
 
 import math
@@ -37,9 +37,10 @@ Factors = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Approaches:
-    """Approaches d_i, d_o [length] of a cup over the normal force, `of`; `top` is N of the summit.
+    """Approaches d_i, d_o [length] of a cup as a function `of` the normal force.
 
-    A course multiplies them by factors: what is expected follows from ratios of two courses.
+    `top` is N at the torque maximum. `Course` multiplies the approaches by factors; expected errors
+    follow from the ratios of two curves.
     """
 
     of: Callable[[Array], tuple[Array, Array]]
@@ -89,7 +90,7 @@ class Course:
 
 
 class CupBounds:
-    """Intervals for formula/reference - 1 in a state."""
+    """Intervals of formula/reference - 1 in one state of a cup."""
 
     def __init__(self, cup: FreewheelParts, at: Loaded, approaches: Approaches) -> None:
         self.cup, self.at, self.approaches = cup, at, approaches
@@ -106,7 +107,7 @@ class CupBounds:
 
     @property
     def corners(self) -> tuple[Factors, ...]:
-        """Factors of approaches and torque at the corners of their ranges."""
+        """Factors of approaches and torque at all combinations of their limits."""
         return tuple(
             (i / self.at.d_i, o / self.at.d_o, 1 + t)
             for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
@@ -114,11 +115,11 @@ class CupBounds:
 
     @property
     def middle(self) -> Factors:
-        """Factors of the approaches of the ring that is expected to represent the cup."""
+        """Factors of approaches and torque for the ring that represents the cup."""
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:
-        """Interval of the error of d_i or d_o."""
+        """Interval of the error of the approach `which`, d_i or d_o."""
         return of_approach(self.own[which], getattr(self, which))
 
     def contact(self) -> Interval:
@@ -142,7 +143,10 @@ class CupBounds:
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
-        """Error of phi: rolling, tangential displacement at contacts, wind-up of shaft and cup."""
+        """Interval of the error of phi.
+
+        It contains rolling, tangential displacement at the contacts, and wind-up of shaft and cup.
+        """
         cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
         wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)
         tan, tan_0 = math.tan(own["alpha"]), math.tan(float(cup.alpha(d_i=0.0, d_o=0.0)))
@@ -165,7 +169,7 @@ class CupBounds:
         return enclosed(own, [self._course(f).summit for f in self.corners])
 
     def force_at_angle(self, psi: float) -> Interval:
-        """Interval of the error of N at an angle [rad] that the approaches determine."""
+        """Interval of the error of N at the angle psi [rad], which the approaches determine."""
         own = self._course(self.middle).force(psi)
         return enclosed(own, [self._course(f).force(psi) for f in self.corners])
 

@@ -1,10 +1,12 @@
-"""Expected interval of a cup's approach, from rings that enclose it.
+"""Expected interval of the approach of a cup, from rings that enclose it.
 
-The cup holds the ring outside its corners, X_o/cos(pi/z), and lies in the ring outside its flats,
-X_o: as a ring it is softer than this one and stiffer than that one. On that one the rollers stand
-on what is left of the flat, a column in which the load spreads as in a half plane: from a Hertz
-patch, -2 ln(a) + 2 ln 2 + 1 of P/(pi E'), to the pressures at the depth h, -2 ln(h) + 2, and it
-shortens by 2 ln(2 h/a) - nu'; together 1 - nu' more than a bore.
+The cup contains the ring outside its corners, X_o/cos(pi/z), and is contained in the ring outside
+its flats, X_o. Therefore, its compliance as a ring lies between those of both rings. With the ring
+outside the corners, the rollers rest on the remaining part of the flat, a column in which the load
+spreads as in a half plane. In units of P/(pi E'), the displacement constants are
+-2 ln(a) + 2 ln 2 + 1 for a Hertz patch and -2 ln(h) + 2 for the pressures at the depth h. The
+shortening of the column is 2 ln(2 h/a) - nu'. Together, the column adds 1 - nu' to the constant of
+the bore.
 """
 
 import math
@@ -16,10 +18,10 @@ from analytic.bounds.freewheel.ring_constants import free_ring
 
 
 def expected_approach(cup: FreewheelParts, P: float) -> tuple[float, float, float]:
-    """Least, expected and largest approach [length] of roller and cup under P [force/length].
+    """Smallest, expected and largest approach [length] of roller and cup under P [force/length].
 
-    The expected value is that of the ring whose bore has the area enclosed by the flats; the bounds
-    are those of the rings with the bores X_o and X_o/cos(pi/z).
+    The expected value is that of a ring whose bore has the area enclosed by the flats. The limits
+    are those of rings with the bores X_o and X_o/cos(pi/z).
     """
     half = math.pi / cup.z
     corner = cup.flat / math.cos(half)
@@ -31,7 +33,7 @@ def expected_approach(cup: FreewheelParts, P: float) -> tuple[float, float, floa
 
 
 def _as_ring(cup: FreewheelParts, P: float, bore: float, column: float) -> float:
-    """Approach [length] of roller and a ring, its constant k raised by `column`."""
+    """Approach [length] of roller and ring, with `column` added to the constant k of the ring."""
     E, nu = cup.plane[0], float(cup.plane[1])
     load, a = np.asarray(P), cup.width_on_flat(P)
     k = free_ring(ratio=cup.R_a / bore, n=cup.z, nu=nu) + column

@@ -1,9 +1,10 @@
-"""Expected errors of a freewheel's friction, from the possible errors of the clamping angle.
+"""Expected errors of the friction of a freewheel, from the possible errors of the clamping angle.
 
-By symmetry a tangential force causes no normal displacement on a body that is symmetric about the
-contact normal. Contacts on flats are off the middle by psi, some 2 tan(alpha), F_t is tan(alpha) N,
-and the shape of the bodies causes less than half of an approach: approaches change by at most
-tan² alpha of their value. tan² alpha increases linearly with them from alpha_0.
+A tangential force causes no normal displacement on a body that is symmetric about the contact
+normal. Contacts on flats are off the middle of the flat by psi, about 2 tan(alpha); F_t is
+tan(alpha) N; and the shape of the bodies determines less than half of an approach. Therefore,
+approaches change by at most the fraction tan² alpha. tan² alpha increases linearly with the
+approaches from its value at alpha_0.
 """
 
 import math
@@ -17,9 +18,9 @@ SAME_EQUATION = 1e-6  # relative difference of two forms of one equation, beside
 
 
 class FrictionBounds:
-    """Intervals for formula/reference - 1 under torque and axial load.
+    """Intervals of formula/reference - 1 under torque and axial load.
 
-    `star` has the bounds of the angle; `mu` is the friction coefficient, `lever` F_ax R/T.
+    `star` contains the bounds of the angle. `mu` is the friction coefficient, `lever` is F_ax R/T.
     """
 
     def __init__(self, star: StarBounds, *, mu: float, lever: float) -> None:
@@ -29,11 +30,11 @@ class FrictionBounds:
         self.rest = (self.tan**2 - least**2) / 2
 
     def one_contact(self) -> Interval:
-        """Error of F_t/N if each contact is considered separately."""
+        """Interval of the error of F_t/N if each contact is considered separately."""
         return self._wider(self.star.slope(tilted=True))
 
     def both_contacts(self) -> Interval:
-        """Error of the mean F_t/N of both contacts."""
+        """Interval of the error of the mean F_t/N of both contacts."""
         return self._wider(self.star.slope())
 
     def normal_force(self) -> Interval:
@@ -41,24 +42,27 @@ class FrictionBounds:
         return self._wider(self.star.force())
 
     def whole_load(self) -> Interval:
-        """Eq. 8 with the F_ax of Eq. 9: z times the axial force of a roller."""
+        """Interval of the error of Eq. 8 with F_ax of Eq. 9, z times the force of a roller."""
         more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
         return times(self.one_contact(), more, SAME_EQUATION)
 
     def two_tangents(self) -> Interval:
-        """Error of Eq. 8 as printed, which has tan(alpha) in the place of mu_req."""
+        """Interval of the error of Eq. 8 as printed, with tan(alpha) in place of mu_req."""
         return times(self.both_contacts(), math.hypot(1.0, self.lever), SAME_EQUATION)
 
     def limit_load(self) -> Interval | None:
-        """Error of F_ax at the limit: none if tan(alpha) alone nearly releases the roller."""
+        """Interval of the error of F_ax at the friction limit; None if it is too wide.
+
+        The interval is too wide if tan(alpha) alone nearly releases the roller.
+        """
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
-        """Interval of the error of F_t/F_z at the limit."""
+        """Interval of the error of F_t/F_z at the friction limit; None if it is too wide."""
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
-        """With the effect of friction along the surfaces on the angle."""
+        """`interval` with the effect of tangential forces on the angle added."""
         return interval[0] - self.rest, interval[1] + self.rest
 
     def _sharp(self, of: Callable[[float], float]) -> Interval | None:
@@ -67,7 +71,10 @@ class FrictionBounds:
 
 
 def limit_load(star: StarBounds, mu: float) -> Interval | None:
-    """Error of F_ax at the limit on a path, from the possible error of one contact's tan(alpha)."""
+    """Interval of the error of F_ax at the friction limit of a path.
+
+    It follows from the possible error of tan(alpha) of one contact.
+    """
     return at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), math.tan(star.at.alpha),
                     star.slope(tilted=True), mu)  # fmt: skip
 
@@ -75,9 +82,9 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """The interval of a function of tan(alpha) whose value is known within `slope`.
+    """Interval of the error of a function of tan(alpha), whose error is within `slope`.
 
-    None if tan(alpha) may reach mu: torque alone would expel the rollers.
+    None if tan(alpha) may reach mu, so that the torque alone would expel the rollers.
 
     >>> at_limit(lambda tan: 1 / tan, 0.05, (-0.5, 0.0), mu=0.2)
     (0.0, 1.0)

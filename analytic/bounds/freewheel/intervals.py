@@ -1,4 +1,4 @@
-"""Intervals for formula/reference - 1, and effects of wall and torque on any freewheel."""
+"""Intervals of formula/reference - 1, and effects of wall and torque on every freewheel."""
 
 import math
 
@@ -17,16 +17,16 @@ Interval = tuple[float, float]
 
 
 def of_contact(parts: FreewheelParts, at: Loaded) -> Interval:
-    """Error of half-widths and pressures: a parabola for a round body errs by about (a/r)²."""
+    """Interval of the error of half-widths and pressures, of the order (a/r)² for round bodies."""
     bound = max(CURVED * _wide(parts, at) ** 2, LEAST)
     return -bound, bound
 
 
 def of_round_bodies(parts: FreewheelParts, at: Loaded) -> float:
-    """Relative error of an approach of round bodies.
+    """Bound of the relative error of an approach of round bodies.
 
-    Hertz errs by some (a/r)²; a roller's loads are psi off its diameter, and the roller is half
-    of an approach.
+    Hertz's error is of the order (a/r)². The loads of a roller are off its diameter by psi, and the
+    roller causes half of an approach.
     """
     return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)
 
@@ -36,7 +36,7 @@ def _wide(parts: FreewheelParts, at: Loaded) -> float:
 
 
 def of_approach(value: float, ends: Interval) -> Interval:
-    """Interval of the error of an approach if its reference is between `ends`.
+    """Interval of the error of an approach whose reference lies between `ends`.
 
     >>> of_approach(1.0, (0.8, 1.25))
     (-0.19999999999999996, 0.25)
@@ -46,12 +46,12 @@ def of_approach(value: float, ends: Interval) -> Interval:
 
 
 def enclosed(value: float, others: list[float]) -> Interval:
-    """Interval of the error of a value whose reference is within the range of `others`."""
+    """Interval of the error of a value whose reference lies within the range of `others`."""
     return value / max(others) - 1 - ROUNDED, value / min(others) - 1 + ROUNDED
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """The interval of a formula that is `ratio` times another, within `spread` of that.
+    """Interval of the error of a formula that is `ratio` times another formula, within `spread`.
 
     >>> times((-0.5, 0.5), 2.0)
     (0.0, 2.0)
@@ -61,11 +61,11 @@ def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
 
 
 def winding(parts: FreewheelParts, T: float, r_1: float, r_2: float) -> float:
-    """Angle [rad] by which T winds up a hollow shaft from one radius [length] to the other."""
+    """Wind-up angle [rad] of a hollow shaft under T between the radii r_1 and r_2 [length]."""
     G = parts.E / (2 * (1 + parts.nu))
     return T / parts.L / (4 * math.pi * G) * (1 / r_1**2 - 1 / r_2**2)
 
 
 def tilting(parts: FreewheelParts, P: float, wall: float) -> float:
-    """Angle [rad] by which a half plane tilts at the depth of a wall [length] under P."""
+    """Angle [rad] by which a half plane tilts at the depth `wall` [length] under P."""
     return 2 * P * (1 - parts.nu**2) / (math.pi * parts.E * wall)

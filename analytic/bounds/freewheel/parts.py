@@ -1,11 +1,11 @@
-r"""Input of the bounds of a roller freewheel: its parts, a second form of its wedge, one state.
+r"""Input of the bounds of a roller freewheel: its parts, a second formula of its wedge, one state.
 
-The roller's centre is at the distance rho from the axis and at the height y over the flat's
-parallel through the axis, cos(2 alpha) = y/rho, so that
+The centre of the roller is at the distance rho from the axis, and at the distance y from a line
+through the axis parallel to the flat: cos(2 alpha) = y/rho, so that
 
 .. math:: \sin^2\alpha = \frac{\rho - y}{2\rho} .
 
-Lengths in any one unit; arguments broadcast.
+All lengths have the same unit; arguments broadcast.
 """
 
 from dataclasses import dataclass
@@ -21,8 +21,9 @@ from analytic.contact.checks import Array, in_plane
 class FreewheelParts:
     """Rollers between flats and a round race, all parts of one material [length, stress].
 
-    `sense` is +1 of a star with flats in a ring, whose angle grows under load, and -1 of a cup with
-    flats about a shaft. `r_b` is the bore of the inner part, `R_a` the rim of the outer one.
+    `sense` is +1 for a star with flats in a ring, whose angle increases under load, and -1 for a
+    cup with flats around a shaft. `r_b` is the bore of the inner part, `R_a` the rim of the outer
+    part.
     """
 
     sense: int
@@ -38,16 +39,16 @@ class FreewheelParts:
 
     @property
     def plane(self) -> tuple[Array, Array]:
-        """E' and nu' of plane strain."""
+        """Elastic constants E' and nu' of plane strain."""
         return in_plane(self.E, self.nu, "plane strain")
 
     @property
     def corner(self) -> float:
-        """Half the length [length] of a flat."""
+        """Half-length [length] of a flat."""
         return float(self.flat * np.tan(np.pi / self.z))
 
     def distance(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Distance rho [length] of the roller's centre from the axis."""
+        """Distance rho [length] of the centre of the roller from the axis."""
         to_race = d_o if self.sense > 0 else d_i
         return np.asarray(self.race - self.sense * (self.r - np.asarray(to_race)))
 
@@ -67,21 +68,21 @@ class FreewheelParts:
         return np.where(valid, np.arcsin(np.sqrt(np.where(valid, share, 0.0))), np.nan)
 
     def centre(self, *, d_i: ArrayLike, d_o: ArrayLike) -> tuple[Array, Array]:
-        """Roller's centre x, y [length] along the flat and along its normal."""
+        """Position x, y [length] of the roller's centre along the flat and along its normal."""
         psi = 2 * self.alpha(d_i=d_i, d_o=d_o)
         rho = self.distance(d_i=d_i, d_o=d_o)
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc [length] of the roller's centre relative to the cam, from no load on."""
+        """Arc [length] of the centre of the roller relative to the cam, from no load."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha(d_i=0.0, d_o=0.0))
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 
     def rolled(self, *, d_i: Array, d_o: Array) -> Array:
-        """Angle [rad] between the parts along a path of approaches that starts without load.
+        """Rolling angle [rad] between the parts along a path of approaches from no load.
 
-        R dphi = (1 + cos psi) dx - sin psi dy, in which x + y arsinh(x/y) is integrated and the
-        small rest is the trapezoid's.
+        R dphi = (1 + cos psi) dx - sin psi dy. The terms x + y arsinh(x/y) are integrated exactly,
+        the small remainder by the trapezoidal rule.
         """
         x, y = self.centre(d_i=d_i, d_o=d_o)
         G = np.arcsinh(x / y)
@@ -102,9 +103,9 @@ Parts = FreewheelParts  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class Loaded:
-    """A state of the formulas, for the sizes of bounds [force, force x length, rad, length].
+    """State by the formulas, as input of bounds [force, force x length, rad, length].
 
-    `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
+    It contains `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
     """
 
     N: float
@@ -117,20 +118,20 @@ class Loaded:
 
     @property
     def psi(self) -> float:
-        """Angle [rad] of the roller's centre from the flat's normal."""
+        """Angle psi = 2 alpha [rad] between the centre of the roller and the normal of the flat."""
         return 2 * self.alpha
 
 
 def approach(
     P: Array, a: Array, *, E: Array, l: float, k: Array | float, c: Array | float = 0.0  # noqa: E741
 ) -> Array:  # fmt: skip
-    """Approach [length] of a body under P [force/length] on a half-width a, of constants k and c.
+    """Approach [length] of a body with the constants k, c under P [force/length] on half-width a.
 
-    P/(pi E') (2 ln(l/a) + k + c a/l), to second order in a/l.
+    It is P/(pi E') (2 ln(l/a) + k + c a/l), with an error of second order in a/l.
     """
     return np.asarray(P * (1 / (np.pi * E)) * (2 * np.log(l / a) + k + c * a / l))
 
 
 def half_roller(parts: FreewheelParts, P: Array, a: Array) -> Array:
-    """Approach [length] between a contact and the roller's centre, k = 2 ln 4 - 1."""
+    """Approach [length] between a contact and the centre of the roller, k = 2 ln 4 - 1."""
     return approach(P, a, E=parts.plane[0], l=parts.r, k=2 * np.log(4) - 1)

@@ -1,25 +1,26 @@
 r"""Constants of rings and clamped discs under line loads, by transfer over ln r.
 
-A wave cos(m theta) of displacements u, v and of S = r sigma_r, Q = r tau (over E') obeys, with
-t = ln r, Hooke's law and the two equations of equilibrium,
+For a wave cos(m theta) of the displacements u, v and of S = r sigma_r, Q = r tau (divided by E'),
+Hooke's law and the two equations of equilibrium are, with t = ln r,
 
 .. math::
     u' &= -\nu u - \nu m v + (1 - \nu^2) S, & S' &= u + m v + \nu S - m Q, \\
     v' &= m u + v + 2 (1 + \nu) Q, & Q' &= m (u + m v + \nu S) - Q,
 
-whose coefficients are constant: the matrix exponential leads from the wall that is held or free to
-the loaded one. There a pressure p is answered by :math:`u = C_m p r/E'`, of a body without other
-wall by
+Their coefficients are constant. Therefore, the matrix exponential gives the transfer from the
+clamped or free wall to the loaded wall. There, a pressure p causes :math:`u = C_m p r/E'`. For a
+body without another wall, C_m is
 
 .. math:: C_m^\infty = \frac{b}{m - 1} + \frac{2 - b}{m + 1}, \qquad
           b = \frac{1 + \nu}{2} \text{ of a disc}, \quad \frac{3 - \nu}{2} \text{ around a hole}.
 
-Under n loads P the wall deflects by P/(pi E') (2 ln(r/a) + k + ...), m = n, 2n, ..., with
+Under n loads P, the deflection of the wall is P/(pi E') (2 ln(r/a) + k + ...), m = n, 2n, ..., with
 
 .. math:: k = 2\ln\frac{2}{n} + 1 + \frac{n C_0}{2} + n\sum_m (C_m - C_m^\infty)
           - b\,h(-\tfrac 1n) - (2 - b)\,h(\tfrac 1n), \qquad h(x) = \psi(1 + x) - \psi(1),
 
-psi being the digamma function: no formula of `analytic.freewheel` has a part in it.
+where psi is the digamma function. The constants are independent of the formulas in
+`analytic.freewheel`.
 
 References
 ----------
@@ -41,7 +42,7 @@ COUPLED = 16.0  # m ln(ratio) above which no wave reaches the other wall, exp(-2
 
 @cache
 def clamped_disc(*, ratio: float, n: int, nu: float) -> float:
-    """K of a disc under n loads on its rim, clamped on a bore r_o/`ratio`; nu in the plane.
+    """Constant k of a disc under n loads on its rim, clamped on a bore r_o/`ratio`.
 
     >>> shallow, deep = (clamped_disc(ratio=s, n=8, nu=0.4) for s in (1.2, 3.0))
     >>> shallow < deep  # less material deflects less
@@ -58,7 +59,7 @@ def clamped_disc(*, ratio: float, n: int, nu: float) -> float:
 
 @cache
 def free_ring(*, ratio: float, n: int, nu: float) -> float:
-    """K of a ring with r_o/r_i = `ratio` under n loads on its bore, free outside; nu in the plane.
+    """Constant k of a ring with r_o/r_i = `ratio` under n loads on its bore, with a free rim.
 
     >>> thin, thick = (free_ring(ratio=s, n=8, nu=0.4) for s in (1.2, 3.0))
     >>> thin > thick
@@ -74,7 +75,7 @@ def free_ring(*, ratio: float, n: int, nu: float) -> float:
 
 
 def _constant(n: int, far: float, b: float, answer: Callable[[int], float]) -> float:
-    """K from `answer`, C_m, of the loaded wall; the other wall is at the distance `far` in ln r."""
+    """Constant k from `answer`, which returns C_m; `far` is ln(r_o/r_i)."""
     coupled = sum(
         answer(m) - b / (m - 1) - (2 - b) / (m + 1)
         for m in range(n, math.floor(COUPLED / far) + 1, n)
@@ -85,7 +86,7 @@ def _constant(n: int, far: float, b: float, answer: Callable[[int], float]) -> f
 
 
 def _transfer(m: int, t: float, nu: float) -> Array:
-    """Transfer of u, v, S/s, Q/s over the distance t in ln r, s = m or 1."""
+    """Transfer matrix of u, v, S/s, Q/s over the distance t in ln r, with s = m, or 1 if m = 0."""
     s = max(m, 1)
     rates = np.array([
         [-nu, -nu * m, (1 - nu**2) * s, 0],
@@ -97,7 +98,7 @@ def _transfer(m: int, t: float, nu: float) -> Array:
 
 
 def _answer(m: int, moved: Array, pressed: Array) -> float:
-    """U under S = 1, Q = 0 of two solutions (u, v by column) and their tractions (S/s, Q/s)."""
+    """Displacement u under S = 1, Q = 0, from the displacements and tractions of two solutions."""
     if m == 0:  # the second solution is a twist, with neither u nor S
         return float(moved[0, 0] / pressed[0, 0])
     return float(moved[0] @ np.linalg.solve(pressed, [1 / m, 0.0]))

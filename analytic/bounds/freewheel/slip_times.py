@@ -1,12 +1,12 @@
-"""Time at which a load path reaches the capacity of a clutch: second form of paths and slip.
+"""Time at which a load path reaches the capacity of a clutch: second formulation.
 
-Only the definitions of the load paths of the rig are used (Nagler, Lohrengel, Sec. 6), to verify
-the times of slip that follow from `load_path` and the criterion:
+It verifies the times of slip that follow from `load_path` and the criterion. It uses only the
+definitions of the load paths of the test rig (Nagler, Lohrengel, Sec. 6):
 
-1. the torque comes up to T in `rise`, then the axial load grows in proportion to time and reaches
-   F_ax at `duration`;
-2. the same with an axial load that alternates about zero;
-3. T_m + T sin and an axial load in phase, whose amplitude grows from the beginning on.
+1. the torque increases to T within `rise`, then the axial load increases linearly to F_ax at
+   `duration`;
+2. as path 1, but the axial load alternates about zero;
+3. torque T_m + T sin and an axial load in phase, whose amplitude increases from the beginning.
 """
 
 import math
@@ -24,9 +24,9 @@ Tangent = Callable[[float], float]  # tan(alpha) over the torque
 
 @dataclass(frozen=True, kw_only=True)
 class Rig:
-    """Loads of the three paths [N m, N], frequency [Hz] and times [s]; R [m] is the race's radius.
+    """Loads [N m, N], frequency f [Hz] and times [s] of the three paths; R [m] is the race radius.
 
-    `T_critical` is the torque of path 3 at which the least axial amplitude slips.
+    `T_critical` is the torque of path 3 at which the smallest axial amplitude causes slip.
     """
 
     R: float
@@ -39,10 +39,10 @@ class Rig:
     duration: float
 
     def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
-        """First time [s] at which a path needs more than `F` [N]; inf if it never does.
+        """First time [s] at which a path requires more than `F` [N]; infinite if it never does.
 
-        `F` is the axial load at slip under T, of path 3 under T_critical, where friction is that of
-        both; `tan` is called on path 3 alone.
+        `F` is the axial load at slip, under the torque T or, for path 3, under T_critical. There,
+        the required friction equals the available friction. `tan` is used only for path 3.
         """
         if path == 1:
             t = self.rise + F / self.F_ax * (self.duration - self.rise)
@@ -79,10 +79,10 @@ class Rig:
         return float(brentq(beyond, times[k - 1], times[k])) if k else start
 
     def tangent(self, sines: tuple[float, float], mu_req: tuple[float, float]) -> Tangent:
-        """tan(alpha) over the torque [N m] by a line through two required frictions of path 3.
+        """Function tan(alpha) of the torque [N m]: a line through two required frictions of path 3.
 
-        They are at the path's end at two values of its sine. Between 0.3 and 1 of the synthetic
-        clutch's torque the line is true to 2e-3.
+        Both are values at the end of the path for two values of its sine. From 0.3 to 1 times the
+        torque of the synthetic clutch, the error of the line is below 2e-3.
         """
 
         def at(sine: float, friction: float) -> tuple[float, float]:

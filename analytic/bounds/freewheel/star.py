@@ -1,11 +1,11 @@
-"""Expected errors of a star's formulas, from bodies that enclose the star and from sizes.
+"""Expected errors of the formulas of a star, from enclosing bodies and from dimensions.
 
-The approach of the star is between those of a layer and of two discs (`star_bracket`), and the
-torque winds up the star on its bore, which lowers the flat under the roller; all other values
-follow from the approaches. Hertz's parabolas on half planes cause errors of the order of (a/r)².
-Surfaces tilt under N like a half plane at the depth of the wall. Tangential forces also deform the
-contacts, and rotate the ring further by tan² alpha times the ratio of tangential to normal
-compliance, which is slightly below 1.
+The approach of the star lies between those of a layer and of two discs (`star_bracket`). The torque
+also causes a wind-up of the star on its bore, by which the flat under the roller moves inwards. All
+other values follow from the approaches. Hertz's parabolas on half planes cause errors of the order
+of (a/r)². Surfaces tilt under N like a half plane at the depth of the wall. Tangential forces
+deform the contacts and rotate the ring further by the fraction tan² alpha times the ratio of
+tangential to normal compliance, which is slightly below 1.
 """
 
 import math
@@ -32,7 +32,7 @@ STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 
 
 class StarBounds:
-    """Intervals for formula/reference - 1 in a state, from bounds of the approaches."""
+    """Intervals of formula/reference - 1 in one state, from bounds of the approaches."""
 
     def __init__(self, star: FreewheelParts, at: Loaded) -> None:
         self.star, self.at = star, at
@@ -49,7 +49,7 @@ class StarBounds:
         self.tilt = tilting(star, P, wall) / math.tan(at.alpha)
 
     def approach(self, which: str) -> Interval:
-        """Interval of the error of d_i or d_o."""
+        """Interval of the error of the approach `which`, d_i or d_o."""
         return of_approach(self.own[which], getattr(self, which))
 
     def contact(self) -> Interval:
@@ -61,47 +61,53 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.alpha(**d)))
 
     def unloaded(self) -> Interval:
-        """Error of the angle without load, taken for alpha."""
+        """Interval of the error of the angle without load, used in place of alpha."""
         return self._instead(float(self.star.alpha(d_i=0.0, d_o=0.0)))
 
     def unloaded_as_printed(self) -> Interval:
-        """Error of Eq. 4 with r for R in its numerator, by cos 2a = 2 cos² a - 1, for alpha."""
+        """Interval of the error of Eq. 4 with r in place of R in its numerator, used for alpha.
+
+        It is evaluated by cos 2a = 2 cos² a - 1.
+        """
         s = self.star
         return self._instead(math.acos((s.r + s.flat) / (s.race - s.r) - 1) / 2)
 
     def as_printed(self) -> Interval:
-        """Error of Eq. 5 with the signs of its denominator reversed, by the cosine's half angle."""
+        """Interval of the error of Eq. 5 with the signs of its denominator reversed.
+
+        It is evaluated by the formula for half the angle of a cosine.
+        """
         s, d = self.star, self.own
         cos = (s.flat - d["d_i"] + s.r) / (s.race - d["d_o"] + s.r)
         return self._instead(math.atan(math.sqrt((1 - cos) / (1 + cos))))
 
     def _instead(self, angle: float) -> Interval:
-        """Error of an `angle` [rad] in place of alpha."""
+        """Interval of the error of an `angle` [rad] that is used in place of alpha."""
         return times(self.angle(), angle / float(self.star.alpha(**self.own)))
 
     def travel(self) -> Interval:
-        """Interval of the error of s."""
+        """Interval of the error of the roller travel s."""
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Error of tan(alpha); with `tilted`, also the error of tan(alpha) by a single contact."""
+        """Interval of the error of tan(alpha); with `tilted`, that of a single contact."""
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more
 
     def force(self) -> Interval:
-        """Error of N at a torque, proportional to 1/tan(alpha)."""
+        """Interval of the error of N at a torque; N is proportional to 1/tan(alpha)."""
         low, high = self.slope(tilted=True)
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def torsion(self) -> Interval:
-        """Error of phi: part proportional to the roller travel, and part by tangential forces."""
+        """Interval of the error of phi, due to roller travel and tangential forces."""
         (low, high), square = self.travel(), math.tan(self.at.alpha) ** 2
         less, more = (share * square for share in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
-        """Error of N at a given angle, which determines the sum of both approaches."""
+        """Interval of the error of N at a given angle, which fixes the sum of both approaches."""
         size = sum(self.own.values())
         low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
         return low**STEEPER - 1, high**STEEPER - 1

@@ -1,16 +1,18 @@
-r"""Expected interval of a clamped star's approach, from three bodies with known solutions.
+r"""Expected interval of the approach of a clamped star, from three bodies with known solutions.
 
-A layer of the height h = X - r_b, bonded to a rigid base, under loads at the spacing of a flat's
-length, contains the star, but its clamp recedes from the base: too stiff for stars of thin wall.
-Its surface deflects under a wave of the number q by 2 K(q h)/(E' q) times its pressure,
+First body: a layer of the height h = X - r_b on a rigid base, under loads at a distance of the
+length of a flat. It contains the star, but the clamped bore of the star curves away from the base;
+the layer is too stiff for stars with a thin wall. Under a pressure wave with the wave number q, the
+deflection of its surface is 2 K(q h)/(E' q) times the pressure,
 
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .
 
-The disc through the corners, with the radius X/cos(pi/z), or R if the ring is nearer, clamped on
-the same bore, is deeper than the star below each contact: for stars with thin walls, it is too
-compliant. The disc of radius X is inside the star. With few corners or thick walls, the three have
-another order; the star is expected between the least and the largest.
+Second body: the disc through the corners, clamped on the same bore, with the radius X/cos(pi/z), or
+R if the ring is nearer. It is thicker than the star below each contact and too compliant for stars
+with thin walls. Third body: the disc of radius X, which is inside the star. With few corners or
+thick walls, the order of the three approaches is different. The approach of the star is expected
+between the smallest and the largest of them.
 
 References
 ----------
@@ -28,7 +30,7 @@ DEEP = 20.0  # q h beyond which K is 1 to round-off
 
 
 def expected_approach(star: FreewheelParts, P: ArrayLike) -> tuple[Array, Array]:
-    """Least and largest d_i [length] of a star under P = N/L [force/length]."""
+    """Smallest and largest expected d_i [length] of a star under P = N/L [force/length]."""
     P = positive(P, "load per length", "N/m")
     flat, corner = _rims(star)
     found = np.array([_on_layer(star, P), _on_disc(star, flat, P), _on_disc(star, corner, P)])
@@ -36,9 +38,9 @@ def expected_approach(star: FreewheelParts, P: ArrayLike) -> tuple[Array, Array]
 
 
 def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
-    """Approach d_i [length] of a disc through the contact, interpolated between those of two discs.
+    """Approach d_i [length] of a disc through the contact, interpolated between two discs.
 
-    What is expected of a star, to second order in the corners' height.
+    It is the expected approach of a star, to second order in the height of the corners.
     """
     P = positive(P, "load per length", "N/m")
     flat, corner = _rims(star)
@@ -49,7 +51,7 @@ def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:
-    """K of a bonded layer of height 1 under loads at the distance `pitch`, for l = 1.
+    """Constant k of a bonded layer of height 1 under loads at the distance `pitch`, for l = 1.
 
     >>> [round(layer_constant(pitch=p, kappa=1.8), 2) for p in (500.0, 5.0)]  # others hardly matter
     [1.33, 1.33]
@@ -80,6 +82,6 @@ def _on_disc(star: FreewheelParts, rim: float, P: Array) -> Array:
 
 
 def _with_roller(star: FreewheelParts, P: Array, l: float, k: Array | float) -> Array:  # noqa: E741
-    """Approach [length] of half a roller and a body of the constants l and k."""
+    """Approach [length] of half a roller and a body with the constants l and k."""
     a = star.width_on_flat(P)
     return half_roller(star, P, a) + approach(P, a, E=star.plane[0], l=l, k=k)

@@ -1,4 +1,4 @@
-"""Expected error of the sensitivity of a loaded clamping angle to its flats, dalpha/dX."""
+"""Expected error of dalpha/dX, the sensitivity of a loaded clamping angle to the flats."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -16,15 +16,15 @@ FAR = 5.0  # the normal force is searched within this factor of the one that is 
 
 @dataclass(frozen=True)
 class Moved:
-    """A star with displaced flats; approaches [length] of both contacts depend on N [force]."""
+    """Star with displaced flats, whose approaches [length] are functions of N [force]."""
 
     star: FreewheelParts
     approaches: Callable[[float], tuple[float, float]]
 
     def angle(self, F_t: float, N: float, f_i: float, f_o: float) -> float:
-        """The angle [rad] under F_t = N tan(alpha), with `f_i`, `f_o` times these approaches.
+        """Angle [rad] under F_t = N tan(alpha), with the approaches multiplied by `f_i` and `f_o`.
 
-        `N` [force] is an estimate of the result.
+        `N` [force] is an initial estimate.
         """
 
         def at(force: float) -> float:
@@ -38,15 +38,15 @@ class Moved:
 def turned(
     ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float, f_i: float, f_o: float
 ) -> float:
-    """dalpha/dX [rad/length] between both `ends`; `f_i` and `f_o` scale their approaches."""
+    """Sensitivity dalpha/dX [rad/length] between both `ends`; `f_i`, `f_o` scale the approaches."""
     low, high = (end.angle(F_t, bounds.at.N, f_i, f_o) for end in ends)
     return (high - low) / (2 * off)
 
 
 def of_turn(ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float) -> Interval:
-    """Error of dalpha/dX at F_t, with approaches anywhere within their `bounds`.
+    """Interval of the error of dalpha/dX at F_t, with approaches within their `bounds`.
 
-    `ends` have their flats moved by -`off` and `off` [length].
+    The flats of `ends` are displaced by -`off` and `off` [length].
     """
     own = bounds.at.d_i, bounds.at.d_o
     factors = [[end / d for end in within]

@@ -1,1 +1,1 @@
-"""Expected errors of the polyhedral ring clutch's formulas."""
+"""Expected errors of the formulas of the polyhedral ring clutch."""

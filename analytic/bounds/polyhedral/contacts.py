@@ -1,11 +1,12 @@
-r"""Errors of Hertz and of a ring's series for rollers locked on the ring, plane stress.
+r"""Expected errors of Hertz's theory and of a ring's series for rollers on the ring, plane stress.
 
-If the materials of two bodies differ (Dundurs' beta), half planes couple both directions along
-the line of curvature kappa on which they meet. At the first order the half-width grows by
-64/(45 pi) of beta kappa a, the pressure in the middle falls by (2 G - 1/3)/pi of it, with Catalan's
-constant G. Argued, each once: (2 a/d)² of the curvatures, (a/wall)², and 1e-3.
+If the materials of two bodies differ (Dundurs' beta), normal and tangential displacements are
+coupled along the contact line of curvature kappa. To first order, the half-width increases by the
+fraction 64/(45 pi) beta kappa a, and the pressure in the middle decreases by the fraction (2 G -
+1/3)/pi beta kappa a, with Catalan's constant G. The tolerance is an estimate: (2 a/d)² for the
+curvatures, (a/wall)², and 1e-3, each with the factor 1.
 
-Errors are relative, formula over truth less one.
+Errors are formula/true - 1.
 
 References
 ----------
@@ -27,10 +28,10 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True, kw_only=True)
 class RollerOnRing:
-    """A roller of diameter d between a ring and a rigid race, of one material; E = E', SI.
+    """Roller of diameter d between a ring and a rigid race; E is E'; SI units.
 
-    `apothem` is the distance of the ring's flats from its axis, d_e its outer diameter, j_D the
-    clearance on the diameter.
+    `apothem` is the distance of the flats of the ring from its axis, d_e its outer diameter, j_D
+    the diametral clearance. Ring and roller have the same material.
     """
 
     d: float
@@ -51,19 +52,21 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Error of the series of the forces, with the half-widths of both contacts [m]."""
+        """Tolerance of the series of the forces, with the half-widths of both contacts [m]."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Error of the series of the approach of ring and roller, with both half-widths [m]."""
+        """Tolerance of the series of the approach of ring and roller, with both half-widths [m]."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
     def on_ring(self, first: float, a: float, *, elastic: bool = False) -> Interval:
-        """Error of Hertz's contact on the ring, `first` times beta kappa a, for a rigid roller.
+        """Interval of the error of Hertz's contact on the ring.
 
-        Estimated by an argument: strain and bending of the ring when the clearance is closed.
+        The expected error is `first` times beta kappa a, for a rigid or an `elastic` roller. The
+        tolerance is an estimate that contains strain and bending of the ring when the clearance is
+        closed.
         """
         R = self.relative_radius
         straining = self.j_D / self.d_e * (1 + R / (self.d_e / 2 - self.apothem))
@@ -72,25 +75,25 @@ class RollerOnRing:
         return about(1 / (1 + first * coupled) - 1, self.reach(a) + straining)
 
     def on_race(self, a: float) -> Interval:
-        """Error of Hertz's half-width of the elastic roller in the rigid race."""
+        """Interval of the error of Hertz's half-width of the elastic roller in the rigid race."""
         race = self.d_e / 2 + self.d + self.j_D / 2
         coupled = self.coupled(a, R_2=-race, E_1=self.E, E_2=np.inf)
         return about(1 / (1 + WIDTH * coupled) - 1, (2 * a / self.d) ** 2 + BLUNT)
 
     def bent(self, *, R_b: float, e: float) -> float:
-        """Change of the half-width by the hub's bending of the wall as a beam over 2 e.
+        """Relative change of the half-width by bending of the wall, a beam of length 2 e.
 
-        R_b is the hub's force per length. It changes the ring's curvature by R_b e/(2 E I), and a
-        is proportional to the root of the relative radius.
+        R_b is the hub force per length. It changes the curvature of the ring by R_b e/(2 E I). The
+        half-width is proportional to the root of the relative radius.
         """
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Standard uncertainty of a largest stress with the share `rollers` due to rollers."""
+        """Standard uncertainty of a largest stress, whose fraction `rollers` is due to rollers."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:
-        """Beta kappa a of the roller, body 1, on the surface of radius R_2 [m]; one may be rigid.
+        """Value of beta kappa a for the roller (body 1) on a surface of radius R_2 [m].
 
         >>> roller = RollerOnRing(d=2.0, d_e=8.0, j_D=0.01, apothem=3.0, E=1.0, nu=0.5)
         >>> roller.coupled(0.1, R_2=4.0, E_1=np.inf, E_2=1.0)  # beta (1 - nu)/2, kappa 1/R_1
@@ -104,12 +107,12 @@ class RollerOnRing:
 
 
 def about(m: float, slack: float) -> Interval:
-    """The interval within `slack` of an error m."""
+    """Interval of an error m with the tolerance `slack`."""
     return m - slack, m + slack
 
 
 def over_series(value: float, series: float, slack: float) -> Interval:
-    """Error of a formula that should give `value`, if a `series` has the error `slack`.
+    """Interval of the error of a formula with `value`; its reference is a `series` within `slack`.
 
     >>> [round(m, 6) for m in over_series(3.0, 2.0, 0.01)]
     [0.485, 0.515]

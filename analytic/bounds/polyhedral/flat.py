@@ -1,7 +1,7 @@
-"""Statics of a rigid flat by vectors, as a second form of the paper's chain of equations.
+"""Statics of a rigid flat by vectors: second formulation of the equations of the paper.
 
-Pressure between two corners, the hub's force and the roller's are in balance across the flat; the
-hub's moment about the axis equals the moment of the rollers' friction.
+The pressure between two corners, the hub force and the roller force are in equilibrium along the
+normal of the flat. The moment of the hub about the axis equals that of the friction of the rollers.
 """
 
 from dataclasses import dataclass
@@ -15,10 +15,11 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class FlatParts:
-    """Parts that load the z flats of a ring: SI, angles in rad.
+    """Dimensions and friction of the parts that load the z flats of a ring; SI units, rad.
 
-    d_i through the corners, `apothem` of the flats, width b; the race D_i, friction mu on the
-    rollers or their wedge angle alpha; the hub at e from mid-flat, its angle of friction phi_1.
+    d_i is the diameter through the corners, `apothem` the distance of the flats, b the width, D_i
+    the diameter of the race. mu is the friction of the rollers, alpha their wedge angle (or None).
+    The hub acts at e from mid-flat with the friction angle phi_1.
     """
 
     z: int
@@ -33,18 +34,18 @@ class FlatParts:
 
     @property
     def grip(self) -> float:
-        """Friction over normal force of a roller."""
+        """Ratio of tangential to normal force of a roller."""
         return self.mu if self.alpha is None else tan(self.alpha / 2)
 
     @property
     def arc(self) -> float:
-        """Arc of a side over its chord."""
+        """Ratio of arc to chord of one side."""
         return arc_of_side(self.d_i, self.z)
 
 
 @dataclass(frozen=True)
 class Flat:
-    """One flat: point and direction of the hub's unit force, and direction of displacements."""
+    """One flat: point and direction of a unit hub force, and direction of displacements."""
 
     parts: FlatParts
     at: Array  # [m]
@@ -59,7 +60,7 @@ class Flat:
 
     @property
     def left(self) -> float:
-        """Share of a roller's force that pressure must bring."""
+        """Fraction of a roller force that pressure must contribute."""
         lever = float(abs(self.at[0] * self.force[1] - self.at[1] * self.force[0]))
         counted = float(self.force @ self.towards)
         return 1 - counted * self.parts.grip * self.parts.D_i / 2 / lever
@@ -76,15 +77,17 @@ class Flat:
 
 
 def filleted(parts: FlatParts, touching: float) -> Flat:
-    """The flat in contact at a pressure [Pa]; the force of the hub acts along its normal."""
+    """Flat with contact at the pressure `touching` [Pa]; hub force projected on its normal."""
     at, normal = np.array([parts.apothem, parts.e]), np.array([1.0, 0.0])
     return Flat(parts, at, _leaning(parts.phi_1), normal, touching)
 
 
 def first_design(parts: FlatParts, *, d_m: float, wall: float, j_D: float, E: float) -> Flat:
-    """Sharp corners, the hub at the radius d_i/2, its force counted along this radius, K = 1.
+    """Flat of the first design: sharp corners, hub at the radius d_i/2, K = 1.
 
-    A thin round ring of mean diameter d_m that closes the clearance j_D: wall times hoop stress.
+    The hub force is projected on the radius through its contact. The touching pressure is that of a
+    thin round ring of mean diameter d_m that closes the clearance j_D: wall times hoop stress over
+    d_i/2.
     """
     psi = np.arctan2(parts.e, parts.d_i / 2 * np.cos(np.pi / parts.z))
     outward = np.array([np.cos(psi), np.sin(psi)])
@@ -93,7 +96,7 @@ def first_design(parts: FlatParts, *, d_m: float, wall: float, j_D: float, E: fl
 
 
 def chord(d_i: float, z: int) -> float:
-    """Distance [length] of two neighbours of z corners on the diameter d_i.
+    """Distance [length] of two neighbouring corners of z corners on the diameter d_i.
 
     >>> round(chord(2.0, 6), 12)
     1.0
@@ -104,7 +107,7 @@ def chord(d_i: float, z: int) -> float:
 
 
 def arc_of_side(d_i: float, z: int) -> float:
-    """Arc over chord between two neighbours of z corners on the diameter d_i.
+    """Ratio of arc to chord between two neighbouring corners of z corners on the diameter d_i.
 
     >>> round(arc_of_side(2.0, 6), 6)
     1.047198
@@ -117,12 +120,12 @@ def roller_force(
 ) -> float:
     """Force [force per length] of a roller on a rigid flat.
 
-    Pressure p beyond `touch` pushes on the chord of two corners, the hub's force R_b per length
-    along the flat's normal; tan_phi is its friction.
+    The pressure p above `touch` acts on the chord of two corners. The hub force R_b per length acts
+    with its component along the normal of the flat; tan_phi is its friction coefficient.
     """
     return max(p - touch, 0.0) * chord(d_i, z) + R_b / float(np.hypot(1, tan_phi))
 
 
 def _leaning(phi_1: float) -> Array:
-    """Unit force that leans from the flat's normal towards its middle."""
+    """Unit force that is inclined by phi_1 from the normal of the flat towards its middle."""
     return np.array([np.cos(phi_1), -np.sin(phi_1)])

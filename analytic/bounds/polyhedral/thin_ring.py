@@ -1,11 +1,12 @@
-r"""Error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lamé's thick one.
+r"""Expected error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lamé's ring.
 
-In plane stress Lamé's pressure that takes up the clearance outside is d_m²/(d_i d_e) times p_1;
-the mean hoop stress errs as p_1 does, whatever the pressure; the free outside has the strain
-j_D/d_e, and the bore the largest stress, (d_e/d_i)² + 1 over 2 times that of the outside. Finite
-elements have stresses at the ends of cells, which span more of ln r in thick walls.
+In plane stress, Lamé's pressure that closes the clearance outside is d_m²/(d_i d_e) times p_1. The
+mean hoop stress has the same relative error as p_1 at every pressure. The free rim has the strain
+j_D/d_e. The stress of the bore is the largest one, ((d_e/d_i)² + 1)/2 times that of the rim. The
+stresses of finite elements are those at the ends of cells, which cover a larger range of ln r in
+thick walls.
 
-Errors are relative, formula over truth less one, of the outer diameter d_e and the wall.
+Errors are formula/true - 1, for the outer diameter d_e and the thickness `wall`.
 """
 
 from analytic.bounds.polyhedral.contacts import Interval, about
@@ -16,7 +17,7 @@ CELL = 1e-2  # of (wall/d_m)²: stress at the end of a cell
 
 
 def pressure_error(*, d_e: float, wall: float) -> Interval:
-    """Error of p_1, and of sigma_t as the mean over the wall.
+    """Interval of the error of p_1, and of sigma_t as the mean stress over the wall.
 
     >>> low, high = pressure_error(d_e=2.0, wall=0.5)  # 8/9
     >>> round((low + high) / 2, 12)
@@ -26,16 +27,17 @@ def pressure_error(*, d_e: float, wall: float) -> Interval:
 
 
 def rim_stress_error(*, d_e: float, wall: float) -> Interval:
-    """Error of sigma_t as the hoop stress outside."""
+    """Interval of the error of sigma_t as the hoop stress at the rim."""
     d_m = d_e - wall
     return about(d_e / d_m - 1, SLACK + CELL * (wall / d_m) ** 2)
 
 
 def bore_stress_error(*, d_e: float, wall: float) -> Interval:
-    """Error of sigma_t as the hoop stress in the bore, E j_D (d_e² + d_i²)/(2 d_i² d_e).
+    """Interval of the error of sigma_t as the hoop stress in the bore.
 
-    The part of the stress that varies, as 1/r², has the share 1/2 outside and R²/(1 + R²) in the
-    bore, R = d_e/d_i: the stress at the ends of cells is less accurate there in that proportion.
+    The true stress is E j_D (d_e² + d_i²)/(2 d_i² d_e). The fraction of the stress that varies as
+    1/r² is 1/2 at the rim and R²/(1 + R²) in the bore, with R = d_e/d_i. In this proportion, the
+    stress at the ends of cells is less accurate in the bore.
 
     >>> low, high = bore_stress_error(d_e=2.0, wall=0.5)  # 8/15
     >>> round((low + high) / 2, 12)
@@ -48,7 +50,7 @@ def bore_stress_error(*, d_e: float, wall: float) -> Interval:
 
 
 def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) -> Interval:
-    """Error of j_D as the growth of the mean diameter, where the outside grows by j_D."""
+    """Interval of the error of j_D as the growth of the mean diameter, if the rim grows by j_D."""
     d_i = d_e - 2 * wall
     p_1 = (d_e - d_i) * (E * j_D / ((d_i + d_e) / 2)) / d_i
     grown = 2 * float(lame.radial_displacement(
@@ -58,7 +60,7 @@ def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) ->
 
 
 def outside_growth_error(*, d_e: float, wall: float) -> Interval:
-    """Error of sigma_t d_m/E, of the mean hoop stress sigma_t, as the growth of the outside.
+    """Interval of the error of sigma_t d_m/E as the growth of the rim; sigma_t is the mean stress.
 
     >>> low, high = outside_growth_error(d_e=2.0, wall=0.5)  # 9/8
     >>> round((low + high) / 2, 12)

@@ -1,7 +1,8 @@
-"""Errors of Eqs. 3 and 4 of Belcin et al. for a free roller, of Cattaneo for a wedged one.
+"""Expected errors of Eqs. 3 and 4 of Belcin et al. for a free roller, and of Cattaneo's formula.
 
-A free roller uses tan(alpha/2)/mu of its friction: forces in balance, so that finite elements miss
-next to nothing on any mesh. Errors are relative, formula over truth less one.
+The ratio of tangential to normal force of a free roller is tan(alpha/2) instead of mu. As this
+follows from equilibrium, the error of finite elements is nearly zero on every mesh. Errors are
+formula/true - 1.
 """
 
 from math import tan
@@ -13,7 +14,7 @@ MODEL = 2.0  # bound of the error of half planes over (a/R)²
 
 
 def torque_error(*, alpha: float, mu: float) -> Interval:
-    """Error of the torque of friction's limit (Eq. 3) for a free roller; alpha in rad.
+    """Interval of the error of the torque at the friction limit (Eq. 3) for a free roller.
 
     >>> low, high = torque_error(alpha=0.1, mu=2 * tan(0.05))
     >>> round(low, 9), round(high, 9)
@@ -24,14 +25,15 @@ def torque_error(*, alpha: float, mu: float) -> Interval:
 
 
 def normal_force_error(*, alpha: float, mu: float) -> Interval:
-    """Error of the normal force of friction's limit (Eq. 4) for a free roller; alpha in rad."""
+    """Interval of the error of the normal force at the friction limit (Eq. 4) for a free roller."""
     m = tan(alpha / 2) / mu - 1
     return about(m, STATICS)
 
 
 def half_planes(*, a: float, R: float, mu: float) -> Interval:
-    """Error of Cattaneo's stick half-width on inclined surfaces of bodies of radius R.
+    """Interval of the error of Cattaneo's stick half-width on inclined surfaces of radius R.
 
-    Argued: (a/(mu R))² of the inclination against the angle of friction, 2 (a/R)² of half planes.
+    The tolerance is an estimate: (a/(mu R))² for the inclination relative to the friction angle,
+    and 2 (a/R)² for the half planes.
     """
     return about(0.0, (a / (mu * R)) ** 2 + MODEL * (a / R) ** 2)

@@ -1,1 +1,1 @@
-"""Bounds of the subject rotor."""
+"""Expected errors of rotor formulas."""

@@ -1,8 +1,9 @@
-"""Errors of Eqs. 3 to 11 of Huang et al. 2022 expected against struts in exact kinematics.
+"""Expected errors of Eqs. 3 to 11 of Huang et al. 2022 against struts in exact kinematics.
 
-By Eq. 3 an offset dx compresses a sprag at psi by cos psi dx; a strut inclined by nu is compressed
-by (cos psi - tan nu sin psi) dx. The equations therefore underestimate the stiffness by tan^2 nu
-and by further terms of each state. Errors are formula/struts - 1; intervals are (least, largest).
+By Eq. 3, an offset dx compresses a sprag at psi by cos psi dx. A strut that is inclined by nu is
+compressed by (cos psi - tan nu sin psi) dx. Therefore, the equations underestimate the stiffness by
+the fraction tan^2 nu and by additional terms of each state. Errors are formula/struts - 1;
+intervals are (smallest, largest).
 """
 
 import math
@@ -14,7 +15,10 @@ Interval = tuple[float, float]
 
 
 def leading(nu: float) -> Interval:
-    """Error of K_xx, K_yy of an even clutch: cos^2 for cos^2 + tan^2 nu sin^2; next term doubled.
+    """Interval of the error of K_xx and K_yy of a clutch with equally spaced sprags.
+
+    The equations have cos^2 psi in place of cos^2 psi + tan^2 nu sin^2 psi. The upper limit
+    contains twice the next term of the error.
 
     >>> low, high = leading(0.05)
     >>> low < -math.sin(0.05) ** 2 < high
@@ -25,10 +29,10 @@ def leading(nu: float) -> Interval:
 
 
 def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
-    """Error of an entry of K by the equations, over the same entry with forces along the struts.
+    """Interval of the error of an entry of K against the same entry with forces along the struts.
 
-    `left_out` is the effect of tilting forces on the `corrected` entry. Common parts of both
-    cancel; errors of these parts therefore do not change the interval.
+    `left_out` is the effect of tilting forces on the `corrected` entry. Parts that are common to
+    both entries cancel; therefore, errors of these parts do not change the interval.
 
     >>> low, high = around(1.0, 1.01, 0.0, 0.1)
     >>> round((low + high) / 2, 6)
@@ -40,10 +44,11 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 
 
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
-    """Error of the coupling's first term in eps = dx/delta_0, Z sprags; without squares of eps^2.
+    """Interval of the error of the first term of the coupling in eps = dx/delta_0, with Z sprags.
 
-    The next term of the sum over cos psi, and the deflection recovered by torque. None if eps
-    is too large for a first term, or sprags too few for fourth powers to sum to 3/8 of Z.
+    The error contains the next term of the sum over cos psi and the deflection that the constant
+    torque recovers, without squares of eps^2. None if eps is too large for a first-order term, or
+    if Z < 5, so that the fourth powers do not add up to 3/8 Z.
 
     >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)
     (None, None)
@@ -58,9 +63,10 @@ def first_order(nu: float, eps: float, Z: int) -> Interval | None:
 
 
 def held_ends(nu: float, delta_0: float, length: float) -> Interval:
-    """Error of K_xx for struts of a `length` [m] held in both races, that deflect by `delta_0` [m].
+    """Interval of the error of K_xx for struts of `length` [m], fixed to both races.
 
-    Their forces turn with them, by Q/length; the sum's square is left out.
+    The struts deflect by `delta_0` [m]. Their compressive forces Q rotate with them, which reduces
+    the stiffness by Q/length. The square of the sum of both terms is the tolerance.
 
     >>> low, high = held_ends(0.05, 1e-9, 1.0)
     >>> low < leading(0.05)[0] < high

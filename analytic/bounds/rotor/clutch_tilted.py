@@ -1,8 +1,9 @@
-"""Expected errors of a tilted clutch's couplings, and a second calculation of their sum.
+"""Expected errors of the couplings of a tilted clutch, and a second calculation of their sum.
 
-The first sprag of that clutch is at half a pitch. Slice k of sprag j is pressed by d_jk =
-(dx + x_k gamma) cos psi_j + R_i tan nu g; its force is of the power 10/9. The twist g
-carries T, and the couplings are sums of the slope times -x_k sin^2 psi_j and x_k cos^2 psi_j.
+The first sprag of the clutch is at half a pitch. The deflection of slice k of sprag j is
+d_jk = (dx + x_k gamma) cos psi_j + R_i tan nu g; its force is proportional to the power 10/9 of
+d_jk. The twist g follows from T. The couplings are sums of the slope times -x_k sin^2 psi_j and x_k cos^2
+psi_j.
 """
 
 import math
@@ -24,10 +25,10 @@ PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 
 def summed(
     clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> dict[Entry, float]:
-    """Couplings [N] of a force along y with a tilt about x, and of one along x with one about y.
+    """Couplings [N] of a force along y with a tilt about x, and along x with one about y.
 
-    The offset dx [m] is along x, the tilt [rad] about y, the torque T [N m]. Of `clutch` only its
-    sizes are taken, in `n_s` slices; it has no crown.
+    The offset dx [m] is along x, the tilt [rad] about y, the torque is T [N m]. Only the dimensions
+    of `clutch` are used, divided into `n_s` slices, without a crown.
     """
     Z, k_n = clutch.Z, clutch.k_n
     psi = 2 * math.pi * (np.arange(Z) + 0.5)[:, None] / Z
@@ -39,7 +40,7 @@ def summed(
         return np.asarray(np.maximum(uneven + lever * twist, 0.0))
 
     def excess(twist: float) -> float:
-        """Torque over T [1], less one."""
+        """Relative error [1] of the torque: torque/T - 1."""
         return float(lever * k_n / n_s * (pressed(twist) ** POWER).sum() / T - 1)
 
     even = (T / (Z * lever * k_n)) ** (1 / POWER)  # deformation under a uniform load
@@ -55,12 +56,12 @@ def summed(
 def left_out(
     entry: Entry, clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> tuple[float, float]:
-    """Interval of formula/struts - 1: forces along the struts, at points that sink with the tilt.
+    """Interval of the error of a coupling against struts, with contact points that tilt.
 
-    `clutch` has slices as fine as matters, the formula `n_s`; its side is summed here, so that a
-    slip of its value does not move the interval. Points of the race at R_i turn by
-    a = gamma_y cos(psi + nu) about their tangent: they sink by R_i a^2/2 off the sprag, and move
-    along the axis by R_i a, which changes a tilt's lever.
+    `clutch` has sufficiently many slices, the formula `n_s`. The value of the formula is computed
+    again by `summed`, so that an error of the formula does not change the interval. Points of the
+    race at R_i rotate by a = gamma_y cos(psi + nu) about their tangent. They move away from the
+    sprag by R_i a^2/2 and along the axis by R_i a, which changes the lever arm of a tilt.
     """
     nu, R_i = clutch.nu, clutch.R_i
     plain = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z + nu))

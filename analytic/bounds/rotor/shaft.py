@@ -1,7 +1,7 @@
-"""Errors of beam theories that are expected of a uniform shaft at rest, simply supported.
+"""Expected errors of beam theories for a uniform, simply supported shaft at rest.
 
-Timoshenko's equation is written a second time here: a mistake in the verified formula is not in
-its reference.
+Timoshenko's equation is written here a second time, so that an error in the verified formula is not
+in its reference.
 
 J. R. Hutchinson, J. Appl. Mech. 68 (2001) 87-92; S. P. Timoshenko, Phil. Mag. 41 (1921) 744-746.
 """
@@ -13,9 +13,9 @@ SMALL = 0.3  # of rotary inertia and shear, up to which their series is used
 
 
 def shear_coefficient(nu: float, m: float) -> float:
-    """Hutchinson's kappa [1] by powers of nu as he prints it, m the bore over the outer diameter.
+    """Hutchinson's shear coefficient kappa [1] as he prints it; m is bore over diameter.
 
-    His Eq. 45, with a = 1 and b = m; 0 <= m < 1.
+    It is his Eq. 45 with a = 1 and b = m; 0 <= m < 1.
 
     >>> round(shear_coefficient(nu=0.5, m=0.0), 6)  # 13.5/14
     0.964286
@@ -29,10 +29,12 @@ def shear_coefficient(nu: float, m: float) -> float:
 def frequency(
     j: int, *, L: float, d_o: float, d_i: float, E: float, nu: float, rho: float
 ) -> float:
-    """Mode j at rest [rad/s]: the square W over Euler's solves 1 - W (1 + e + e s) + s e^2 W^2 = 0.
+    """Natural frequency [rad/s] of mode j at rest, by Timoshenko's equation.
 
-    e = (k i)^2 with i the radius of gyration of the section is the rotary inertia and
-    s = E/(kappa G) its increase by shear. `L` between the supports, diameters `d_o` and `d_i` [m].
+    The ratio W of its square to Euler's is a root of 1 - W (1 + e + e s) + s e^2 W^2 = 0. e = (k
+    i)^2, with the radius of gyration i of the section, is the effect of rotary inertia, and
+    s = E/(kappa G) its increase by shear. `L` is the length between the supports, `d_o` and `d_i`
+    [m] are the diameters.
     """
     k = j * math.pi / L
     e = k**2 * (d_o**2 + d_i**2) / 16
@@ -45,12 +47,13 @@ def frequency(
 def neglected(
     theory: Literal["euler", "rayleigh"], e: float, s: float
 ) -> tuple[float, float] | None:
-    """Least and largest error [1] of mode 1, Timoshenko's equation being exact.
+    """Smallest and largest error [1] of mode 1, if Timoshenko's equation is exact.
 
-    `e` is the rotary inertia, `s` its increase by shear. 1 - W (1 + a) + s e^2 W^2 = 0 with
-    a = e (1 + s), W the square over Euler's: Euler's error is 1/sqrt(W) - 1 = a/2 less
-    a^2/8 + s e^2/2 to second order, Rayleigh's is e s/2 less no more than that. Twice the second
-    order is allowed, downwards. None if `a` is not SMALL: the series is not valid there.
+    `e` is the effect of rotary inertia, `s` its increase by shear. The ratio W of the squared
+    frequency to Euler's is a root of 1 - W (1 + a) + s e^2 W^2 = 0 with a = e (1 + s). To second
+    order, Euler's error is 1/sqrt(W) - 1 = a/2 - (a^2/8 + s e^2/2). Rayleigh's error is e s/2,
+    reduced by at most the same terms. The interval extends downwards by twice the terms of second
+    order. None if `a` is not below SMALL, because the series is not valid there.
 
     >>> low, high = neglected("euler", e=0.01, s=3.0)
     >>> round(low, 6), high

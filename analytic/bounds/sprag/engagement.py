@@ -1,7 +1,8 @@
-"""Intervals for formulas of an engagement over the steps of the equations of motion, less 1.
+"""Expected errors of formulas of an engagement against time steps of the equations of motion.
 
-In Eqs. 14-16, N_e = N_i, but a strut under two forces has N_e/N_i = cos(omega)/cos(nu): at the same
-rotation, the steps have the same N, and a torque that is smaller by 0 to N_e/N_i - 1.
+In Eqs. 14-16, N_e = N_i, but for a strut under two forces, N_e/N_i = cos(omega)/cos(nu). At the
+same rotation, the time steps have the same N, and a torque that is smaller by a fraction between 0
+and N_e/N_i - 1.
 """
 
 from dataclasses import dataclass
@@ -15,11 +16,12 @@ PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 40
 
 @dataclass(frozen=True, kw_only=True)
 class Bounds:
-    """From the sizes of the terms in which formulas and steps differ, all relative.
+    """Intervals of the errors, from the sizes of the terms in which formulas and time steps differ.
 
-    `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak of N per change of torque,
-    `inertia` the ratio of inertia of sprags and race, `left_out` the relative work of the outward
-    motion of the centroid. If races rotate at the start (`turns`), contacts slide first.
+    All fields are relative. `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak
+    of N per change of torque, `inertia` the ratio of the inertia of sprags and race, `left_out` the
+    relative work of the outward motion of the centroid. If races rotate at the start (`turns`),
+    contacts slide first.
     """
 
     unequal: float
@@ -29,31 +31,31 @@ class Bounds:
     turns: bool
 
     def statics(self) -> Interval:
-        """Error of the force at rest."""
+        """Interval of the error of the force at rest."""
         return -self.unequal, 0.0
 
     def energy(self) -> Interval:
-        """Error of a peak force that the work determines."""
+        """Interval of the error of a peak force that is determined by the work balance."""
         return -self.passed_on * self.unequal, 0.0
 
     def spring(self) -> Interval | None:
-        """Error of a peak by the spring, which omits the mass of the sprags: an error of any sign.
+        """Interval of the error of a peak force by the spring model; None if contacts slide first.
 
-        None if contacts slide first.
+        The spring model neglects the mass of the sprags, which causes an error of either sign.
         """
         (low, _), inertia = self.energy(), self.inertia
         return None if self.turns else (low - inertia, inertia)
 
     def both(self) -> Interval | None:
-        """Error of a ratio of two such peaks: the difference of their errors."""
+        """Interval of the error of a ratio of two such peaks: the difference of their errors."""
         one = self.spring()
         return one and (one[0] - one[1], one[1] - one[0])
 
     def either_way(self, times: float) -> Interval:
-        """Error of either sign, a multiple of N_e/N_i - 1."""
+        """Interval of an error of either sign, a multiple of N_e/N_i - 1."""
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:
-        """Error of the work: the steps rotate less, because the centroid moves outwards."""
+        """Interval of the error of the work, due to the outward motion of the centroid."""
         u = BOOKED + PART * abs(self.left_out)
         return self.left_out - u, self.left_out + u

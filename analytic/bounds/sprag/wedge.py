@@ -1,13 +1,14 @@
-r"""Expected errors of the formulas of a sprag clutch, from sizes and second models.
+r"""Expected errors of the formulas of a sprag clutch, from dimensions and second models.
 
-The angles of the forces omit the part that `analytic.sprag.bending` has for the column's ends and
-the races under tangential forces, to a quarter of all its parts and half beta² of the triangle. The
-tangential compliance of a race is 0.4 to 1.2 times the compliance of its local indentation.
-
-The elastic deflections omit (a/r)² of a contact, half tan²(nu) by which an inclined force is
-larger than N, and that the outer force is N_e. Hertz takes an arc for a parabola, an error of
-(a/r)²/4 of the gap, and its normals for parallel, (a/r)²/2, on both bodies; a wall or a column is
-no half-space by (a/h)².
+The formulas neglect the change of the force angles by the motion of the ends of the column and of
+the races under tangential forces. `analytic.sprag.bending` gives this change. Its uncertainty is a
+quarter of the sum of all its parts, plus beta²/2 of the triangle. The tangential compliance of a
+race is 0.4 to 1.2 times the compliance of its local indentation. The elastic deflections neglect
+three effects: (a/r)² of a contact, the fraction tan²(nu)/2 by which an inclined force is larger
+than N, and the difference of the outer force N_e from N. Hertz's theory replaces an arc by a
+parabola, with an error of (a/r)²/4 of the gap, and assumes parallel normals, with an error of
+(a/r)²/2, for both bodies. The difference of a wall or a column from a half-space is of the order
+(a/h)².
 """
 
 import math
@@ -38,10 +39,10 @@ SLOPES = 5e-3  # relative to the ratio of the rotations per deflection of both s
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Bounds:
-    """Intervals for formula/FE - 1 at a normal force N [N].
+    """Intervals of formula/FE - 1 at a normal force N [N].
 
-    `at` is the state there, `a` half-widths [m] of both contacts, `column` the sprag between its
-    flanks, None if it has none. `meshes` is the error of angles by meshes.
+    `at` is the state at N, `a` are the half-widths [m] of both contacts, `column` is the sprag
+    between its flanks (None if it has no flanks). `meshes` is the error of angles by the meshes.
     """
 
     sizes: Sizes
@@ -54,7 +55,7 @@ class Bounds:
 
     @property
     def wide(self) -> float:
-        """(a/r)² of the wider contact."""
+        """Value (a/r)² of the wider contact."""
         q, (a_i, a_e) = self.sizes, self.a
         return max(a_i / min(q.r_i, q.R_i), a_e / q.r_e) ** 2
 
@@ -64,19 +65,20 @@ class Bounds:
 
     @property
     def P(self) -> float:
-        """N/(l E') [m]."""
+        """Dimensionless force times length, N/(l E') [m]."""
         return self.N / (self.sizes.l * self.sizes.E_plane)
 
     def angle(self) -> Interval:
-        """Error of tan(nu) and tan(omega), which fall as the column bends."""
+        """Interval of the error of tan(nu) and tan(omega), which decrease as the column bends."""
         moves = self.bending
         doubt = BEND * moves.size + self.tilted() + float(self.at.beta) ** 2 / 2 + self.meshes
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def tilted(self) -> float:
-        """Largest rolling of the contacts, over beta, as the moment T h/2 tilts thin walls h.
+        """Bound of the rolling of the contacts over beta, as the moment T h/2 tilts thin walls.
 
-        Walls are beams over a pitch L, simply supported: M L/(12 E' I).
+        The walls of thickness h are simply supported beams over a pitch L: the tilt is M L/(12 E'
+        I).
         """
         q, at = self.sizes, self.at
         T = self.N * math.tan(float(at.nu)) / (q.l * q.E_plane)
@@ -88,7 +90,10 @@ class Bounds:
         return sum(a * b for a, b in zip(shares, tilts, strict=True)) / float(at.beta)
 
     def torque(self) -> Interval:
-        """Error of n_s N tan(nu) OA; its lever is uncertain by 0.1 of the inner deflections."""
+        """Interval of the error of n_s N tan(nu) OA.
+
+        The lever arm OA is uncertain by 0.1 of the inner deflections.
+        """
         (low, high), lever = self.angle(), LEVER * float(self.at.yields.inner) / self.sizes.R_i
         return low - lever, high + lever
 
@@ -98,18 +103,18 @@ class Bounds:
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def excess(self) -> Interval:
-        """Error of N_e/N_i - 1, proportional to the square of both angles."""
+        """Interval of the error of N_e/N_i - 1, proportional to the square of both angles."""
         low, high = self.angle()
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Error of the sum of all deflections, and of the related rotation."""
+        """Interval of the error of the sum of all deflections, and of the related rotation."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
     @property
     def askew(self) -> float:
-        """Error of the deflections: only forces along AB do work on lateral motion of ends."""
+        """Relative error of the deflections by the work of forces on lateral motion."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
@@ -119,7 +124,7 @@ class Bounds:
         return low + less, high + more
 
     def turn(self) -> Interval:
-        """Error of the deflection of the races, to which tangential forces add."""
+        """Interval of the error of the wind-up of the races, which tangential forces increase."""
         (low, high), (less, more) = self.elastic(), (k * self.tan2 for k in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
@@ -130,57 +135,63 @@ class Bounds:
         return -size, size
 
     def width(self) -> Interval:
-        """Error of half-widths; the edge of the contact is known only within a cell."""
+        """Interval of the error of half-widths; a mesh has the contact edge within a cell."""
         size = max(self.hertz()[1], ACCEPTED)
         return -size, size
 
     def thin_body(self, which: str) -> float:
-        """(a/h)² of the thinner body at a contact: the race's wall or the sprag's width."""
+        """Value (a/h)² of the thinner body at a contact: wall of the race or width of the sprag."""
         wall, a = self.in_wall(which)
         return (a / min(wall, self.sizes.b)) ** 2
 
     def in_wall(self, which: str) -> Pair:
-        """Wall of a race and half-width of its contact [m]."""
+        """Wall thickness of a race [m] and half-width of its contact [m]."""
         q, (a_i, a_e) = self.sizes, self.a
         return (q.R_i - q.R_id, a_i) if which == "i" else (q.R_ed - q.R_e, a_e)
 
     def race(self, which: str) -> Interval:
-        """Error of the deflection of a race under its load, at the middle of the patch."""
+        """Interval of the error of the deflection of a race in the middle of its patch."""
         wall, a = self.in_wall(which)
         size = SHARP + (a / wall) ** 2
         return -size, size
 
     def plane(self) -> Interval:
-        """Error of Hertz's contacts to the walls' depth and half the sprag, and of Eq. 6."""
+        """Interval of the error of all deflections by Hertz's contacts and Eq. 6.
+
+        The contacts deflect to the depth of the walls and to half of the sprag.
+        """
         return times(self.elastic(), self.plane_yields() / float(self.at.yields.H))
 
     def lost(self) -> Interval:
-        """Error of the printed closure, which omits half of the deflection at the inner contact."""
+        """Interval of the error of the printed closure equations.
+
+        They omit half of the deflections of contact and sprag on the inner side.
+        """
         yields = self.at.yields
         lost = float(yields.contact_i + yields.sprag) / 2
         return times(self.elastic(), 1 - lost / float(yields.H), spread=SLOPES)
 
     def thin(self, which: str) -> Interval:
-        """Error of Eq. 6, thin rings, for the mean displacement of long rings."""
+        """Interval of the error of Eq. 6 (plane stress) for the mean displacement of long rings."""
         return times((-SHARP, SHARP), self.thin_mean(which) / self.long_mean(which))
 
     def thin_at_contact(self, which: str) -> Interval:
-        """Error of Eq. 6 for the deflection of a race under its load."""
+        """Interval of the error of Eq. 6 for the deflection of a race under its load."""
         race = self.races[which == "e"]
         under = race.under / race.mean * self.long_mean(which)
         return times(self.race(which), self.thin_mean(which) / under)
 
     def long_mean(self, which: str) -> float:
-        """Mean displacement of each long race [m] under the normal force on it."""
+        """Mean displacement [m] of a race in plane strain under the normal force on it."""
         force = float({"i": np.asarray(self.N), "e": self.at.N_e}[which])
         return self._lame_mean(force, which, "plane strain")
 
     def thin_mean(self, which: str) -> float:
-        """Mean displacement of each thin race [m] under N."""
+        """Mean displacement [m] of a race in plane stress under N."""
         return self._lame_mean(self.N, which, "plane stress")
 
     def plane_yields(self) -> float:
-        """All deflections [m] of half planes and uniformly loaded rings, contacts being small."""
+        """Sum of deflections [m] of half planes and uniformly loaded rings, for small contacts."""
         q, P, half = self.sizes, self.N / self.sizes.l, (self.sizes.R_e - self.sizes.R_i) / 2
         walls = (q.R_i - q.R_id, q.R_ed - q.R_e)
         dents = sum(
@@ -191,18 +202,23 @@ class Bounds:
 
     @cached_property
     def ends(self) -> Ends:
-        """Movement and rotation of the sprag's ends; ValueError off the flanks."""
+        """Displacements and rotations of the sprag ends; raises ValueError beyond the flanks."""
         moved = self.column and ends(
             self.column, turned=float(self.at.turned), alpha_b=float(self.at.alpha_b), a=self.a,
             nu=self.sizes.nu,
         )  # fmt: skip
         if not moved:
-            raise ValueError("the contacts are beyond the sprag's flanks: no bending")
+            raise ValueError(
+                "the contacts must lie between the flanks of the sprag: bending is not defined"
+            )
         return moved
 
     @cached_property
     def bending(self) -> Shift:
-        """Change of force ratios as ends and races move; ValueError off the flanks."""
+        """Change of the force angles by the motion of ends and races.
+
+        Raises ValueError if a contact is beyond the flanks.
+        """
         moved = self.ends
         assert self.column is not None
         sideways = self.P * math.tan(float(self.at.nu)) * sum(SIDEWAYS) / 2
@@ -222,6 +238,6 @@ class Bounds:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """The interval of a formula that is `ratio` times another formula, within `spread`."""
+    """Interval of the error of a formula that is `ratio` times another formula, within `spread`."""
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1

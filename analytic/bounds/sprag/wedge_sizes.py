@@ -1,4 +1,4 @@
-"""Input of the bounds of a wedged sprag: sizes of parts, its state, races under their loads."""
+"""Input of the bounds of a wedged sprag: dimensions, state, and races under their loads."""
 
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
@@ -8,7 +8,7 @@ from analytic.sprag.bending import Triangle
 
 
 class State(Triangle, Protocol):
-    """A wedged sprag under its normal force, by the closure equations; angles in rad."""
+    """State of a wedged sprag under its normal force, by the closure equations; angles in rad."""
 
     @property
     def N_e(self) -> Array: ...
@@ -25,7 +25,7 @@ class State(Triangle, Protocol):
 
 
 class Yields(Protocol):
-    """Deflections [m]: at the inner contact, in the sprag, on the inner side, in all."""
+    """Deflections [m] of inner contact and sprag, sums of the inner side and of both sides."""
 
     @property
     def contact_i(self) -> Array: ...
@@ -38,7 +38,7 @@ class Yields(Protocol):
 
 
 class Race(NamedTuple):
-    """A race under its sprags over P/E': its mean, the middle of a patch, the mean over it."""
+    """Deflections of a race under its sprags over P/E': mean, middle of a patch, mean over it."""
 
     mean: float
     at: float
@@ -47,9 +47,10 @@ class Race(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Sizes:
-    """z sprags `b` wide, `l` long between races R_id..R_i, R_e..R_ed [m]; E' is of plane strain.
+    """Dimensions of z sprags of width b and length l between races R_id to R_i, R_e to R_ed [m].
 
-    r_i and r_e [m] are radii at first contact, nu_0 [rad] the wedge angle there.
+    E_plane is E' of plane strain. r_i and r_e [m] are the radii at first contact, nu_0 [rad] is the
+    wedge angle at first contact.
     """
 
     R_id: float

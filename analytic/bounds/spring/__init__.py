@@ -1,1 +1,1 @@
-"""Bounds of the subject spring."""
+"""Expected errors of spring formulas."""

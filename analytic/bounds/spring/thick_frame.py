@@ -1,15 +1,17 @@
-"""Correction of a thin frame's flexibility by plane elasticity to second order in b/R, closed form.
+"""Correction of the flexibility of a thin frame by plane elasticity, to second order in b/R.
 
-The centre line of the spring is symmetric about the line of the force: a leaf of the slope alpha
-crosses it in its middle, and arcs about points at L1/2 end at the apex, L1/2 + R from it. With the
-angle t from the apex an arc has the lever y = L1/2 + R cos t, and a unit force gives M = y,
-N = -cos t and V = sin t there, cos alpha and sin alpha on the leaves. Over 1/(EA) each length adds
+The correction has a closed form. The centre line of the spring is symmetric about the line of the
+force. A leaf of the slope alpha crosses this line in its middle. Arcs about points at the distance
+L1/2 end at their apex, at L1/2 + R. At the angle t from the apex, the lever arm of an arc is
+y = L1/2 + R cos t, and a unit force causes M = y, N = -cos t and V = sin t. On the leaves, N and V
+are cos alpha and sin alpha. In units of 1/(EA), each length adds
 
 - N^2 + 12/5 (1 + nu) V^2: axial force, and shear of a rectangle;
 - on arcs 2/5 (M/R)^2: a curved bar in pure bending is softer by (b/R)^2/30 in Golovin's solution;
 - on arcs 2 (1 + 6 nu/5) N M/R: coupling of M and N; positive M puts the outer fibre in tension.
 
-M^2/I = 12 M^2/(A b^2) is the thin frame's part. What is left out goes with the fourth power of b/R.
+M^2/I = 12 M^2/(A b^2) is the part of the thin frame. The neglected terms are of fourth order in
+b/R.
 
 S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., McGraw-Hill 1970, Secs. 29 and 33.
 """
@@ -20,27 +22,30 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Added:
-    """Shares of the thin frame's flexibility [1]: axial force with shear, and curvature."""
+    """Relative corrections of the flexibility of a thin frame [1], by `shear` and `curvature`.
+
+    `shear` includes the axial force.
+    """
 
     shear: float
     curvature: float
 
     @property
     def both(self) -> float:
-        """Error of the thin frame's stiffness [1]."""
+        """Error of the stiffness of the thin frame [1]."""
         return self.shear + self.curvature
 
     def next_order(self, slenderness: float) -> float:
-        """Size [1] of the next term, smaller by b/R, the `slenderness`, at least.
+        """Size [1] of the next term, smaller at least by the factor b/R, the `slenderness`.
 
-        The corrections are added up in magnitude, since they partly cancel.
+        The magnitudes of the corrections are added, because they partly cancel.
         """
         return slenderness * (abs(self.shear) + abs(self.curvature))
 
 
 @dataclass(frozen=True)
 class _Arc:
-    """Integrals over an arc from its apex to the angle t [rad], per radius."""
+    """Integrals over an arc from its apex to the angle t [rad], divided by the radius."""
 
     R: float
     c: float  # from the line of the force to the centre
@@ -68,11 +73,11 @@ class _Arc:
 def added(
     *, n: int, L1: float, radius: float, alpha: float, b: float, nu: float, wide: bool
 ) -> Added:
-    """Both shares for a head that moves freely and a tail clamped at the end of its arc.
+    """Corrections for a free head and a tail clamped at the end of its arc.
 
-    `n` segments, straight length `L1` of head and tail, `radius` R of the arcs' centre line,
-    thickness `b` [length], angle `alpha` of the arcs [rad]. `wide` is plane strain: nu/(1 - nu) in
-    the place of nu.
+    The spring has `n` segments, the straight length `L1` of head and tail, the `radius` R of the
+    centre line of the arcs, the thickness `b` [length] and the angle `alpha` of the arcs [rad].
+    `wide` is plane strain: nu/(1 - nu) in place of nu.
 
     >>> shape = {"n": 4, "L1": 10.0, "radius": 1.0, "alpha": 1.5, "nu": 0.3, "wide": False}
     >>> thick, thin = added(b=0.2, **shape), added(b=0.1, **shape)
