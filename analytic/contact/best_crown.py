@@ -36,8 +36,8 @@ LOADED = 1e3  # beyond every peak over Hertz's pressure of a uniform load
 class BestCrown:
     """Parameters K_1, K_2, z_m [length] of an optimal crown, and its peak pressure [stress].
 
-    `free` states whether the ends are unloaded. If no crown has unloaded ends, the crown with the
-    lowest end load is given.
+    `free` states whether the ends are unloaded. If no crown has unloaded ends, this is the crown
+    with the lowest end load.
     """
 
     K_1: float

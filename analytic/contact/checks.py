@@ -61,7 +61,7 @@ def in_plane(E: ArrayLike, nu: ArrayLike, assumption: Assumption) -> tuple[Array
 def pair_in_plane(
     E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike, assumption: Assumption
 ) -> tuple[Array, Array, Array, Array]:
-    """1/E' and nu' of both bodies; one body may be rigid, not both."""
+    """Compliances 1/E' and constants nu' of both bodies; only one body may be rigid."""
     plane_1, cross_1 = in_plane(E_1, nu_1, assumption)
     plane_2, cross_2 = in_plane(E_2, nu_2, assumption)
     if np.any(np.isinf(plane_1) & np.isinf(plane_2)):

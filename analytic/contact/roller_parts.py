@@ -82,10 +82,10 @@ def vertex(p: Array, at: int) -> float:
 
 
 def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
-    """Misplaced share of the load of `line` (n,) against `other` (m,), and relative L2 error.
+    """Fraction of the load that `line` (n,) has at another position than `other` (m,); L2 error.
 
-    Both are line loads of equal parts of the roller. The share hardly depends on the number of
-    parts; the L2 error is mostly due to the parts at the end of contact.
+    Both are line loads of equal parts of the roller. The L2 error is relative. The fraction hardly
+    depends on the number of parts; the L2 error is mostly due to the parts at the end of contact.
 
     >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)
     (0.5, 1.0)

@@ -41,8 +41,8 @@ def tilted_shear_excess(kappa_a: float) -> float:
     r"""Relative excess (no unit) of the largest shear stress for pressure normal to a curved line.
 
     On a contact line with the curvature kappa, the pressure p at x' has the tangential component
-    kappa x' p towards the axis. By Flamant's solution for a tangential force, it adds at the depth
-    h = g^(-1/2) a
+    kappa x' p towards the axis. By Flamant's solution for a tangential force, this component adds
+    at the depth h = g^(-1/2) a
 
     .. math:: \frac{\Delta\tau}{p_0} = \frac{\kappa a}{\pi}\int_{-1}^{1}
         \frac{s^2 (h^2 - s^2)}{(s^2 + h^2)^2}\sqrt{1 - s^2}\,ds = 0.02786\,\kappa a.

@@ -124,7 +124,10 @@ def _ring(clutch: RollerClutch, material: ContactMaterial, bore: Array) -> Body:
 
 
 def _cup(clutch: RollerClutch) -> Body:
-    """A bore of the flats' area: the ring with X_o is too stiff, with X_o/cos(pi/z) too soft."""
+    """Cup as a ring whose bore has the area enclosed by the flats.
+
+    A ring with the bore X_o is too stiff, with X_o/cos(pi/z) too compliant.
+    """
     angle = np.pi / clutch.cam.count
     return _ring(clutch, clutch.outer, clutch.cam.flat * np.sqrt(np.tan(angle) / angle))
 

@@ -85,7 +85,7 @@ def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) 
 
 
 def _nearer(duty: Duty, dX: Array) -> RollerClutch:
-    """Clutches with flats nearer to the axis; beyond the last possible clutch, it is repeated."""
+    """Clutches with flats shifted by dX; the last possible shift replaces impossible ones."""
     for share in np.linspace(1.0, 0.0, 50):
         try:
             return shifted(duty.clutch, "X", np.maximum(dX, share * dX.min()))

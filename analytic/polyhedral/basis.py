@@ -32,7 +32,7 @@ CLOSEST = 1e-4  # relative to the arc: distance of the last pole from its tangen
 
 @dataclass(frozen=True)
 class Basis:
-    """Basis functions: powers up to `powers`, real poles on the corner rays, pairs of poles.
+    """Basis functions of the potential: powers, real poles on the corner rays, pairs of poles.
 
     `pairs` contains one pole of each conjugate pair.
     """

@@ -31,7 +31,7 @@ class CutLoads(NamedTuple):
 
 
 def cut_loads(*, sector: Sector, field: FreeRim | HubForce) -> tuple[CutLoads, CutLoads]:
-    """Loads of the cuts through mid-flat and through the corner.
+    """Hoop forces and moments of the cuts through mid-flat and through the corner.
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)

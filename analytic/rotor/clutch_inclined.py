@@ -46,8 +46,8 @@ def leaning(clutch: SpragCoupling, at: ArrayLike) -> float:
 def coupling_across(gone: Array, *, k: float, nu: float) -> float:
     """Stiffness K_xy [N/m] of a clutch without the sprags at the angles `gone` (m,) [rad].
 
-    k [N/m] is the slope of the other sprags. K_xy = -k tan(nu) sum cos(2 psi); it is zero for the
-    complete clutch.
+    k [N/m] is the contact stiffness of the other sprags. K_xy = -k tan(nu) sum cos(2 psi); it is
+    zero for the complete clutch.
     """
     return float(-k * math.tan(nu) * np.cos(2 * gone).sum())
 
@@ -55,7 +55,8 @@ def coupling_across(gone: Array, *, k: float, nu: float) -> float:
 def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> float:
     """Stiffness K_yz [N] of a clutch without the sprags at `gone` (m,) [rad]: tan(nu) K_xz.
 
-    k [N/m] is the slope of the other sprags, d_t [m] the lever arm of their normal forces.
+    k [N/m] is the contact stiffness of the other sprags, d_t [m] the lever arm of their normal
+    forces.
     """
     lever = k * d_t
     return float(-lever * math.tan(nu) * np.cos(gone).sum())
@@ -66,9 +67,10 @@ def held_torsional_stiffness(
 ) -> float:
     """Torsional stiffness K_zz [N m/rad] of Z struts that are pinned to both races.
 
-    Each strut contributes F' h^2 - F (R_i R_e cos beta - h^2)/l with h = R_i sin nu and the length
+    A strut with the force F = N/cos nu and the stiffness F' = k/cos^2 nu contributes
+    F' h^2 - F (R_i R_e cos beta - h^2)/l, with h = R_i sin nu and the length l of the strut,
     l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta. N [N] is the normal force of a sprag, k [N/m] its
-    slope.
+    contact stiffness.
 
     Without a force, K_zz is Z k d_t^2 with d_t = R_i tan nu:
 

@@ -29,7 +29,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Bending:
-    """Rotor divided into pieces: number `parts` for each segment.
+    """Rotor whose segments are divided into pieces; `parts` are their numbers.
 
     The pieces are so short that no clamped piece has a natural frequency in the range.
     """

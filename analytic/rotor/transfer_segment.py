@@ -28,8 +28,8 @@ def transfer(*, s: ArrayLike, b: ArrayLike, t: ArrayLike, at: ArrayLike = 1.0) -
     """Transfer matrix (..., 4, 4) of (r/l, phi, Q l²/EI, M l/EI) to `at` times the length.
 
     With p = (r, M) and o = (phi, Q), the state satisfies p' = B o, o' = C p, so that p'' = BC p and
-    o'' = CB o. By the Cayley-Hamilton theorem, cosh and sinh of a root of BC both have the form x +
-    y BC.
+    o'' = CB o. By the Cayley-Hamilton theorem, cosh and sinh of a root of BC both have the
+    form x + y BC.
 
     >>> float(transfer(s=0.0, b=0.0, t=0.0)[0, 3])  # r = M l²/2EI, a cantilever under a moment
     0.5

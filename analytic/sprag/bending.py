@@ -51,7 +51,7 @@ class Triangle(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Ends:
-    """Displacements of both ends of a column towards A [P/E'] and rotations [P/E' per length]."""
+    """Displacements of both column ends towards A [P/E'], and rotations [P/E' per length]."""
 
     moved: Pair
     turned: Pair

@@ -129,7 +129,7 @@ def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
 
 
 def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
-    """State at the rotation alpha [rad]; no load below the alpha of first contact at speed."""
+    """State at the rotation alpha [rad]; unloaded below alpha of first contact at speed."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
     start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)

@@ -43,7 +43,7 @@ def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
 
 
 def work(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Work [J] of both forces of one sprag on all deflections: U with N_e in place of N outside."""
+    """Work [J] of both forces of one sprag on all deflections, N inside and N_e outside."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))

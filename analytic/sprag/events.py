@@ -249,7 +249,7 @@ def engage_by_events(
     balanced: bool = False,
     rtol: float = 1e-9,
 ) -> Events:
-    """Engagement over `duration` [s]; SI units.
+    """Engagement over `duration` [s] with rolling as a constraint; SI units.
 
     It starts at rest under the energizing springs, except for the given `speeds`. With `unlimited`
     friction, the contacts always roll (assumption of Xu and Liu); `Events.asked` is then the

@@ -51,7 +51,7 @@ class Oscillation:
     k: float
 
     def undamped(self, dt: float, least: float = 0.0) -> "Engagement":
-        """Undamped engagement under a torque step, past the first peak, at least `least` [s]."""
+        """Undamped engagement under a torque step, computed for at least `least` [s]."""
         until = max(least, SWUNG / self.f)
         return self._run(Torque.step(self.T), until, dt)
 

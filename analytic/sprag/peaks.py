@@ -23,7 +23,7 @@ By = Literal["slices", "strips"]
 
 @dataclass(frozen=True, eq=False)
 class Peaks:
-    """Peak loads of n crowns (n, 3) under m torques [N m], at the inner contacts.
+    """Peak forces and pressures of n crowns (n, 3) under m torques [N m], at inner contacts.
 
     `N_max` [N] has the shape (n, m). `pressure` [Pa] contains the pressures of all slices or strips
     under N_max from one end to the other, (n, m, slices).

@@ -102,10 +102,10 @@ def reached(
 ) -> RaceSpring:
     """Clutch as a spring, up to the largest load of an engagement or to the end of the profile.
 
-    `made` returns a clutch whose contact laws are valid up to a force [N]. This force is doubled
-    from `N` until the elastic energy of the clutch exceeds the sum of the work of the torque `T` [N
-    m], the `kinetic` energy [J] of the races and the work of the energizing springs. Raises
-    ValueError if no force is sufficient.
+    `made` returns a clutch whose contact laws are valid up to a force [N]. Beginning with `N`, this
+    force is doubled until the elastic energy of the clutch exceeds the sum of the work of the
+    torque `T` [N m], the `kinetic` energy [J] of the races and the work of the energizing springs.
+    Raises ValueError if no force is sufficient.
     """
     for _ in range(LONGEST):
         found = made(N)

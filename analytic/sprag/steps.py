@@ -14,7 +14,7 @@ RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then b
 
 
 class LongStepError(ArithmeticError):
-    """Error: the energy balance is violated by more than a hundredth of the work done."""
+    """Error that the energy balance is violated by more than a hundredth of the work done."""
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
         self.enough = enough(table, motion, dt)

@@ -17,7 +17,7 @@ TRIALS = 20
 
 
 class NarrowBandError(ArithmeticError):
-    """Error: in one step, the sliding speed passed the whole band in which a contact may stick."""
+    """Error that the sliding speed passed the whole sticking band of a contact in one step."""
 
     def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
         self.change = change

@@ -73,7 +73,7 @@ def unit(
 ) -> Unit:
     r"""Pitch and compliances of a middle unit, by unit-load integrals over arc, leaf and arc.
 
-    `radius` is that of the centre line of the arcs. With the angle :math:`\beta` between the
+    `radius` is the radius of the centre line of the arcs. With the angle :math:`\beta` between the
     tangent of the arc and the axis, its points are at
 
     .. math:: x = p/2 - R\sin\beta, \quad y = L_1/2 + R\cos\beta, \quad 0 \le \beta \le \alpha

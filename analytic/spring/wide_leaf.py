@@ -40,7 +40,7 @@ SHAPE = (0.5, 0.75, 0.0, -0.25)  # of a beam, powers of xi
 
 
 def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int = TERMS) -> Any:
-    """Ratio [1] of a leaf's stiffness to a narrow leaf's, from 1 to 1/(1 - nu^2).
+    """Ratio [1] of the stiffness of a leaf to that of a narrow one, from 1 to 1/(1 - nu^2).
 
     Parameters
     ----------

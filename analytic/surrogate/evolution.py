@@ -18,7 +18,7 @@ SPREAD = 1e-8  # spread of the population's values over their mean at which the 
 
 
 def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
-    """Minimum found by differential evolution; the objective is evaluated at many points at once.
+    """Minimum found by differential evolution; the objective takes a whole population (n, d).
 
     Raises ArithmeticError if the population has not converged after 500 generations.
     """

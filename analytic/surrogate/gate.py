@@ -31,7 +31,7 @@ from analytic.contact.checks import Array
 
 
 class PoorSurrogateError(ArithmeticError):
-    """Error: the difference of surrogate and model exceeds the permissible limits."""
+    """Error that the difference of surrogate and model exceeds the permissible limits."""
 
 
 class Surrogate(Protocol):

@@ -29,7 +29,7 @@ def genetic(
     bits: int = 16,
     seed: int = 0,
 ) -> Found:
-    """Minimum found by a genetic algorithm; the objective is evaluated at (population, d) at once.
+    """Minimum found by a genetic algorithm; the objective takes a whole population (n, d).
 
     Raises ValueError if the population is odd or empty, there is no generation, a probability is
     outside [0, 1] or bits is outside 1 to 52.

@@ -12,7 +12,7 @@ from analytic.surrogate.found import Found, Objective
 
 
 class NoAgreementError(ArithmeticError):
-    """Error: surrogate and true model still differ after all rounds."""
+    """Error that surrogate and true model still differ after all rounds."""
 
 
 class Predicts(Protocol):

@@ -92,7 +92,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error 0 of the approach; the tolerance is e²/2 plus the coupling."""
+        """Expected error of the approach: zero, within e²/2 plus the coupling."""
         return Estimate(0.0, self.e**2 / 2 + self.coupled)
 
     @property
@@ -117,7 +117,7 @@ class InRace(TwoBodies):
 
     @property
     def small(self) -> float:
-        """Sum (a/R)² + (a/wall)²: orders of the effects of curvature and fixed rim."""
+        """Sum (a/R)² + (a/wall)²: size of the effects of curvature and fixed rim."""
         return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
 
     @property
@@ -137,7 +137,7 @@ class InRace(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error 0 of the approach; the tolerance is `small`/2 plus the coupling.
+        """Expected error of the approach: zero, within `small`/2 plus the coupling.
 
         The brackets of the approach are at least 2.
         """

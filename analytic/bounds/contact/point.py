@@ -19,7 +19,7 @@ def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
 
 
 def axis_shear(*, beyond: float) -> Estimate:
-    """Expected error 0 of the largest shear stress on the axis; the tolerance is a/R.
+    """Expected error of the largest shear stress on the axis: zero, within a/R.
 
     The pressure on the curved surface is inclined by r/R. On the axis, this adds the fraction a/R
     of p_0 to the shear stress.

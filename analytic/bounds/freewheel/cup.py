@@ -49,7 +49,7 @@ class Approaches:
 
 @dataclass(frozen=True)
 class Course:
-    """A course over N with approaches and torque times given factors."""
+    """Torque curve of a cup over N, with approaches and torque multiplied by factors."""
 
     cup: FreewheelParts
     approaches: Approaches
@@ -57,7 +57,7 @@ class Course:
 
     @cached_property
     def states(self) -> tuple[Array, Array, Array, Array]:
-        """N [N], both approaches [m], torque [N m], for all N with an angle."""
+        """Forces N [N], both approaches [m] and torques [N m] of all N with an equilibrium."""
         cup, (f_i, f_o, f_T) = self.cup, self.factors
         N = FARTHER * self.approaches.top * np.linspace(0, 1, POINTS) ** 3
         d_i, d_o = self.approaches.of(N)
@@ -73,7 +73,10 @@ class Course:
         return float(self.states[3].max())
 
     def at(self, T: float) -> dict[str, float]:
-        """N [N], alpha [rad], s [m], phi [rad] of rolling under a torque, or at the summit."""
+        """N [N], alpha [rad], s [m] and rolling phi [rad] under T [N m], by name.
+
+        If T exceeds the maximum torque, the values are those at the maximum.
+        """
         N, d_i, d_o, torque = self.states
         rising = slice(int(torque.argmax()) + 1)
         cup, now = self.cup, min(T, self.summit)
@@ -84,7 +87,7 @@ class Course:
         return {k: float(np.interp(now, torque[rising], v[rising])) for k, v in courses.items()}
 
     def force(self, psi: float) -> float:
-        """N [N] at which, with these approaches, the angle is psi [rad]."""
+        """Normal force N [N] at which the angle is psi [rad]."""
         N, d_i, d_o, _ = self.states
         return float(np.interp(-psi / 2, -self.cup.alpha(d_i=d_i, d_o=d_o), N))
 
@@ -143,9 +146,9 @@ class CupBounds:
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
-        """Interval of the error of phi.
+        """Interval of the error of the wind-up phi.
 
-        It contains rolling, tangential displacement at the contacts, and wind-up of shaft and cup.
+        phi contains rolling, tangential displacement at the contacts, and wind-up of shaft and cup.
         """
         cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
         wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)

@@ -31,8 +31,8 @@ def frequency(
 ) -> float:
     """Natural frequency [rad/s] of mode j at rest, by Timoshenko's equation.
 
-    The ratio W of its square to Euler's is a root of 1 - W (1 + e + e s) + s e^2 W^2 = 0. e = (k
-    i)^2, with the radius of gyration i of the section, is the effect of rotary inertia, and
+    The ratio W of its square to Euler's is a root of 1 - W (1 + e + e s) + s e^2 W^2 = 0.
+    e = (k i)^2, with the radius of gyration i of the section, is the effect of rotary inertia, and
     s = E/(kappa G) its increase by shear. `L` is the length between the supports, `d_o` and `d_i`
     [m] are the diameters.
     """

@@ -65,7 +65,7 @@ class Bounds:
 
     @property
     def P(self) -> float:
-        """Dimensionless force times length, N/(l E') [m]."""
+        """Normal force per length, divided by the modulus: N/(l E') [m]."""
         return self.N / (self.sizes.l * self.sizes.E_plane)
 
     def angle(self) -> Interval:
@@ -77,8 +77,8 @@ class Bounds:
     def tilted(self) -> float:
         """Bound of the rolling of the contacts over beta, as the moment T h/2 tilts thin walls.
 
-        The walls of thickness h are simply supported beams over a pitch L: the tilt is M L/(12 E'
-        I).
+        The walls of thickness h are simply supported beams over a pitch L: the tilt is
+        M L/(12 E' I).
         """
         q, at = self.sizes, self.at
         T = self.N * math.tan(float(at.nu)) / (q.l * q.E_plane)
