@@ -8,7 +8,7 @@ of two bodies are added.
 On the axis below an elliptic pressure, with S = sqrt(a² + z²),
 
 .. math:: \sigma_z = -\frac{p_0 a}{S}, \qquad
-          \sigma_x = -\frac{p_0}{a}\left(S + \frac{z^2}{S} - 2z\right),
+          \sigma_x = -\frac{p_0}{a}\left(S + \frac{z^2}{S} - 2z\right).
 
 The integral of the strain :math:`(\sigma_z - \nu'\sigma_x)/E'` has a closed form. E' and nu' are E
 and nu in plane stress, :math:`E/(1-\nu^2)` and :math:`\nu/(1-\nu)` in plane strain.

@@ -10,7 +10,7 @@ the stresses are
 .. math::
     \sigma_x + \sigma_z = -\frac{2 p_0}{a}\,\mathrm{Re}\,\Phi, \qquad
     \sigma_z - \sigma_x + 2 i \tau_{xz} = -\frac{2 p_0 z}{a}
-    \left(\mathrm{Im}\,\Phi' - i\,\mathrm{Re}\,\Phi'\right),
+    \left(\mathrm{Im}\,\Phi' - i\,\mathrm{Re}\,\Phi'\right).
 
 This is McEwen's solution (Johnson sec. 4.2, Eq. 4.49) without the cancellation error far from the
 contact. x runs along the surface from the middle of the contact, z into the body; tension is

@@ -22,7 +22,7 @@ the contact of the half spaces. Galin's integrals give the solution in closed fo
 .. math::
     P = \frac{4 E^* a^3}{3R}\left[1 - \frac{3\varepsilon}{2\pi}\right], \qquad
     p_0 = \frac{2 E^* a}{\pi R}\left[1 - \varepsilon\left(\frac{1}{2\pi} + \frac{\pi}{8}\right)
-    \right],
+    \right].
 
 Thus, under the same load, a exceeds Hertz's value by the fraction :math:`\varepsilon/2\pi`, and p_0
 is lower by the fraction :math:`\pi\varepsilon/8`. The neglected terms are of the order (a/R_i)²

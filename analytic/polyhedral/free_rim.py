@@ -8,7 +8,7 @@ With Kolosov's and Muskhelishvili's potentials [1]_
 The rim |zeta| = r_e is free of forces (f = 0) if and only if phi is continued across it by
 
 .. math:: \psi(\zeta) = -\overline{\phi}\!\left(\frac{r_e^2}{\zeta}\right)
-          - \frac{r_e^2}{\zeta}\,\phi'(\zeta),
+          - \frac{r_e^2}{\zeta}\,\phi'(\zeta).
 
 Thus, one potential remains, which is analytic in the ring and in its image beyond the rim
 (`basis`). Its coefficients follow from f on the bore by least squares; by symmetry, there are no

@@ -6,11 +6,11 @@ independent speeds u:
 
 .. math:: B^T M B\,\dot u = B^T (Q - M \dot B u), \qquad M\ddot q = Q + J^T T,
 
-M is the mass matrix of q = (theta_i, theta_e, phi, alpha); Q are the forces of springs, damping,
-torque and elastic deflection; J q' are the sliding speeds. The second equation gives the friction T
-that rolling requires. If T exceeds mu_s N, the contact begins to slide; at v = 0, it may roll
-again. After each such event, the combination of rolling and sliding contacts is chosen whose forces
-and accelerations are consistent. LSODA integrates between events.
+where M is the mass matrix of q = (theta_i, theta_e, phi, alpha); Q are the forces of springs,
+damping, torque and elastic deflection; J q' are the sliding speeds. The second equation gives the
+friction T that rolling requires. If T exceeds mu_s N, the contact begins to slide; at v = 0, it may
+roll again. After each such event, the combination of rolling and sliding contacts is chosen whose
+forces and accelerations are consistent. LSODA integrates between events.
 
 `transient.engage` solves the same equations in compiled fixed steps. The interpolation of the force
 over alpha in this module is independent of `transient`.

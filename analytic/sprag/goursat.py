@@ -4,13 +4,14 @@ Forces F and -F along AB act on the outline at A and B. The solution for one of 
 Flamant's. With the point z_0 of the force, Goursat's functions are
 
 .. math:: \varphi = -\frac{F}{2\pi}\ln(z - z_0), \qquad
-          \psi = \frac{\bar F}{2\pi}\ln(z - z_0) - \bar z_0\,\varphi' ,
+          \psi = \frac{\bar F}{2\pi}\ln(z - z_0) - \bar z_0\,\varphi'.
 
-These leave bounded tractions on the outline. Polynomials cancel these tractions in a least-squares
-sense: the resultant force must be constant along both sides of the outline between A and B,
+These potentials leave bounded tractions on the outline. Polynomials cancel these tractions in a
+least-squares sense: the resultant force must be constant along both sides of the outline between A
+and B,
 
 .. math:: \varphi + z\,\overline{\varphi'} + \overline{\psi} = \text{const}, \qquad
-          2G(u + iv) = \kappa\varphi - z\,\overline{\varphi'} - \overline{\psi} .
+          2G(u + iv) = \kappa\varphi - z\,\overline{\varphi'} - \overline{\psi}.
 
 The rotation omega of the body is given by 2G omega = (kappa + 1) Im phi'.
 

@@ -10,7 +10,7 @@ too coarse there.
 
 The columns are those of the equations of motion,
 
-    N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
+    N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha.
 
 W is the elastic energy of one sprag in the equations of motion. It equals U = \int N dH except for
 the terms that Eqs. 14-16 omit. The paper has one normal force, N_e = N_i = N. Then, the tangential

@@ -5,7 +5,7 @@ Hooke's law and the two equations of equilibrium are, with t = ln r,
 
 .. math::
     u' &= -\nu u - \nu m v + (1 - \nu^2) S, & S' &= u + m v + \nu S - m Q, \\
-    v' &= m u + v + 2 (1 + \nu) Q, & Q' &= m (u + m v + \nu S) - Q,
+    v' &= m u + v + 2 (1 + \nu) Q, & Q' &= m (u + m v + \nu S) - Q.
 
 Their coefficients are constant. Therefore, the matrix exponential gives the transfer from the
 clamped or free wall to the loaded wall. There, a pressure p causes :math:`u = C_m p r/E'`. For a
