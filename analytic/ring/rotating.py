@@ -1,7 +1,7 @@
 r"""Ring that rotates about its axis (hollow disc): stresses, displacement and strain energy.
 
-Both walls are free. With the constants E' and nu' (E and nu in plane stress, E/(1 - nu²) and nu/(1
-- nu) in plane strain), the stresses are
+Both walls are free. With the constants E' and nu' (E and nu in plane stress, E/(1 - nu²) and
+nu/(1 - nu) in plane strain), the stresses are
 
 .. math::
     \sigma_r &= \frac{3+\nu'}{8}\rho\omega^2

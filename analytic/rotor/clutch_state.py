@@ -32,8 +32,10 @@ def preload_twist(
 
     Raises
     ------
-    ValueError If a torque is not positive, or the offset not four finite numbers. ArithmeticError
-    If the twist does not converge to 1e-12 of the twist of a uniform clutch, or to round-off.
+    ValueError
+        If a torque is not positive, or the offset not four finite numbers.
+    ArithmeticError
+        If the twist does not converge to 1e-12 of the twist of a uniform clutch, or to round-off.
     """
     T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
     if not (np.isfinite(T).all() and (T > 0).all()):
