@@ -1,8 +1,8 @@
-"""Factors L L' of symmetric, positive definite matrices: CHOLMOD's supernodal method, from cvxopt.
+"""Factors L L' of symmetric, positive definite matrices by CHOLMOD's supernodal method.
 
-CHOLMOD returns its factor in a capsule with its structure `cholmod_factor`. The conversion by
-cvxopt (`cholmod.getfactor`) destroys this structure. Therefore, the last block of L is read from
-the structure, whose members are the same in CHOLMOD 1.7 to 5.
+cvxopt provides CHOLMOD. It returns its factor in a capsule with the structure `cholmod_factor`. The
+conversion by cvxopt (`cholmod.getfactor`) destroys this structure. Therefore the last block of L is
+read from the structure, whose members are the same in CHOLMOD 1.7 to 5.
 """
 
 import ctypes
@@ -24,11 +24,11 @@ _pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char
 
 
 class Cholesky:
-    """A = L L' of a symmetric, positive definite `A` (n, n).
+    """Factors A = L L' of a symmetric, positive definite `A` (n, n).
 
-    Only the lower triangle is used (of a csr_array, the upper triangle). Unknowns are eliminated in
-    their order; with `ordered` False, in an order that CHOLMOD chooses. ArithmeticError if `A` is
-    not positive definite.
+    Only the lower triangle is used (for a csr_array, the upper triangle). Unknowns are eliminated
+    in their order; with `ordered` False, CHOLMOD chooses the order. Raises ArithmeticError if `A`
+    is not positive definite.
 
     >>> factor = Cholesky(csc_array([[4.0, 2.0, 0.0], [2.0, 3.0, 1.0], [0.0, 1.0, 2.0]]))
     >>> factor.solve(np.array([8.0, 11.0, 8.0])).round(12)
@@ -49,7 +49,7 @@ class Cholesky:
         self._factorise()
 
     def renew(self, A: csc_array | csr_array) -> None:
-        """Take the factors of `A` instead, whose entries are in the same places and sorted."""
+        """Replace the factors by those of `A`, which must have the same sorted sparsity pattern."""
         self._lower.V = _lower(A)[0]
         self._factorise()
 
@@ -63,7 +63,7 @@ class Cholesky:
             ) from error
 
     def solve(self, b: Array) -> Array:
-        """A^-1 b of `b` (n,) or (n, k)."""
+        """Solution A^-1 b for `b` (n,) or (n, k)."""
         x = matrix(np.asarray(b, float))
         cholmod.solve(self._factor, x)
         return np.asarray(x).reshape(b.shape)
@@ -74,9 +74,9 @@ class Cholesky:
         return int(self._stored.xsize)
 
     def last_block(self, count: int) -> Array:
-        """The last block (count, count) of L, of unknowns that were eliminated in their order.
+        """Last block (count, count) of L, for unknowns that were eliminated in their order.
 
-        Its product with its transpose is A condensed to its last unknowns.
+        The product of the block with its transpose is A condensed to its last unknowns.
         """
         of, first = self._stored, self.n - count
         start, at, value_at = (
@@ -102,7 +102,7 @@ class Cholesky:
 
 
 class _Stored(ctypes.Structure):
-    """`cholmod_factor`, without the fields after its type."""
+    """Structure `cholmod_factor`, without the fields after its type."""
 
     _fields_ = (
         *((name, ctypes.c_size_t) for name in ("n", "minor")),

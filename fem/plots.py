@@ -1,7 +1,7 @@
-"""Pictures of solutions by matplotlib, which is imported when one is drawn.
+"""Plots of solutions with matplotlib, which is imported when a plot is drawn.
 
-`plot` is a function, not a method: the code of solution classes determines which stored results are
-valid.
+`plot` is a function, not a method, because the code of solution classes determines which stored
+results are valid.
 """
 
 from collections.abc import Callable
@@ -24,19 +24,20 @@ def plot(
     solution: Any, value: str = "", *, ax: "Axes | None" = None, scale: float = 1.0,
     node: int | None = None, elements: Any = None,
 ) -> "Axes":  # fmt: skip
-    """Draw a solution; the Axes, labelled in the units of the input ("as given").
+    """Draw a solution and return its Axes, labelled in the units of the input ("as given").
 
     - plane, axisymmetric and contact solutions: a field over the cells, `value` "von_mises" (the
       default), a stress "xx", "yy", "xy" or "zz" (hoop), or a displacement "x" or "y";
       "pressure" of a contact solution is the contact pressure along each slave surface
-    - frames: nodes at rest and with displacements times `scale`, joined where `elements`
+    - frames: undeformed nodes, and nodes with displacements times `scale`, connected if `elements`
       (m, 2 or 3) are given
     - a compressed line (`Curve`): force [N] over displacement [m]
     - modes: displacements across the axis over the node; a Campbell diagram: frequencies over
       speed [rad/s]; a response: the largest amplitude [m] of `node` over speed [rad/s]
 
-    ImportError without matplotlib, which `freewheel-verification[report]` has; TypeError for a
-    solution of another kind; ValueError for an unknown `value` and a response without `node`.
+    Raises ImportError without matplotlib, which `freewheel-verification[report]` contains;
+    TypeError for a solution of another kind; ValueError for an unknown `value`, and for a response
+    without `node`.
 
     >>> from fem.plane import Elastic, solve_plane
     >>> from skfem import MeshTri
@@ -70,7 +71,7 @@ def _plane(ax: Any, solution: Any, *, value: str, **_more: Any) -> None:
     moved = fields["displacement"][fields["cells"]].mean(axis=1)
     known |= dict(zip(MOVES, moved.T, strict=True))
     if value not in known:
-        raise ValueError(f"a value is one of {', '.join(known)}, got {value!r}")
+        raise ValueError(f"value must be one of {', '.join(known)}, got {value!r}")
     corners = PolyCollection(
         fields["points"][fields["cells"]], array=known[value], edgecolor="face"
     )
@@ -133,7 +134,7 @@ def _campbell(ax: Any, diagram: Any, **_more: Any) -> None:
 
 def _response(ax: Any, response: Any, *, node: int | None, **_more: Any) -> None:
     if node is None:
-        raise ValueError("a response is drawn at a node: give node=")
+        raise ValueError("the plot of a response requires a node: use node=")
     ax.plot(response.speeds, response.major(node))
     ax.set(xlabel="speed [rad/s]", ylabel=f"amplitude of node {node} [m]")
 

@@ -1,4 +1,4 @@
-"""Stiffness of a linear solution under one unit force, from its potential energy."""
+"""Stiffness of a linear solution under a unit force, from its potential energy."""
 
 from typing import Protocol
 
@@ -12,7 +12,7 @@ class Solved(Protocol):
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads."""
+        """Strain energy minus the work of the loads."""
         ...
 
     @property
@@ -24,7 +24,7 @@ class Solved(Protocol):
 def stiffness(solved: Solved) -> tuple[float, float]:
     """Stiffness [force/length] of a solution under a unit force, and its uncertainty by round-off.
 
-    The energy's error is the square of the displacements'.
+    The relative error of the energy is the square of the relative error of the displacements.
     """
     k = -1 / (2 * solved.potential_energy)
     return k, abs(k) * max(solved.residual, ROUND_OFF)  # shares of energy

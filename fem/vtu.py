@@ -1,4 +1,4 @@
-"""Solutions as VTU files for ParaView, by meshio, which is imported when one is written."""
+"""VTU files of solutions for ParaView, with meshio, which is imported when a file is written."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -13,25 +13,25 @@ CELLS = {2: "line", 3: "triangle", 4: "quad", 8: "hexahedron", 9: "quad9"}
 
 
 def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any = None) -> Path:
-    """Write a solution as VTU, lengths and stresses in the units of the input; the path.
+    """Write a solution as a VTU file, with lengths and stresses in input units; return the path.
 
-    Tensors have the six components XX, YY, ZZ, XY, YZ, XZ; values per cell are means over the
-    cell, weighted by volume or area.
+    Tensors have the six components XX, YY, ZZ, XY, YZ, XZ. Values per cell are means over the cell,
+    weighted by volume or area.
 
     - plane, axisymmetric and contact solutions: `displacement` at the vertices; `stress` and
       `von_mises` per cell. In a body of revolution x is the radius, y the axis, ZZ the hoop stress
-    - solids: the same in space
+    - solids: the same quantities in space
     - shells: `displacement` and `rotation` [rad] at the nodes; per cell the tensors
-      `membrane_stress` and `bending_stress` (on the face that the normals point to) and the
+      `membrane_stress` and `bending_stress` (on the face to which the normals point) and the
       vector `shear_stress`
-    - frames: `displacement` and `rotation` [rad] at the nodes; they need their `elements`
-      (m, 2 or 3), of which a line joins the ends
-    - modes of a `rotor`, which they need: its numbered nodes along z; for the k-th mode, from 1
-      on, the parts `mode_k_real` and `mode_k_imaginary` of the displacement
+    - frames: `displacement` and `rotation` [rad] at the nodes. The argument `elements` (m, 2 or 3)
+      is required; the ends of an element are connected by a line
+    - modes of a rotor. The argument `rotor` is required. Numbered nodes along z; for the k-th mode,
+      from 1, the parts `mode_k_real` and `mode_k_imaginary` of the displacement
 
-    ImportError without meshio, which `freewheel-verification[fem]` has; TypeError for a solution
-    of another kind; ValueError for a frame without elements, and for modes without their rotor;
-    OSError if it cannot be written.
+    Raises ImportError without meshio, which `freewheel-verification[fem]` contains; TypeError for a
+    solution of another kind; ValueError for a frame without elements, and for modes without their
+    rotor; OSError if the file cannot be written.
     """
     content = kind_of(solution, WRITTEN)
     try:
@@ -47,12 +47,12 @@ def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any 
 
 
 def kind_of(solution: object, known: Mapping[str, T]) -> T:
-    """What is known of the class of a solution, by its full name; none of them is imported."""
+    """Entry of `known` for the class of a solution, by its full name; no class is imported."""
     for cls in type(solution).__mro__:
         if found := known.get(f"{cls.__module__}.{cls.__qualname__}"):
             return found
     names = ", ".join(name.rpartition(".")[2] for name in known)
-    raise TypeError(f"a solution is one of {names}, got {type(solution).__name__}")
+    raise TypeError(f"a solution must be one of {names}, got {type(solution).__name__}")
 
 
 def _plane(solution: Any, **_more: Any) -> Content:
@@ -72,13 +72,13 @@ def _contact(solution: Any, **more: Any) -> Content:
 
 def _frame(solution: Any, *, elements: Any, **_more: Any) -> Content:
     if elements is None:
-        raise ValueError("the solution of a frame contains no elements: give elements=")
+        raise ValueError("the solution of a frame contains no elements: use elements=")
     fields = {"displacement": _in_space(solution.u[:, :2]), "rotation": solution.u[:, 2]}
     return _in_space(np.asarray(solution.points)), np.asarray(elements)[:, :2], fields, {}
 
 
 def _in_space(values: Array) -> Array:
-    """Plane vectors in space."""
+    """Plane vectors as vectors in space, with a third component of zero."""
     return np.column_stack([values, np.zeros(len(values))])
 
 

@@ -1,4 +1,4 @@
-"""Points, cells and fields of solutions in space, as a VTU file holds them."""
+"""Points, cells and fields of solutions in space, as contents of a VTU file."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ HEXAHEDRON = [  # the order of the corners in VTK
 
 
 def solid(solution: Any, **_more: Any) -> Content:
-    """Displacement at the vertices, mean stress of the cells."""
+    """Displacements at the vertices, and mean stresses of the cells."""
     mesh, cells = solution.mesh, solution.cells
     corners = [tuple(p) for p in mesh.elem.refdom.p.T.astype(int).tolist()]
     order = [corners.index(corner) for corner in HEXAHEDRON]
@@ -29,7 +29,7 @@ def solid(solution: Any, **_more: Any) -> Content:
 
 
 def shell(solution: Any, **_more: Any) -> Content:
-    """Displacement and rotation at the nodes, mean stresses of the cells."""
+    """Displacements and rotations at the nodes, and mean stresses of the cells."""
     from fem.shell.reference import POINTS, WEIGHTS, shapes
 
     slopes = np.einsum("qdi,mic->mqdc", shapes(POINTS).slopes, solution.points[solution.cells])
@@ -47,14 +47,15 @@ def shell(solution: Any, **_more: Any) -> Content:
 
 
 def modes(solution: Any, *, rotor: Any, **_more: Any) -> Content:
-    """Displacements of the numbered nodes of a rotor, whose neighbours on a shaft are joined."""
+    """Displacements of the numbered nodes of a rotor, connected along each shaft."""
     if rotor is None:
-        raise ValueError("modes contain no positions of nodes: give rotor=")
+        raise ValueError("modes contain no positions of nodes: use rotor=")
     z, shaft = rotor.z, rotor.shaft_of
     inner = sum(len(s.elements) for s in rotor.shafts) * (rotor.refine - 1)
     if solution.shapes.shape[1] != z.size + inner:
         raise ValueError(
-            f"the modes have {solution.shapes.shape[1]} nodes, the rotor has {z.size + inner}"
+            f"the modes must belong to the rotor, but have {solution.shapes.shape[1]} nodes; the "
+            f"rotor has {z.size + inner}"
         )
     first = np.flatnonzero(shaft[1:] == shaft[:-1])
     fields: dict[str, Array] = {}
@@ -65,13 +66,13 @@ def modes(solution: Any, *, rotor: Any, **_more: Any) -> Content:
 
 
 def _means(values: Array, weight: Array) -> Array:
-    """Means of `values` (m, points, ...) over each cell, by `weight` (m, points)."""
+    """Means of `values` (m, points, ...) over each cell, weighted by `weight` (m, points)."""
     total: Array = np.einsum("mq...,mq->m...", values, weight)
     return total / weight.sum(axis=1).reshape(-1, *[1] * (total.ndim - 1))
 
 
 def _six(tensors: Array) -> Array:
-    """The six components (m, 6) of symmetric tensors (m, 3, 3)."""
+    """Components (m, 6) XX, YY, ZZ, XY, YZ, XZ of symmetric tensors (m, 3, 3)."""
     return tensors[:, ROWS, COLUMNS]
 
 

@@ -1,6 +1,6 @@
 """Linear shells on nine-node quadrilaterals in space.
 
-Any consistent units.
+All units must be consistent.
 """
 
 from fem.public import lazily

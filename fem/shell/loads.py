@@ -1,4 +1,4 @@
-"""Loads on a shell: pressure, forces per area, per length of an edge, and on nodes."""
+"""Loads on a shell: pressures, forces per area, forces per length of an edge, nodal forces."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -29,7 +29,7 @@ def edge_average(points: Array, edges: Indices, values: Array) -> Array:
 
 
 def edge_forces(points: Array, boundaries: Boundaries, loads: Mapping[str, Vector]) -> Array:
-    """Nodal forces (nodes, 6) of forces per length along named edges."""
+    """Nodal forces (nodes, 6) from forces per length along named edges."""
     f = np.zeros((len(points), 6))
     for name, load in loads.items():
         nodes_of(name, boundaries, len(points))
@@ -47,7 +47,7 @@ def area_forces(
     pressures: Pressure | Mapping[str, Pressure],
     surface_loads: Vector | Mapping[str, Vector],
 ) -> Array:
-    """Nodal forces (nodes, 6) of pressures along the normals and forces per area."""
+    """Nodal forces (nodes, 6) from pressures along the normals and from forces per area."""
     at = Frame.of(points[cells], POINTS)
     x = np.einsum("qi,mic->mqc", at.N, points[cells])
     density = np.zeros_like(x)
@@ -63,23 +63,23 @@ def area_forces(
 
 
 def node_forces(count: int, loads: Mapping[int, Any]) -> Array:
-    """Forces and couples (nodes, 6) given node by node."""
+    """Forces and couples (nodes, 6) from loads given for single nodes."""
     f = np.zeros((count, 6))
     for node, load in loads.items():
         nodes_of(node, {}, count)
         if np.shape(load) != (6,):
-            raise ValueError(f"node {node}: a load needs 3 forces and 3 couples, got {load}")
+            raise ValueError(f"node {node}: a load must have 3 forces and 3 couples, got {load}")
         f[node] += load
     return f
 
 
 def _vectors(load: Vector, at: Array, name: str) -> Array:
-    """Values (..., 3) of a constant or a function at points (..., 3)."""
+    """Values (..., 3) of a constant load or a load function at points (..., 3)."""
     value = np.asarray(load(np.moveaxis(at, -1, 0)) if callable(load) else load, float)
     if callable(load):
         value = np.moveaxis(value, 0, -1)
     if value.shape[-1:] != (3,):
-        raise ValueError(f"{name!r}: a load has three components, got {value.shape}")
+        raise ValueError(f"{name!r}: a load must have three components, got {value.shape}")
     return np.broadcast_to(value, at.shape)
 
 

@@ -1,8 +1,9 @@
 """Nine-node quadrilateral on the unit square: shape functions, Gauss points, tying points.
 
-Corners, middles of the edges, centre, in the order of scikit-fem and gmsh. Strains of a
-displacement along one direction are evaluated at the two Gauss points of this direction, at which
-those of thin shells can vanish, and at all three of the other direction (MITC9).
+The nodes are corners, middles of the edges and centre, in the order of scikit-fem and gmsh. Strains
+of a displacement along one direction are evaluated at the two Gauss points of this direction, where
+the strains of thin shells can be zero, and at all three Gauss points of the other direction
+(MITC9).
 
 References
 ----------
@@ -23,25 +24,25 @@ NODES = 9
 
 
 class Shapes(NamedTuple):
-    """Values `N` (points, 9) and `slopes` (points, 2, 9)."""
+    """Values `N` (points, 9) and derivatives `slopes` (points, 2, 9) of shape functions."""
 
     N: Array
     slopes: Array
 
 
 def gauss(count: int) -> tuple[Array, Array]:
-    """Points and weights on [0, 1]."""
+    """Gauss points and weights on [0, 1]."""
     x, w = np.polynomial.legendre.leggauss(count)
     return (x + 1) / 2, w / 2
 
 
 def grid(first: Array, second: Array) -> Array:
-    """Points (2, k) of a tensor grid, the second coordinate running fastest."""
+    """Points (2, k) of a tensor grid; the second coordinate runs fastest."""
     return np.array([a.ravel() for a in np.meshgrid(first, second, indexing="ij")])
 
 
 def shapes(X: Array) -> Shapes:
-    """Shape functions of all nodes at points X (2, k) of the unit square."""
+    """Shape functions of all nodes at the points X (2, k) of the unit square."""
     element = ElementQuad2()
     each: list[Any] = [element.lbasis(X, i) for i in range(NODES)]
     slopes = np.array([slope for _, slope in each]).transpose(2, 1, 0)

@@ -1,4 +1,4 @@
-"""Results of a solved shell."""
+"""Solution of a shell problem."""
 
 from dataclasses import dataclass
 
@@ -12,13 +12,14 @@ from fem.shell.supports import Boundaries, nodes_of
 
 @dataclass(frozen=True)
 class ShellSolution:
-    """A solved shell.
+    """Solution of a shell problem.
 
-    `u` and `rotation` (nodes, 3); `f` and `reactions` (nodes, 6): forces and couples of the loads
-    and of the supports (including ties), round-off at free nodes. `resultants` (cells, 9, 8) at the
-    Gauss points: membrane forces [force/length], moments [force], shear forces [force/length] in
-    the directions of the unit `tangents` (cells, 9, 2, 3). `residual` is the share of the energy in
-    the last correction of the solver, the square of a relative displacement.
+    `u` and `rotation` are (nodes, 3). `f` and `reactions` (nodes, 6) are forces and couples of the
+    loads and of the supports (including ties); at free nodes, the reactions are round-off.
+    `resultants` (cells, 9, 8) at the Gauss points are membrane forces [force/length], moments
+    [force] and shear forces [force/length] in the directions of the unit `tangents` (cells, 9, 2,
+    3). `residual` is the energy of the solver's last correction relative to the total energy, which
+    is the square of a relative displacement.
     """
 
     points: Array
@@ -36,10 +37,11 @@ class ShellSolution:
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads [force x length].
+        """Strain energy minus the work of the loads [force x length].
 
-        Stationary at the solution: an error of u has a squared effect. Under loads alone, it is
-        minus half their work: compliance = -2 x this / force^2.
+        It is stationary at the solution: an error of u has a squared effect. Without prescribed
+        displacements, it is minus half the work of the loads; the compliance is then -2 x potential
+        energy / force^2.
         """
         return (
             self.strain_energy
@@ -54,19 +56,22 @@ class ShellSolution:
 
     @property
     def membrane_stress(self) -> Array:
-        """Tensors (cells, 9, 3, 3) in space, constant through the thickness."""
+        """Membrane stress tensors (cells, 9, 3, 3) in space, constant through the thickness."""
         return self._in_space(self.resultants[..., MEMBRANE] / self.thickness[:, None, None])
 
     @property
     def bending_stress(self) -> Array:
-        """Tensors (cells, 9, 3, 3) on the face that the normals point to; minus that opposite."""
+        """Bending stress tensors (cells, 9, 3, 3) on the face to which the normals point.
+
+        The stresses on the opposite face have the opposite sign.
+        """
         return self._in_space(
             6 * self.resultants[..., BENDING] / self.thickness[:, None, None] ** 2
         )
 
     @property
     def shear_stress(self) -> Array:
-        """Vectors (cells, 9, 3) in the surface, averages over the thickness."""
+        """Mean shear stress vectors (cells, 9, 3) in the surface, averaged over the thickness."""
         mean = self.resultants[..., SHEAR] / self.thickness[:, None, None]
         return np.asarray(np.einsum("mqi,mqic->mqc", mean, self.tangents))
 
@@ -82,7 +87,7 @@ class ShellSolution:
         return edge_average(self.points, np.asarray(self.boundaries[boundary]), values)
 
     def reaction(self, where: str | int) -> Array:
-        """Force and couple about the origin (6,) that hold a boundary or node."""
+        """Support force and couple about the origin (6,) on a boundary or a node."""
         nodes = nodes_of(where, self.boundaries, len(self.points))
         force, couple = self.reactions[nodes, :3], self.reactions[nodes, 3:]
         return np.concatenate([

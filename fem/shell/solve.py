@@ -1,4 +1,4 @@
-"""Linear shells in space: nine-node quadrilaterals, loads and all by name.
+"""Linear shells in space with nine-node quadrilaterals, with loads by name.
 
 solve_shell(points, cells, thickness=0.25, materials=Elastic(E=4.32e8, nu=0.0),
             boundaries=mesh.boundaries, supports={"diaphragm": "xy", "symmetry": "zab"},
@@ -47,44 +47,45 @@ def solve_shell(
     surface_loads: Vector | Mapping[str, Vector] = (0.0, 0.0, 0.0),
     loads: Mapping[int, Any] | None = None,
 ) -> ShellSolution:
-    """Solve for displacements and rotations of a thin shell; folds and branches are allowed.
+    """Solve for displacements and rotations of a thin shell. Folds and branches are permitted.
 
     Parameters
     ----------
     points, cells
-        Nodes (n, 3) and (m, 9): four corners, middles of the edges between them, centre.
+        Nodes (n, 3), and cells (m, 9): four corners, middles of the edges between them, centre.
     thickness, materials
-        One for all cells, or by body.
+        One value for all cells, or one value for each body.
     supports
-        Boundary name or node number to components: x, y, z displacements, a, b, c rotations about
-        x, y, z; "xyzabc" is clamped, a mapping such as {"x": 1e-3} prescribes.
+        For each boundary name or node number, the components: x, y, z (displacements) and a, b, c
+        (rotations about x, y, z). "xyzabc" is clamped; a mapping such as {"x": 1e-3} prescribes
+        values.
     boundaries, bodies
-        Edges (k, 3) of two ends and the middle, and cells, by name.
+        Edges (k, 3), each with two ends and the middle, and cells, by name.
     ties
-        Boundary name to components that all its nodes share: "x" for a rigid line that moves
-        along x. If one of them is supported, all of them are.
+        For each boundary name, components that are equal at all its nodes: "x" for a rigid line
+        that moves along x. If one of the nodes is supported, all of them are.
     edge_loads
-        Boundary name to force per length; three numbers or f(x) of points (3, ...).
+        For each boundary name, the force per length: three numbers, or f(x) of points (3, ...).
     pressures, surface_loads
-        Along the cells' normals (right-handed about their corners), and force per area; for all
-        cells or by body.
+        Pressure along the normals of the cells (right-handed about their corners), and force per
+        area; for all cells or by body.
     loads
-        Node to three forces and three couples.
+        For each node, three forces and three couples.
 
     Raises
     ------
     ValueError
-        For unknown names, missing thickness or material, folded cells, contradicting supports and
-        rigid motions.
+        For unknown names, missing thickness or material, folded cells, supports that contradict
+        each other, or possible rigid motions.
     ArithmeticError
-        If the last correction of the linear solver contains more than 1e-12 of the energy.
+        If the energy of the last correction of the linear solver is above 1e-12 of the total.
     """
     points, cells = np.asarray(points, float), np.asarray(cells, int)
     _check_mesh(points, cells)
     boundaries, bodies = boundaries or {}, bodies or {}
     t = np.array(_by_cell(len(cells), thickness, bodies, "thickness"), float)
     if not np.all((t > 0) & np.isfinite(t)):
-        raise ValueError(f"thickness must be positive, got {t[~(t > 0)][0]:g}")
+        raise ValueError(f"thickness must be positive and finite, got {t[~(t > 0)][0]:g}")
     chosen = _by_cell(len(cells), materials, bodies, "material")
     held = held_values(supports, boundaries, len(points))
     pairs = tied_unknowns(ties or {}, boundaries, len(points))
@@ -110,13 +111,15 @@ def solve_shell(
 
 def _check_mesh(points: Array, cells: Indices) -> None:
     if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
-        raise ValueError(f"points need three finite coordinates each, got shape {points.shape}")
+        raise ValueError(
+            f"points must have three finite coordinates each, got shape {points.shape}"
+        )
     if cells.ndim != 2 or cells.shape[1] != NODES or not len(cells):
-        raise ValueError(f"cells need nine nodes each, got shape {cells.shape}")
+        raise ValueError(f"cells must have nine nodes each, got shape {cells.shape}")
     if cells.min() < 0 or cells.max() >= len(points):
         raise ValueError(f"no node {cells.max()}: the shell has nodes 0 to {len(points) - 1}")
     if (idle := np.setdiff1d(np.arange(len(points)), cells)).size:
-        raise ValueError(f"node {idle[0]} belongs to no cell")
+        raise ValueError(f"every node must belong to a cell, but node {idle[0]} does not")
 
 
 def _by_cell(count: int, values: Any, bodies: Mapping[str, Indices], what: str) -> list[Any]:
@@ -129,7 +132,7 @@ def _by_cell(count: int, values: Any, bodies: Mapping[str, Indices], what: str) 
         for i in bodies[name]:
             found[int(i)] = value
     if missing := sum(value is None for value in found):
-        raise ValueError(f"{missing} of {count} cells have no {what}")
+        raise ValueError(f"every cell needs a value, but {missing} of {count} cells have no {what}")
     return found
 
 
@@ -137,8 +140,9 @@ def _solve(B, D, area, dofs, f, u, number):
     """Solve for the unknowns that `number` marks as free, from prescribed values `u`.
 
     Returns u, stress resultants, strain energy, internal forces and the relative energy of the last
-    correction. The strains are sums over the corrections, each with full precision: strains of the
-    total displacement would have the round-off of the large rigid motion of slender shells.
+    correction. The strains are sums over the corrections, each with full precision. Strains
+    calculated from the total displacement would contain the round-off of the large rigid motion of
+    slender shells.
     """
     K, free = _assemble(B, D, area, dofs, number), number >= 0
     factor = _factor(K)
@@ -160,15 +164,15 @@ def _solve(B, D, area, dofs, f, u, number):
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solver did not converge: the last correction contains {change:.1e} "
-            f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
+            f"the linear solver did not converge: the energy of the last correction is "
+            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
         )
     resultants, energy, internal = _forces(B, D, area, dofs, strained, f.size)
     return u, resultants, energy, internal, change
 
 
 def _assemble(B, D, area, dofs, number):
-    """Stiffness of the free unknowns; tied unknowns are added in their common row."""
+    """Stiffness of the free unknowns; rows of tied unknowns are added to one common row."""
     weighted = np.einsum("mst,mqtv,mq->mqsv", D, B, area, optimize=True)
     m, q, s, n = B.shape
     k = B.reshape(m, q * s, n).transpose(0, 2, 1) @ weighted.reshape(m, q * s, n)
@@ -180,7 +184,7 @@ def _assemble(B, D, area, dofs, number):
 
 
 def _factor(K):
-    """Solver of the symmetric, positive definite K."""
+    """Function that solves K x = residual for the symmetric, positive definite K."""
     if not K.shape[0]:
         return lambda residual: residual
     return Cholesky(K, ordered=False).solve

@@ -1,10 +1,10 @@
 r"""Strains of a shell with six unknowns per node: displacement u and rotation θ in space.
 
-With the tangents a_α = ∂x/∂ξ_α and the normal n of the quadratic surface the vectors
+With the tangents a_α = ∂x/∂ξ_α and the normal n of the quadratic surface, the vectors
 
 .. math:: e_\alpha = u_{,\alpha} - \theta\times a_\alpha, \qquad k_\alpha = \theta_{,\alpha}
 
-vanish in every rigid motion. From them
+are zero in every rigid motion. From these vectors
 
 .. math:: \varepsilon_{\alpha\beta} = \tfrac12 (a_\alpha\cdot e_\beta + a_\beta\cdot e_\alpha),
    \quad \gamma_\alpha = n\cdot e_\alpha,
@@ -12,11 +12,12 @@ vanish in every rigid motion. From them
    = \tfrac12 (a_\alpha\cdot k_\beta\times n + a_\beta\cdot k_\alpha\times n)
 
 are the membrane strains, the shear strains and the curvatures, as in the first-order theory of
-Sanders and Koiter, in which n moves with u; along a strip, they are those of a Timoshenko beam. The
-last strain, ω = (a_2·e_1 - a_1·e_2)/2 over the area, is the difference between θ·n and the rotation
-of the surface in its plane. It is zero in the exact solution for any stiffness assigned to it. This
-stiffness is the shear modulus at the tying points, and as small as that of bending between them: a
-larger value would lock thin curved shells, a smaller one would leave θ·n free in flat shells.
+Sanders and Koiter, in which n moves with u. Along a strip, they are those of a Timoshenko beam. The
+last strain, ω = (a_2·e_1 - a_1·e_2)/2 divided by the area, is the difference between θ·n and the
+rotation of the surface in its plane. It is zero in the exact solution for any stiffness assigned to
+it. This stiffness is the shear modulus at the tying points, and as small as the bending stiffness
+between them. A larger value would cause locking of thin curved shells. A smaller value would leave
+θ·n free in flat shells.
 """
 
 from dataclasses import dataclass
@@ -34,9 +35,10 @@ FLAT_OUT = 1e-6  # area at a Gauss point over the cell's mean, below which it co
 
 @dataclass(frozen=True)
 class Frame:
-    """Points of all cells: derivatives (k, 2, 9) of the shape functions, values `N` (k, 9).
+    """Geometry at points of all cells, and shape functions.
 
-    Tangents `a` (m, k, 2, 3), unit normal `n` (m, k, 3) and area per reference area (m, k).
+    `N` (k, 9) are shape functions, `slopes` (k, 2, 9) their derivatives. Tangents `a` (m, k, 2, 3),
+    unit normals `n` (m, k, 3), and area per reference area (m, k).
     """
 
     N: Array
@@ -47,7 +49,7 @@ class Frame:
 
     @classmethod
     def of(cls, corners: Array, X: Array) -> "Frame":
-        """At points X (2, k) of cells with nodes at `corners` (m, 9, 3)."""
+        """Geometry at the points X (2, k) of cells with nodes at `corners` (m, 9, 3)."""
         N, slopes = shapes(X)
         a = np.einsum("kai,mic->mkac", slopes, corners)
         normal = np.cross(a[:, :, 0], a[:, :, 1])
@@ -55,7 +57,7 @@ class Frame:
         return cls(N, slopes, a, normal / np.maximum(area, 1e-300)[..., None], area)
 
     def along(self, alpha: int, c: Array) -> Array:
-        """c·e_α (m, k, 54) for vectors c (m, k, 3)."""
+        """Rows c·e_α (m, k, 54) for the vectors c (m, k, 3)."""
         B = np.empty((*c.shape[:2], NODES, 6))
         B[..., :3] = self.slopes[None, :, alpha, :, None] * c[:, :, None]
         turned = np.cross(c, self.a[:, :, alpha])  # c·(-θ x a) = θ·(c x a)
@@ -72,10 +74,10 @@ class Frame:
 
 
 def operator(corners: Array) -> tuple[Array, Array, Array]:
-    """B (m, 9, 10, 54) of all strains at the Gauss points, areas (m, 9), tangents (m, 9, 2, 3).
+    """Matrix B (m, 9, 10, 54) of strains at the Gauss points, areas (m, 9), tangents (m, 9, 2, 3).
 
-    Rows: ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the unit tangents' frame. Raises
-    ValueError for folded cells.
+    The rows are ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the directions of the unit
+    tangents. Raises ValueError for folded cells.
     """
     at = Frame.of(corners, POINTS)
     _check_folds(at)
@@ -90,18 +92,21 @@ def operator(corners: Array) -> tuple[Array, Array, Array]:
 
 
 def _check_folds(at: Frame) -> None:
-    """ValueError if the normals of a cell reverse, or if it has no area."""
+    """Raise ValueError if the normals of a cell reverse, or if a cell has no area."""
     mean = np.einsum("mk,mkc->mc", at.area, at.n)
     upright = np.einsum("mkc,mc->mk", at.n, mean).min(axis=1)
     bad = (upright <= 0) | (at.area.min(axis=1) <= FLAT_OUT * at.area.mean(axis=1))
     if bad.any():
-        raise ValueError(f"cell {np.argmax(bad)} is folded or has no area")
+        raise ValueError(
+            f"cell {np.argmax(bad)} is folded or has no area: correct the order or position of its "
+            "nodes"
+        )
 
 
 def _in_plane(corners: Array, s: Array, B: Array) -> Array:
-    """Membrane, shear and drilling strains from their tying points; returns the tied ε_12.
+    """Membrane, shear and drilling strains from their tying points, written to `B`.
 
-    s[:, :, α, i] is ξ_α's slope along the unit tangent i.
+    Returns the tied ε_12. s[:, :, α, i] is the derivative of ξ_α along the unit tangent i.
     """
     first, second, both = (Frame.of(corners, X) for X in TYING)
     one, two, mixed = TO_POINTS
@@ -126,7 +131,7 @@ def _in_plane(corners: Array, s: Array, B: Array) -> Array:
 
 
 def _along_tangents(s: Array, e12: Array) -> Array:
-    """ε11, ε22 and 2 ε12 (m, q, 3, 54) along the unit tangents of a covariant ε_12."""
+    """Strains ε11, ε22 and 2 ε12 (m, q, 3, 54) along unit tangents, from a covariant ε_12."""
     return np.stack(
         [
             2 * s[:, :, 0, 0] * s[:, :, 1, 0] * e12,
@@ -140,7 +145,7 @@ def _along_tangents(s: Array, e12: Array) -> Array:
 def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
     """Add to the membrane strains the cell mean of the part of ε_12 that tying removed.
 
-    This mean is zero in parallelograms; other flat cells pass the patch test only with it.
+    This mean is zero in parallelograms. All other flat cells pass the patch test only with it.
     """
     mean = np.einsum("mq,mqsu->msu", area, _along_tangents(s, lost), optimize=True)
     B[:, :, MEMBRANE] += (mean / area.sum(axis=1)[:, None, None])[:, None]
@@ -157,7 +162,7 @@ def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
 
 
 def moduli(E: Array, nu: Array, thickness: Array, area: Array) -> Array:
-    """Stiffness (m, 10, 10) of cells of that area (m,) against the strains of `operator`.
+    """Stiffness (m, 10, 10) of cells of given `area` (m,) for the strains of `operator`.
 
     The cells are in plane stress.
     """
@@ -176,5 +181,5 @@ def moduli(E: Array, nu: Array, thickness: Array, area: Array) -> Array:
 
 
 def unknowns(cells: Indices) -> Indices:
-    """Numbers (m, 54) of the cells' unknowns, six a node."""
+    """Numbers (m, 54) of the unknowns of the cells, six per node."""
     return (6 * cells[:, :, None] + np.arange(6)).reshape(len(cells), UNKNOWNS)

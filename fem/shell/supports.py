@@ -1,4 +1,4 @@
-"""Supports of a shell: nodes by name, tied components of boundaries, free rigid motions."""
+"""Supports of a shell: nodes by name, tied components of boundaries, check of rigid motions."""
 
 from collections.abc import Mapping, Sequence
 
@@ -15,7 +15,7 @@ Named = Mapping[str | int, Support]
 
 
 def nodes_of(where: str | int, boundaries: Boundaries, count: int) -> Indices:
-    """Nodes of a boundary by name, or the node of a number."""
+    """Nodes of a boundary given by name, or the node with a given number."""
     if isinstance(where, str):
         if where not in boundaries:
             known = ", ".join(boundaries) or "none"
@@ -27,32 +27,32 @@ def nodes_of(where: str | int, boundaries: Boundaries, count: int) -> Indices:
 
 
 def place(component: str, where: str | int) -> int:
-    """Number of a component among the six of a node."""
+    """Position of a component among the six components of a node."""
     if component not in COMPONENTS or len(component) != 1:
         at = f"boundary {where!r}" if isinstance(where, str) else f"node {where}"
-        raise ValueError(f"{at}: components are x, y, z, a, b, c, got {component!r}")
+        raise ValueError(f"{at}: components must be x, y, z, a, b or c, got {component!r}")
     return COMPONENTS.index(component)
 
 
 def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
-    """Prescribed values (6 count,), NaN if free; ValueError if two values differ."""
+    """Prescribed values (6 count,), NaN if free. Raises ValueError if two values differ."""
     values = np.full((count, 6), np.nan)
     for where, support in supports.items():
         nodes = nodes_of(where, boundaries, count)
         items = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
         for component, value in items.items():
             if not np.isfinite(value):
-                raise ValueError(f"{where!r}: {component} must be held at a number, got {value}")
+                raise ValueError(f"{where!r}: the value of {component} must be finite, got {value}")
             column = place(component, where)
             before = values[nodes, column]
             if np.any(before[~np.isnan(before)] != value):
-                raise ValueError(f"{where!r}: {component} is held at another value already")
+                raise ValueError(f"{where!r}: {component} is already prescribed with another value")
             values[nodes, column] = value
     return values.ravel()
 
 
 def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -> Indices:
-    """Pairs (2, k) of equal unknowns: `ties` states components that are common to a boundary."""
+    """Pairs (2, k) of equal unknowns; `ties` states the equal components of each boundary."""
     pairs = [np.empty((2, 0), int)]
     for name, components in ties.items():
         nodes = nodes_of(name, boundaries, count)
@@ -63,9 +63,10 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """Number of the free unknown for each (6 nodes,), -1 if supported; and the support of each.
+    """Number of the free unknown for each unknown (6 nodes,), and prescribed values.
 
-    If one of several tied unknowns is supported, all of them are.
+    The number is -1 for a supported unknown. If one of several tied unknowns is supported, all of
+    them are.
     """
     graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))
     groups, group = connected_components(graph, directed=False)
@@ -74,7 +75,9 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
     value[group[fixed]] = held[fixed]
     if np.any(differ := value[group[fixed]] != held[fixed]):
         node, column = divmod(int(np.flatnonzero(fixed)[differ][0]), 6)
-        raise ValueError(f"node {node}: {COMPONENTS[column]} is tied to one with another value")
+        raise ValueError(
+            f"node {node}: {COMPONENTS[column]} is tied to a node with another prescribed value"
+        )
     free = np.isnan(value)
     number = np.full(groups, -1)
     number[free] = np.arange(free.sum())
@@ -82,7 +85,7 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
 
 
 def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indices) -> None:
-    """ValueError if a connected part of the shell can move rigidly."""
+    """Raise ValueError if a connected part of the shell can move rigidly."""
     count = len(points)
     first = np.repeat(cells[:, :1], cells.shape[1], axis=1).ravel()
     ends = np.hstack([np.array([first, cells.ravel()]), pairs // 6])
@@ -105,7 +108,7 @@ def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indic
 
 
 def _rigid_modes(points: Array) -> Array:
-    """Displacements and rotations (nodes, 6, 6 modes), rotations about the middle."""
+    """Displacements and rotations (nodes, 6, 6 modes) of rigid motions about the middle."""
     at = points - points.mean(axis=0)
     at = at / max(np.ptp(at, axis=0).max(), 1e-300)
     modes = np.tile(np.eye(6), (len(at), 1, 1))

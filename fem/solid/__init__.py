@@ -1,6 +1,6 @@
 """Linear elasticity in space on meshes of hexahedra.
 
-Any consistent units.
+All units must be consistent.
 """
 
 from fem.public import lazily

@@ -1,4 +1,4 @@
-"""Stiffness and internal forces of all cells in space at once.
+"""Stiffness and internal forces of all cells in space, computed together.
 
 The form is a(u, v) = int sigma(u) : eps(v), sigma(u) = lambda tr(eps(u)) I + 2 mu eps(u). With
 shape functions N_a, N_b, components i, j and M[a i, b j] = int d_i N_a d_j N_b,
@@ -22,9 +22,9 @@ BLOCK = 128  # cells whose matrices fit the processor's cache together
 class Cells:
     """Isotropic cells in space; node a has the unknowns 3 a to 3 a + 2.
 
-    `slope` (m, 3 points, n) holds d_i N at the quadrature points, point by point i = x, y, z; `N`
-    (points, n) the shape functions there; `dx` (m, points) the weights; `nodes` (m, n) the nodes;
-    `lam`, `mu` (m,) Lamé's constants [stress]; `count` is the number of nodes.
+    `slope` (m, 3 points, n) contains d_i N at the quadrature points: point by point, i = x, y, z.
+    `N` (points, n) are the shape functions at these points, `dx` (m, points) the weights, `nodes`
+    (m, n) the nodes, `lam` and `mu` (m,) Lamé's constants [stress]. `count` is the number of nodes.
     """
 
     slope: Array
@@ -37,7 +37,7 @@ class Cells:
 
     @classmethod
     def of(cls, mesh: Mesh3D, lam: Array, mu: Array, points: tuple[int, int, int]) -> "Cells":
-        """The cells of `mesh`, with `points` of Gauss along each reference direction."""
+        """Cells of `mesh`, with `points` Gauss points along each reference direction."""
         X, weight = cube_rule(points)
         J, det = jacobians(mesh, X)
         N, slope = shapes(mesh.elem(), X)
@@ -54,7 +54,7 @@ class Cells:
         )
 
     def stiffness(self) -> csr_array:
-        """K (unknowns, unknowns) of a(u, v) = v . K u."""
+        """Stiffness K (unknowns, unknowns) of a(u, v) = v . K u."""
         m, n = self.nodes.shape
         K = np.empty((3, 3, m, n, n))
         for start in range(0, m, BLOCK):
@@ -71,7 +71,7 @@ class Cells:
         return bsr_array((data, columns, ends), shape=shape).tocsr()
 
     def _stiffness(self, block: slice) -> Array:
-        """K[a i, b j] (cells, n, 3, n, 3) of the cells in `block`."""
+        """Stiffness K[a i, b j] (cells, n, 3, n, 3) of the cells in `block`."""
         slope, dx = self.slope[block], self.dx[block]
         m, rows, n = slope.shape
         g = slope.reshape(m, rows // 3, 3, n).swapaxes(2, 3).reshape(m, rows // 3, 3 * n)
@@ -84,7 +84,7 @@ class Cells:
         return K
 
     def gradient(self, u: Array) -> Array:
-        """d_i u_j (m, points, 3, 3) at the quadrature points, component j last."""
+        """Gradients d_i u_j (m, points, 3, 3) at the quadrature points; j is the last index."""
         local = u.reshape(-1, 3)[self.nodes]
         local = local - local[:, :1]  # a translation causes no strain, only round-off
         return (self.slope @ local).reshape(*self.dx.shape, 3, 3)
@@ -97,7 +97,7 @@ class Cells:
         return stress + pressure[..., None, None] * np.eye(3)
 
     def strain_energy(self, u: Array) -> float:
-        """Half of a(u, u), from the strains of each cell."""
+        """Strain energy a(u, u)/2, from the strains of each cell."""
         grad = self.gradient(u)
         strain = (grad + grad.swapaxes(2, 3)) / 2
         density = self.lam[:, None] * np.trace(grad, axis1=2, axis2=3) ** 2
@@ -105,10 +105,10 @@ class Cells:
         return float(np.sum(density * self.dx)) / 2
 
     def internal_forces(self, u: Array) -> Array:
-        """Forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
+        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
 
-        From the strains of each cell, so that the rounding of K times a large rigid motion does
-        not enter.
+        They are computed from the strains of each cell. The round-off of K times a large rigid
+        motion is thereby avoided.
         """
         stress = (self.stress(u) * self.dx[..., None, None]).reshape(*self.slope.shape[:2], 3)
         return self.gathered(self.slope.swapaxes(1, 2) @ stress)

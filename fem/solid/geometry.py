@@ -1,4 +1,4 @@
-"""The maps of hexahedra into space, their faces, and whether a cell is folded."""
+"""Maps of hexahedra into space, their faces, and test for folded cells."""
 
 from dataclasses import dataclass
 
@@ -16,14 +16,14 @@ FACE_POINTS = 4  # of Gauss per direction: a load of degree 3 on a curved face c
 
 
 def degree(mesh: Mesh3D) -> int:
-    """2 for 27-node hexahedra, 1 for 8-node hexahedra; ValueError for other meshes."""
+    """Degree: 2 for 27-node hexahedra, 1 for 8-node hexahedra. Raises ValueError otherwise."""
     if not isinstance(mesh, MeshHex):
-        raise ValueError(f"solids are meshed with hexahedra, got {type(mesh).__name__}")
+        raise ValueError(f"solids require meshes of hexahedra, got {type(mesh).__name__}")
     return 2 if len(mesh.elem.doflocs) == 27 else 1
 
 
 def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
-    """Gauss points (d, q) in the unit cube of d dimensions, weights, `points` per direction."""
+    """Gauss points (d, q) in the unit cube of d dimensions and weights; `points` per direction."""
     rules = [np.polynomial.legendre.leggauss(n) for n in points]
     X = np.meshgrid(*[(t + 1) / 2 for t, _ in rules], indexing="ij")
     W = np.meshgrid(*[w / 2 for _, w in rules], indexing="ij")
@@ -31,10 +31,10 @@ def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
 
 
 def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
-    """dx_i / dX_j (m, q, 3, 3) of `cells` at reference points `X` (3, q), determinants (m, q).
+    """Jacobian matrices dx_i / dX_j (m, q, 3, 3) of `cells`, and determinants (m, q).
 
-    Coordinates are relative to a node of the cell: round-off is then small relative to the cell at
-    any distance from the origin.
+    They are evaluated at reference points `X` (3, q). Coordinates are relative to a node of the
+    cell. The round-off is therefore small relative to the cell at any distance from the origin.
     """
     chosen = slice(None) if cells is None else cells
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)[:, chosen]]
@@ -45,9 +45,10 @@ def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Arr
 
 
 def check_unfolded(mesh: Mesh3D) -> None:
-    """ValueError with the number of the first cell that is folded or flat.
+    """Raise ValueError if a cell is folded or flat; the message states the first such cell.
 
-    The determinant has one sign at three Gauss points per direction and at the cell's nodes.
+    The determinant must have one sign at three Gauss points per direction and at the nodes of the
+    cell.
     """
     _, det = jacobians(mesh, np.hstack([cube_rule((3, 3, 3))[0], mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)
@@ -58,18 +59,18 @@ def check_unfolded(mesh: Mesh3D) -> None:
         x, y, z = mesh.p[:, mesh.t[:, k]].mean(axis=1)
         raise ValueError(
             f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}, {z:.10g}), is folded or "
-            f"flat: the determinant of its map runs from {low[k]:.3g} to {high[k]:.3g} and must "
-            "keep its sign"
+            f"flat: the determinant of its map must keep its sign, but is {low[k]:.3g} to "
+            f"{high[k]:.3g}"
         )
 
 
 @dataclass(frozen=True)
 class Faces:
-    """Faces of cells with one position in the reference cube, at Gauss points of the face.
+    """Faces of cells that have one position in the reference cube, at Gauss points of the face.
 
-    `nodes` (k, n) of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
-    points, `area` (k, q, 3) their outward normals times weights; `on_face` (n,) is true for nodes
-    on the face.
+    `nodes` (k, n) are the nodes of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
+    points. `area` (k, q, 3) are outward normals times weights. `on_face` (n,) is True for nodes on
+    the face.
     """
 
     nodes: Indices
@@ -80,7 +81,7 @@ class Faces:
 
 
 def faces(mesh: Mesh3D, facets: Indices) -> list[Faces]:
-    """The `facets` of `mesh` as faces of the first cell at each facet."""
+    """Faces of the first cell at each of the `facets` of `mesh`."""
     cells = mesh.f2t[0, facets]
     corner = mesh.t[:, cells]
     inside = np.any(corner[:, None] == mesh.facets[:, facets], axis=1)

@@ -1,4 +1,4 @@
-"""Materials of the bodies of a solid, loads on its cells and boundaries, by name."""
+"""Materials of the bodies of a solid, and loads on its cells and boundaries, by name."""
 
 from collections.abc import Callable, Mapping
 
@@ -16,7 +16,7 @@ Pressure = float | Callable[[Array], Array]
 
 
 def moduli(mesh: Mesh3D, materials: Elastic | Mapping[str, Elastic]) -> tuple[Array, Array]:
-    """Lamé's lambda and mu (cells,) [stress]; ValueError for cells without a material."""
+    """Lamé's lambda and mu (cells,) [stress]. Raises ValueError for cells without a material."""
     table = np.full((2, mesh.nelements), np.nan)
     named = {None: materials} if isinstance(materials, Elastic) else materials
     for body, material in named.items():
@@ -24,7 +24,10 @@ def moduli(mesh: Mesh3D, materials: Elastic | Mapping[str, Elastic]) -> tuple[Ar
         # the constants of plane strain are those of space
         table[:, cells] = np.reshape(material.lame_constants("plane strain"), (2, 1))
     if bare := int(np.isnan(table[0]).sum()):
-        raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")
+        raise ValueError(
+            f"every cell needs a material, but {bare} of {mesh.nelements} cells have no material: "
+            "name every body"
+        )
     return table[0], table[1]
 
 
@@ -44,11 +47,11 @@ def pressure_load(mesh: Mesh3D, cells: Cells, pressures: Mapping[str, Pressure])
     for name, pressure in pressures.items():
         facets = named_facets(mesh, name)
         if np.any(mesh.f2t[1, facets] >= 0):
-            raise ValueError(f"boundary {name!r} lies inside the mesh, where a normal has no side")
+            raise ValueError(f"boundary {name!r} lies inside the mesh and has no outward normal")
         for side in faces(mesh, facets):
             p = pressure(side.x.transpose(2, 0, 1)) if callable(pressure) else pressure
             if not np.all(np.isfinite(p)):
-                raise ValueError(f"the pressure on {name!r} is not finite")
+                raise ValueError(f"the pressure on {name!r} must be finite")
             f -= _on_faces(cells, side, np.asarray(p, float)[..., None] * side.area)
     return f
 
@@ -62,11 +65,13 @@ def body_load(mesh: Mesh3D, cells: Cells, force: Vector | None) -> Array:
 
 
 def node_load(mesh: Mesh3D, forces: Mapping[Place, tuple[float, float, float]]) -> Array:
-    """Forces (unknowns,) of the totals `forces` [force], in equal parts on the nodes of a place."""
+    """Forces (unknowns,) of total `forces` [force], divided equally between nodes of places."""
     f = np.zeros((mesh.doflocs.shape[1], 3))
     for place, force in forces.items():
         if np.shape(force) != (3,) or not np.all(np.isfinite(force)):
-            raise ValueError(f"the force at {place!r} needs three finite components, got {force}")
+            raise ValueError(
+                f"the force at {place!r} must have three finite components, got {force}"
+            )
         nodes = nodes_at(mesh, place)
         f[nodes] += np.asarray(force) / nodes.size
     return f.ravel()
@@ -81,8 +86,8 @@ def _on_faces(cells: Cells, side: Faces, force: Array) -> Array:
 
 
 def _vectors(value: Vector, x: Array, what: str) -> Array:
-    """Vectors (m, q, 3) at points `x` (m, q, 3)."""
+    """Load vectors (m, q, 3) at the points `x` (m, q, 3)."""
     given = value(x.transpose(2, 0, 1)) if callable(value) else np.reshape(value, (3, 1, 1))
     if not np.all(np.isfinite(given)):
-        raise ValueError(f"{what}: a load vector is not finite")
+        raise ValueError(f"{what}: load vectors must be finite")
     return np.broadcast_to(np.asarray(given, float), (3, *x.shape[:2])).transpose(1, 2, 0)

@@ -1,4 +1,4 @@
-"""Nested dissection of a mesh in space: the order of elimination that keeps its factors small."""
+"""Nested dissection of a mesh in space: order of elimination for small factors."""
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -11,9 +11,10 @@ from fem.solid.geometry import Array, Indices
 def nested_dissection(mesh: Mesh3D) -> Indices:
     """Position (nodes,) of every node in the order of elimination.
 
-    Cells are divided into halves at the fewest faces, by planes x, y, z = const or by the distance
-    in cells from a cell at an end, which follows a folded strip. The halves are divided again, down
-    to single cells. Nodes common to both halves follow all nodes of one half only.
+    Cells are divided into halves with the fewest common faces. The halves are separated by planes
+    x, y, z = const, or by the distance, in cells, from a cell at an end, which follows a folded
+    strip. The halves are divided again, down to single cells. Nodes common to both halves follow
+    all nodes that belong to one half only.
     """
     path, levels = _halves(mesh)
     nodes = np.asarray(mesh.dofs.element_dofs)
@@ -31,7 +32,7 @@ def nested_dissection(mesh: Mesh3D) -> Indices:
 
 
 def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
-    """Path (cells,) of every cell through the halvings, a bit each, and their number."""
+    """Path (cells,) of every cell through the halvings, one bit each, and number of halvings."""
     cells = mesh.nelements
     left, right = mesh.f2t[:, mesh.f2t[1] >= 0]
     along = [*mesh.p[:, mesh.t].mean(axis=1), _distance(cells, left, right)]
@@ -56,7 +57,10 @@ def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
 
 
 def _distance(cells: int, left: Indices, right: Indices) -> Array:
-    """Number of faces between a cell and a cell far from cell 0; other bodies follow this one."""
+    """Numbers (cells,) of faces between each cell and a cell at the far end of the body.
+
+    The far end is the end that is most distant from cell 0. Cells of other bodies come last.
+    """
     links = csr_array((np.ones(left.size), (left, right)), (cells, cells))
 
     def from_cell(k: int) -> Array:

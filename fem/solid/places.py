@@ -1,4 +1,4 @@
-"""Places of loads and supports on a solid: a boundary, a node, or all nodes on a line or plane."""
+"""Places of loads and supports on a solid: boundaries, nodes, or nodes on a line or plane."""
 
 import numpy as np
 from skfem.mesh import Mesh3D
@@ -12,9 +12,10 @@ NEAR = 1e-6  # relative to the mesh's extent
 
 
 def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
-    """Nodes of the boundary of that name, or at the coordinates, None meaning all.
+    """Nodes of a named boundary, or nodes at given coordinates, where None means all values.
 
-    (0.0, 0.0, None) is a line along z. ValueError if the name is unknown or no node is there.
+    (0.0, 0.0, None) is a line along z. Raises ValueError if the name is unknown or if there is no
+    node.
     """
     if isinstance(place, str):
         parts = faces(mesh, named_facets(mesh, place))
@@ -22,10 +23,11 @@ def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
     p = mesh.doflocs
     wanted = [i for i in range(3) if place[i] is not None]
     if len(place) != 3 or not wanted:
-        raise ValueError(f"a point has x, y and z, one of them not None, got {place}")
+        raise ValueError(f"a point must have x, y and z, not all of them None, got {place}")
     away = np.max([abs(p[i] - place[i]) for i in wanted], axis=0)
     if not away.min() <= NEAR * np.ptp(p, axis=1).max():
         raise ValueError(
-            f"no node at {place}: the nearest is {away.min():.3g} away; give the mesh a node there"
+            f"no node at {place}: the distance to the nearest node is {away.min():.3g}; add a node "
+            "to the mesh"
         )
     return np.flatnonzero(away <= NEAR * np.ptp(p, axis=1).max())

@@ -1,4 +1,4 @@
-"""Whether the supports of a solid leave a body, or a chain of hinged ones, free to move."""
+"""Test whether supports permit a rigid motion of a body, or of a chain of hinged bodies."""
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -13,9 +13,10 @@ FREE = 1e-9  # singular value, relative: a motion that strains no support
 
 
 def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
-    """ValueError with a rigid motion of a body that the conditions permit.
+    """Raise ValueError if the conditions permit a rigid motion of a body.
 
-    A body is a set of cells connected by faces; bodies with only a common node move together there.
+    A body is a set of cells connected by faces. Bodies with only a common node have equal
+    displacements at this node.
     """
     nodes = np.asarray(mesh.dofs.element_dofs)
     count, body = _bodies(mesh)
@@ -24,7 +25,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     motion = np.array([_motion(mesh, nodes[:, body == k]) for k in range(count)])
 
     def rows(dofs: Indices, k: Indices) -> Array:
-        """Rows (dofs, bodies x 6): the movement of each unknown as part of body k."""
+        """Rows (dofs, bodies x 6): displacement of each unknown in unit motions of body k."""
         out = np.zeros((dofs.size, count, 6))
         out[np.arange(dofs.size), k] = motion[k, dofs // 3, dofs % 3]
         return out.reshape(dofs.size, 6 * count)
@@ -64,7 +65,7 @@ def _motion(mesh: Mesh3D, own: Indices) -> Array:
 
 
 def _bodies(mesh: Mesh3D) -> tuple[int, Indices]:
-    """Number of bodies and the body of every cell."""
+    """Number of bodies, and the body of every cell."""
     inner = mesh.f2t[:, mesh.f2t[1] >= 0]
     links = csr_array((np.ones(inner.shape[1]), tuple(inner)), (mesh.nelements, mesh.nelements))
     count, body = connected_components(links, directed=False)

@@ -1,4 +1,4 @@
-"""A solved problem in space and the quantities that are read off it."""
+"""Solution of a problem in space, and quantities evaluated from it."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,7 +14,7 @@ from fem.solid.supports import Conditions
 
 @dataclass(frozen=True)
 class Stresses:
-    """Stresses `stress` (m, 3, 3) at quadrature points `x` (m, 3) of the `weight` (m,)."""
+    """Stresses `stress` (m, 3, 3) at quadrature points `x` (m, 3) with the `weight` (m,)."""
 
     x: Array
     stress: Array
@@ -26,8 +26,8 @@ class SolidSolution:
     """Displacements `u` (unknowns,) of `mesh`, in balance with the loads.
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
-    difference is the reaction of the supports. `residual` is the share of the energy in the last
-    correction of the solver, the square of a relative displacement.
+    difference is the reaction of the supports. `residual` is the energy of the solver's last
+    correction relative to the total energy, which is the square of a relative displacement.
     """
 
     mesh: Mesh3D
@@ -45,10 +45,10 @@ class SolidSolution:
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads, f . u [force x length].
+        """Strain energy minus the work of the loads, f . u [force x length].
 
-        Stationary at the solution. Under loads alone it is minus half the loads' work:
-        compliance = -2 x this / force^2.
+        It is stationary at the solution. Without prescribed displacements, it is minus half the
+        work of the loads; the compliance is then -2 x potential energy / force^2.
         """
         return self.strain_energy - float(self.f @ self.u)
 
@@ -58,14 +58,14 @@ class SolidSolution:
         return self.u.reshape(-1, 3)
 
     def displacement_at(self, point: Point) -> Array:
-        """Mean displacement (3,) of the nodes at `point`; None means all coordinates."""
+        """Mean displacement (3,) of the nodes at `point`; a coordinate None means all values."""
         return np.asarray(self.displacement[nodes_at(self.mesh, point)].mean(axis=0))
 
     def reaction(self, place: Place) -> tuple[Array, Array]:
         """Force (3,) and moment (3,) about the origin that the conditions of `place` exert.
 
-        Supports that hold the same node carry equal parts; nodes that move uniformly exert forces
-        on each other whose sum vanishes.
+        Supports that fix the same node carry equal shares. Nodes with equal displacements exert
+        forces on each other, whose sum is zero.
         """
         nodes_at(self.mesh, place)  # an unknown place is an error, not a zero
         forces = self.conditions.forces(self.internal - self.f, place).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""Linear elasticity in space: -div sigma = b on any mesh of hexahedra, loads and all by name.
+"""Linear elasticity in space: -div sigma = b on any mesh of hexahedra, with loads by name.
 
 solve_solid(mesh, materials=Elastic(E=210e9, nu=0.3), supports={"tail": "xyz", "middle": "z"},
             tractions={"head": (1e6, 0.0, 0.0)})
@@ -47,38 +47,38 @@ def solve_solid(
     Parameters
     ----------
     mesh
-        scikit-fem hexahedra of 8 or 27 nodes; displacements have the mesh's degree.
+        Hexahedra of scikit-fem with 8 or 27 nodes; displacements have the degree of the mesh.
     materials
-        One material, or one for each body named in `mesh.subdomains`; every cell needs one.
-        The elements have the displacement form and lock if nearly incompressible: with four cells
-        through the wall of a thick sphere, the radial stress is off by 4 % of the pressure (27
-        nodes) or 37 % (8 nodes) at nu = 0.45, by 19 % or 156 % at nu = 0.49 (root mean square).
+        One material, or a material for each body named in `mesh.subdomains`, for every cell. The
+        elements use displacements only and lock if nearly incompressible. Example: a thick sphere
+        with four cells through its wall. The root mean square error of the radial stress is 4 % of
+        the pressure (27 nodes) or 37 % (8 nodes) at nu = 0.45, and 19 % or 156 % at nu = 0.49.
     supports
-        Place to components: "xyz", or a mapping such as {"x": 1e-3} or {"x": f}, where f takes
-        points (3, m) and returns (m,) [length]. A place is a boundary's name, or coordinates where
-        None means all: (0.0, 0.0, None) are the nodes on a line along z.
+        For each place, the components: "xyz", or a mapping such as {"x": 1e-3} or {"x": f}, where f
+        takes points (3, m) and returns values (m,) [length]. A place is the name of a boundary, or
+        coordinates, where None means all values: (0.0, 0.0, None) are the nodes on a line along z.
     uniform
-        Place to components that are equal at all its nodes, of whatever size: a rigid guide.
+        For each place, components with equal, unknown values at all its nodes: a rigid guide.
     tractions
-        Boundary name to traction vector [stress]; three numbers or f(x) of shape (3, ...).
+        For each boundary name, the traction [stress]: three numbers, or f(x) of shape (3, ...).
     pressures
-        Boundary name to pressure on it, positive inwards [stress]; number or f(x).
+        For each boundary name, the pressure, positive inwards [stress]: a number or f(x).
     forces
-        Place to the total force on it [force], in equal parts on its nodes: for single nodes and
-        for places that move uniformly.
+        For each place, the total force [force], divided equally between its nodes. It is intended
+        for single nodes and for places with uniform displacement.
     body_force
-        Force per volume; three numbers or f(x) of shape (3, ...).
+        Force per volume: three numbers, or f(x) of shape (3, ...).
     points
-        Gauss points along each reference direction of a cell, by default 3 each (27 nodes) or 2.
-        (2, 3, 3) frees cells that are long in the first direction from shear locking.
+        Gauss points along each reference direction of a cell. The default is 3 (27 nodes) or 2. (2,
+        3, 3) prevents shear locking of cells that are long in the first direction.
 
     Raises
     ------
     ValueError
-        For unknown names, missing materials, contradicting supports, folded cells, unsupported
-        bodies.
+        For unknown names, missing materials, supports that contradict each other, folded cells, or
+        unsupported bodies.
     ArithmeticError
-        If the last correction of the linear solve holds more than 1e-12 of the energy.
+        If the energy of the last correction of the linear solver is above 1e-12 of the total.
     """
     n = degree(mesh) + 1
     check_unfolded(mesh)
@@ -96,9 +96,9 @@ def solve_solid(
 def _solve(cells, f, T, u0):
     """Solve u = T q + u0, T'(f - internal forces) = 0.
 
-    Returns u, its internal forces, and the relative energy of the last correction. The residual
-    comes from the stresses of u, cell by cell: in slender bodies the rounding of K u, which holds
-    their large rigid motion, would exceed it. K only steers the corrections.
+    Returns u, its internal forces, and the relative energy of the last correction. The residual is
+    computed from the stresses of u, cell by cell. In slender bodies, the round-off of K u, which
+    contains large rigid motions, would exceed the residual. K is used only for the corrections.
     """
     K = cells.stiffness()
     factor = Cholesky(T.T @ K @ T)
@@ -115,7 +115,7 @@ def _solve(cells, f, T, u0):
             break
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
-            f"the linear solver did not converge: the last correction contains {change:.1e} "
-            f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
+            f"the linear solver did not converge: the energy of the last correction is "
+            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
         )
     return u, internal, change

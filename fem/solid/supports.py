@@ -1,6 +1,7 @@
 """Prescribed and uniform displacement components on boundaries, lines and points of a solid.
 
-The solution is u = T q + u0 with free unknowns q; all nodes of equal movement share one of them.
+The solution is u = T q + u0 with free unknowns q; all nodes with equal displacement have a common
+unknown.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -22,10 +23,10 @@ CONTRADICTION = 1e-9  # relative to the values prescribed at a node
 
 @dataclass(frozen=True)
 class Conditions:
-    """Unknowns of given value, and groups of unknowns that are equal.
+    """Unknowns with prescribed values, and groups of unknowns with equal values.
 
-    `dofs`, `value` and `owner` (m,) of the given ones, owner numbering the places of `owners`;
-    `ties` the groups of unknowns, and `tied_by` the place of each.
+    `dofs`, `value` and `owner` (m,) belong to the prescribed unknowns; `owner` is the index of the
+    place in `owners`. `ties` are the groups of unknowns, and `tied_by` is the place of each group.
     """
 
     dofs: Indices
@@ -38,7 +39,7 @@ class Conditions:
     def forces(self, reaction: Array, place: Place) -> Array:
         """Share (unknowns,) of `reaction` (unknowns,) that `place` exerts.
 
-        Places that hold the same unknown carry equal parts.
+        Places that fix the same unknown carry equal shares.
         """
         holders = np.bincount(self.dofs, minlength=reaction.size)
         chosen = np.zeros(reaction.size)
@@ -54,7 +55,7 @@ class Conditions:
 def collect(
     mesh: Mesh3D, supports: Mapping[Place, Support], uniform: Mapping[Place, str]
 ) -> Conditions:
-    """All conditions; ValueError if they contradict each other or are redundant."""
+    """All conditions. Raises ValueError if they contradict each other or are redundant."""
     parts = []
     for k, (place, support) in enumerate(supports.items()):
         nodes = nodes_at(mesh, place)
@@ -63,7 +64,7 @@ def collect(
             values = np.broadcast_to(np.asarray(given, float), nodes.shape)
             if not np.all(np.isfinite(values)):
                 raise ValueError(
-                    f"support {place!r}: the movement along {AXES[axis]} is not finite"
+                    f"support {place!r}: the displacement along {AXES[axis]} must be finite"
                 )
             parts.append((3 * nodes + axis, values, np.full(nodes.size, k)))
     ties = [
@@ -81,9 +82,9 @@ def collect(
 
 
 def free_directions(conditions: Conditions, place: Indices) -> tuple[csr_array, Array]:
-    """T (unknowns, free) of zeros and ones, and u0 (unknowns,), of u = T q + u0.
+    """Matrix T (unknowns, free) of zeros and ones, and u0 (unknowns,), of u = T q + u0.
 
-    Free unknowns follow each other as their nodes do by `place` (nodes,), the shared ones last.
+    The free unknowns have the order of their nodes in `place` (nodes,); common unknowns are last.
     """
     count = 3 * place.size
     u0 = np.zeros(count)
@@ -102,13 +103,13 @@ def _components(place: Place, support: Support) -> Iterator[tuple[int, Prescribe
     items = dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)
     if unknown := set(items) - set(AXES):
         names = "".join(sorted(unknown))
-        raise ValueError(f"support {place!r}: components are x, y, z, got {names!r}")
+        raise ValueError(f"support {place!r}: components must be x, y or z, got {names!r}")
     for name, value in items.items():
         yield AXES.index(name), value
 
 
 def _check(mesh: Mesh3D, found: Conditions) -> None:
-    """ValueError for one unknown with two values, or in two groups, or given and in a group."""
+    """Raise ValueError if an unknown has two values, or belongs to two groups, or both."""
     count = 3 * mesh.doflocs.shape[1]
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, found.dofs, found.value)
