@@ -1,4 +1,4 @@
-"""Number of cells for a ratio of two lengths, independent of its last digits.
+"""Number of cells for a ratio of two lengths, independent of the last digits of the ratio.
 
 Ratios of round lengths are often whole or half numbers, except for round-off. Without a tolerance,
 the choice between two meshes would depend on the last bits of a logarithm or a sine, which differ
@@ -11,7 +11,7 @@ ROUND_OFF = 1e-9  # over a ratio: far above round-off, far below the tolerance o
 
 
 def at_least(ratio: float) -> int:
-    """The least whole number that is not below `ratio`, except for round-off.
+    """Smallest whole number that is not below `ratio`, except for round-off.
 
     >>> at_least(12.000000000001), at_least(12.1)
     (12, 13)
@@ -20,7 +20,7 @@ def at_least(ratio: float) -> int:
 
 
 def nearest(ratio: float) -> int:
-    """The whole number nearest to a positive `ratio`; half numbers are rounded up.
+    """Whole number nearest to a positive `ratio`; half numbers are rounded up.
 
     >>> nearest(2.4999999999999), nearest(2.4)
     (3, 2)

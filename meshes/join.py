@@ -1,4 +1,4 @@
-"""Several meshes combined into one, each with its nodes, boundaries and bodies unchanged."""
+"""Combination of several meshes into one, with unchanged nodes, boundaries and bodies."""
 
 from collections.abc import Mapping
 
@@ -8,16 +8,18 @@ from skfem.mesh import Mesh2D
 
 
 def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
-    """One mesh of all `meshes`; no nodes are merged, even if they coincide.
+    """Mesh that contains all `meshes`; no nodes are merged, even if they coincide.
 
-    A boundary "surface" of the mesh "disc" becomes "disc.surface", a body "core" "disc.core"; the
-    body "disc" is the complete mesh. Vertices, cells and facets have the order of the meshes.
-    Raises ValueError without a mesh, or if the meshes have different kinds of cells.
+    A boundary "surface" of the mesh "disc" becomes "disc.surface", and a body "core" becomes
+    "disc.core". The body "disc" is the complete mesh. Vertices, cells and facets have the order of
+    the meshes. Raises ValueError without a mesh, or if the meshes have different kinds of cells.
     """
     kinds = {name: type(mesh) for name, mesh in meshes.items()}
     if len(set(kinds.values())) != 1:
         given = ", ".join(f"{name}: {kind.__name__}" for name, kind in kinds.items())
-        raise ValueError(f"joined meshes must be of one kind of cell, got {given or 'none'}")
+        raise ValueError(
+            f"meshes to be joined must have the same kind of cells, got {given or 'none'}"
+        )
     parts = list(meshes.values())
     starts = np.cumsum([0, *(mesh.doflocs.shape[1] for mesh in parts[:-1])])
     nodes = [mesh.dofs.element_dofs + at for mesh, at in zip(parts, starts, strict=True)]

@@ -1,4 +1,4 @@
-"""The line mesh of the current gmsh model as plain arrays, in memory."""
+"""Line mesh of the current gmsh model as arrays, in memory."""
 
 from dataclasses import dataclass
 
@@ -13,8 +13,8 @@ LINE3 = 8  # gmsh's element type
 class LineMesh:
     """Quadratic line elements in the plane.
 
-    `points` (n, 2); `elements` (m, 3): both ends and the middle node; `nodes` names single nodes,
-    `bodies` groups of elements. Middle nodes follow all ends.
+    `points` is (n, 2), `elements` (m, 3): both ends and the middle node. `nodes` names single
+    nodes, `bodies` names groups of elements. Middle nodes follow all ends.
     """
 
     points: NDArray[np.float64]
@@ -24,13 +24,13 @@ class LineMesh:
 
     @property
     def chords(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Points and pairs (m, 2) of the straight elements between the ends."""
+        """Points, and node pairs (m, 2) of the straight elements between the ends."""
         count = int(self.elements[:, :2].max()) + 1
         return self.points[:count], self.elements[:, :2]
 
 
 def line_mesh() -> LineMesh:
-    """The curves of the current gmsh model; physical points and curves give the names."""
+    """Mesh of the curves of the current gmsh model, with names of physical points and curves."""
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
     place = dict(zip(tags.tolist(), coordinates.reshape(-1, 3)[:, :2], strict=True))
     blocks, bodies, count = [], {}, 0
@@ -41,7 +41,7 @@ def line_mesh() -> LineMesh:
         bodies[gmsh.model.getPhysicalName(dim, group)] = np.arange(count, count + size)
         count += size
     if not blocks:
-        raise ValueError("a line mesh needs physical curves, the model names none")
+        raise ValueError("a line mesh requires physical curves, but the model has none")
     cells = np.concatenate(blocks)
     order = np.concatenate([np.unique(cells[:, :2]), cells[:, 2]])  # ends first
     row = np.zeros(int(tags.max()) + 1, dtype=np.int64)
@@ -59,5 +59,5 @@ def _quadratic(curve: int) -> NDArray[np.int64]:
     """Nodes (m, 3) of the elements on `curve`: ends and middle."""
     kinds, _, nodes = gmsh.model.mesh.getElements(1, curve)
     if list(kinds) != [LINE3]:
-        raise ValueError(f"curve {curve} needs quadratic line elements: set the mesh order to 2")
+        raise ValueError(f"curve {curve} must have quadratic elements: set the mesh order to 2")
     return nodes[0].reshape(-1, 3).astype(np.int64)

@@ -1,4 +1,4 @@
-"""The plane mesh of the current gmsh model for scikit-fem, in memory."""
+"""Plane mesh of the current gmsh model for scikit-fem, in memory."""
 
 from dataclasses import dataclass
 
@@ -20,11 +20,12 @@ KINDS: dict[int, tuple[type[Mesh2D], int, int]] = {
 
 
 def plane_mesh(*, straight: bool = False) -> Mesh2D:
-    """The current gmsh model as a scikit-fem mesh.
+    """Mesh of the current gmsh model for scikit-fem.
 
-    Physical curves become `boundaries` and physical surfaces `subdomains` of their names. Nodes
-    are renumbered compactly, vertices first. `straight` keeps only the corners of curved cells.
-    Raises ValueError if the model mixes triangles and quadrilaterals or has no cells.
+    Physical curves become `boundaries`, and physical surfaces become `subdomains`, with their
+    names. Nodes are renumbered compactly, vertices first. With `straight`, only the corners of
+    curved cells are used. Raises ValueError if the model mixes triangles and quadrilaterals or has
+    no cells.
     """
     read = nodes_and_cells(straight=straight)
     mesh = read.shape(read.p, read.t)
@@ -53,11 +54,11 @@ class Read:
 
 
 def nodes_and_cells(*, straight: bool = False) -> Read:
-    """The cells of the current gmsh model; ValueError unless they are all of one kind."""
+    """Cells of the current gmsh model. Raises ValueError unless all are of one kind."""
     kinds = [k for k in gmsh.model.mesh.getElementTypes(2) if k in KINDS]
     if len(kinds) != 1:
         names = [gmsh.model.mesh.getElementProperties(k)[0] for k in kinds]
-        raise ValueError(f"a plane mesh needs cells of one kind, got {names or 'none'}")
+        raise ValueError(f"a plane mesh must have cells of one kind, got {names or 'none'}")
     kind = kinds[0]
     shape, nodes, corners = KINDS[kind]
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
@@ -75,7 +76,7 @@ def nodes_and_cells(*, straight: bool = False) -> Read:
 
 
 def _boundaries(mesh: Mesh2D, vertex: Indices) -> dict[str, Indices]:
-    """Facets of every physical curve, found by their two vertices."""
+    """Facets of every physical curve, identified by their two vertices."""
     n = mesh.p.shape[1]
     keys = _edge_keys(mesh.facets, n)
     order = np.argsort(keys)
@@ -90,7 +91,7 @@ def _boundaries(mesh: Mesh2D, vertex: Indices) -> dict[str, Indices]:
         wanted = _edge_keys(vertex[np.concatenate(ends)].T, n)
         place = np.minimum(np.searchsorted(keys, wanted, sorter=order), keys.size - 1)
         if np.any(keys[order[place]] != wanted):
-            raise ValueError(f"the curve {name!r} does not run along edges of cells")
+            raise ValueError(f"the curve {name!r} must consist of edges of cells")
         found[name] = order[place]
     return found
 
@@ -101,7 +102,7 @@ def _edge_keys(ends: Indices, n: int) -> Indices:
 
 
 def _bodies(kind: int, cell_tags: Indices) -> dict[str, Indices]:
-    """Cells of every physical surface, by their gmsh tags."""
+    """Cells of every physical surface, identified by their gmsh tags."""
     order = np.argsort(cell_tags)
     bodies: dict[str, Indices] = {}
     for dim, group in gmsh.model.getPhysicalGroups(2):

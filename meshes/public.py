@@ -1,7 +1,8 @@
-"""Public names of packages, imported when they are first used.
+"""Public names of packages, which are imported when they are first used.
 
-A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
-editors read as well. Importing the package, or one module of it, imports none of the others.
+The public names of a package are those that its stub `__init__.pyi` imports; type checkers and
+editors also read the stub. Importing the package, or one of its modules, does not import the
+others.
 """
 
 import ast
@@ -13,9 +14,9 @@ from typing import Any
 
 
 def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """`__getattr__` and `__dir__` of a package whose `__init__.py` is `file`; no units.
+    """Functions `__getattr__` and `__dir__` of a package whose `__init__.py` is `file`.
 
-    `__all__` is the sorted list of its public names. Unknown ones raise AttributeError.
+    `__all__` is the sorted list of the public names. Unknown names raise AttributeError.
 
     >>> from meshes import ring
     >>> ring.__all__
@@ -31,7 +32,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def earlier() -> dict[str, str]:
-        """Present name of every name that version 0.1 had instead."""
+        """Present name for every name of version 0.1 that has changed."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         named = [
             x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)

@@ -1,4 +1,4 @@
-"""Start and end gmsh with reproducible meshes and without remains."""
+"""Context that starts and ends gmsh, with reproducible meshes and without remaining data."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,7 +10,7 @@ FRONTAL_DELAUNAY = 6
 
 @contextmanager
 def gmsh_session() -> Iterator[None]:
-    """One thread, a fixed algorithm, full quadratic quadrilaterals, nothing printed."""
+    """Gmsh session with one thread, a fixed algorithm, complete quadratic cells and no output."""
     gmsh.initialize(["gmsh", "-v", "0", "-nt", "1"], readConfigFiles=False, interruptible=False)
     try:
         gmsh.option.setNumber("General.Terminal", 0)

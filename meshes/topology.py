@@ -1,7 +1,7 @@
-"""Constant data of a mesh whose nodes move: cells, facets, boundaries, bodies, numbers of nodes.
+"""Topology of a mesh whose nodes move: cells, facets, boundaries, bodies, numbers of nodes.
 
-The last few topologies are stored by content. A stored one equals a new one: no mesh depends on
-meshes made before.
+The last few topologies are stored by content. A stored topology equals a new one: meshes do not
+depend on previous meshes.
 """
 
 from collections.abc import Callable, Hashable
@@ -21,7 +21,7 @@ NODES = 500_000  # of all that are stored, with 200 bytes each
 
 @dataclass(frozen=True)
 class Topology:
-    """A `mesh`, and the index (n,) of each of its nodes among the nodes that it was read from."""
+    """A `mesh`, and the index (n,) of each of its nodes among the nodes that were read."""
 
     mesh: Mesh2D
     source: Indices
@@ -36,21 +36,21 @@ class Topology:
         return cls(mesh, source)
 
     def at(self, p: Array) -> Mesh2D:
-        """The mesh whose nodes were read at `p` (2, n)."""
+        """Mesh with the nodes that were read at the positions `p` (2, n)."""
         mesh = copy(self.mesh)
         mesh.doflocs = np.ascontiguousarray(p[:, self.source])
         return mesh
 
 
 class Topologies:
-    """The last few topologies, by content: at most `most`, with at most `nodes` nodes in total."""
+    """Cache of the last few topologies: at most `most`, with at most `nodes` nodes in total."""
 
     def __init__(self, most: int = MOST, nodes: int = NODES) -> None:
         self.most, self.nodes = most, nodes
         self.kept: dict[Hashable, Topology] = {}
 
     def get(self, key: Hashable, make: Callable[[], Topology]) -> Topology:
-        """The stored topology for `key`, or a new one from `make`."""
+        """Stored topology for `key`, or a new topology from `make`."""
         found = self.kept.pop(key, None) or make()
         if found.source.size <= self.nodes:
             self.kept[key] = found

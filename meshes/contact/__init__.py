@@ -1,6 +1,6 @@
-"""Bodies that touch: cells fine around the contact at the origin, coarse far from it.
+"""Meshes of bodies in contact, with fine cells near the contact at the origin.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

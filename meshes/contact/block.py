@@ -22,13 +22,13 @@ def half_block(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The block 0 <= x <= width, -depth <= y <= 0, fine at the origin.
+    """Mesh of the block 0 <= x <= width, -depth <= y <= 0, fine at the origin.
 
     With `refine` 1, `cells` equal cells lie on 0 <= x <= `zone` [unit of width]; cells are larger
-    outside. `refine` 2 halves all cells, and so on. Boundaries "surface" (y = 0), "axis" (x = 0),
-    "side" and "bottom" (y = -depth); body "block". The block `above` lies at 0 <= y <= depth.
-    `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone <=
-    width/2, depth.
+    outside. `refine` 2 halves all cells, and so on. Boundaries: "surface" (y = 0), "axis" (x = 0),
+    "side" and "bottom" (y = -depth). Body: "block". With `above`, the block lies at 0 <= y <=
+    depth. `order` is 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 <
+    zone <= width/2 and zone <= depth.
     """
     half = _half(width, depth, Zone(zone, cells, refine), "side")
     blocks = [block.mirrored(1, -1 if above else 1) for block in half]
@@ -46,10 +46,10 @@ def full_block(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The half block and its mirror image as one body, for loads without symmetry.
+    """Mesh of the half block and its mirror image as one body, for loads without symmetry.
 
-    It covers -width <= x <= width; boundaries "right" and "left" in place of "side", and "axis"
-    inside the body. Otherwise as `half_block`.
+    The block covers -width <= x <= width. The boundaries "right" and "left" replace "side", and
+    "axis" is inside the body. For all other properties, see `half_block`.
     """
     y = -1 if above else 1
     blocks = [
@@ -69,18 +69,19 @@ def block(
     cells: Cells = "quad",
     order: int = 2,
 ) -> Mesh2D:
-    """The rectangle between two `x` and two `y`, of `nx` by `ny` equal cells, halved if `tri`.
+    """Mesh of a rectangle with `nx` by `ny` equal cells, which are halved if `cells` is "tri".
 
-    Boundaries "left", "right", "bottom" and "top"; body "block". `order` 1 or 2. Raises ValueError
-    unless the second x and y are above the first and `nx`, `ny` at least 1.
+    The rectangle lies between the two values of `x` and the two values of `y`. Boundaries: "left",
+    "right", "bottom" and "top". Body: "block". `order` is 1 or 2. Raises ValueError unless the
+    second values of x and y are above the first, and `nx`, `ny` are at least 1.
     """
     (left, right), (bottom, top) = x, y
     if cells not in get_args(Cells):
-        raise ValueError(f"cells are 'quad' or 'tri', got {cells!r}")
+        raise ValueError(f"cells must be 'quad' or 'tri', got {cells!r}")
     growing = all(-math.inf < low < high < math.inf for low, high in (x, y))
     if not growing or min(nx, ny) < 1:
         raise ValueError(
-            f"a block needs growing x and y and nx, ny > 0, got x={x}, y={y}, nx={nx}, ny={ny}"
+            f"a block requires rising x and y and nx, ny > 0, got x={x}, y={y}, nx={nx}, ny={ny}"
         )
     a, b, c, d = (left, bottom), (right, bottom), (right, top), (left, top)
     edges = (
@@ -95,7 +96,7 @@ def block(
 def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
     if not (0 < zone.width <= min(width / 2, depth) and max(width, depth) < math.inf):
         raise ValueError(
-            "the fine zone of a block needs 0 < zone <= width/2 and zone <= depth, got "
+            "the fine zone of a block must have 0 < zone <= width/2 and zone <= depth, got "
             f"zone={zone.width:g} m, width={width:g} m, depth={depth:g} m"
         )
     beside = zone.width - zone.depth  # the core's, so that the diagonal runs at half a right angle
@@ -111,7 +112,7 @@ def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
 
 
 def _beside(fanned: Block, zone: Zone, width: float, side: str) -> Block:
-    """The even strip from the fan's end to x = `width`."""
+    """Strip with equal cells from the end of the fan to x = `width`."""
     surface, end, *_ = fanned.edges
     n = strip_cells(surface, zone, length=width - end.start[0])
     a, b = (width, end.start[1]), (width, end.end[1])
@@ -125,7 +126,7 @@ def _beside(fanned: Block, zone: Zone, width: float, side: str) -> Block:
 
 
 def _under(fanned: Block, zone: Zone, depth: float, side: str) -> Block:
-    """The even strip from the fan's foot to y = -`depth`."""
+    """Strip with equal cells from the lower end of the fan to y = -`depth`."""
     *_, last, axis = fanned.edges
     n = strip_cells(axis, zone, length=depth + last.start[1])
     far, foot = (last.end[0], -depth), (0.0, -depth)

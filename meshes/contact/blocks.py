@@ -1,4 +1,4 @@
-"""Four-sided blocks of mapped quadrilaterals, and gmsh's mesh of them."""
+"""Four-sided blocks of mapped quadrilaterals, and their mesh by gmsh."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -21,10 +21,10 @@ TOPOLOGIES = Topologies()
 
 @dataclass(frozen=True)
 class Edge:
-    """A side of a block: a line, or an arc about `centre` of less than half a turn.
+    """Side of a block: a line, or an arc about `centre` of less than half a turn.
 
-    `beta` grades its cells from fine at the start to coarse at the end, as in
-    meshes.contact.grading; 0 gives equal cells. All edges of one `name` are a boundary of the mesh.
+    `beta` grades the cells from fine at the start to coarse at the end, see meshes.contact.grading;
+    0 gives equal cells. All edges with the same `name` are one boundary of the mesh.
     """
 
     start: Point
@@ -36,7 +36,7 @@ class Edge:
 
     @property
     def length(self) -> float:
-        """In the unit of the points."""
+        """Length of the edge, in the unit of the points."""
         chord = math.dist(self.start, self.end)
         if self.centre is None:
             return chord
@@ -44,16 +44,17 @@ class Edge:
         return 2 * radius * math.asin(min(1.0, chord / (2 * radius)))
 
     def placed(self, place: Place) -> "Edge":
-        """The edge moved by `place`, a rigid motion or a mirror image of points."""
+        """Edge moved by `place`, a rigid motion or a mirror image of points."""
         centre = None if self.centre is None else place(self.centre)
         return replace(self, start=place(self.start), end=place(self.end), centre=centre)
 
 
 @dataclass(frozen=True)
 class Block:
-    """Four edges around a piece of a body, each from a corner to the next or back.
+    """Four edges around a part of a body.
 
-    Opposite edges have as many cells. Blocks share the edge between the same two points.
+    Each edge connects two consecutive corners, in either direction. Opposite edges must have the
+    same number of cells. Blocks share the edge between the same two points.
     """
 
     edges: tuple[Edge, Edge, Edge, Edge]
@@ -61,24 +62,24 @@ class Block:
 
     @property
     def corners(self) -> list[Point]:
-        """Common points of each edge and the previous edge."""
+        """Common point of each edge and the previous edge."""
         ends = [{edge.start, edge.end} for edge in self.edges]
         return [(ends[k - 1] & ends[k]).pop() for k in range(4)]
 
     @property
     def anticlockwise(self) -> "Block":
-        """The piece with its edges in anticlockwise order."""
+        """Block with its edges in anticlockwise order."""
         (x_0, y_0), (x_1, y_1), (x_2, y_2), (x_3, y_3) = self.corners
         area = (x_2 - x_0) * (y_3 - y_1) - (x_3 - x_1) * (y_2 - y_0)
         a, b, c, d = self.edges
         return self if area > 0 else replace(self, edges=(d, c, b, a))
 
     def mirrored(self, x: int, y: int) -> "Block":
-        """The block with its coordinates times `x` and `y`, each 1 or -1."""
+        """Block with its coordinates multiplied by `x` and `y`, each 1 or -1."""
         return self.placed(lambda point: (x * point[0], y * point[1]))
 
     def placed(self, place: Place) -> "Block":
-        """The block moved by `place`, a rigid motion or a mirror image of points."""
+        """Block moved by `place`, a rigid motion or a mirror image of points."""
         a, b, c, d = (edge.placed(place) for edge in self.edges)
         return replace(self, edges=(a, b, c, d))
 
@@ -91,10 +92,10 @@ def mesh_blocks(
     straight: bool = False,
     whole: Mapping[str, tuple[str, ...]] | None = None,
 ) -> Mesh2D:
-    """The mesh of `blocks`, with the names of their edges and bodies.
+    """Mesh of `blocks`, with the names of their edges and bodies.
 
-    Quadrilaterals, or triangles that halve them. `order` 1 or 2; `straight` cells keep
-    straight edges. Each boundary of `whole` consists of the existing boundaries of its parts.
+    Cells are quadrilaterals, or triangles that halve them. `order` is 1 or 2; `straight` cells have
+    straight edges. Each boundary of `whole` consists of the existing boundaries among its parts.
     """
     whole = whole or {}
     with gmsh_session():
@@ -120,7 +121,7 @@ def mesh_blocks(
 
 
 def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
-    """The mesh with each combined boundary of `whole` under its name."""
+    """Mesh with each combined boundary of `whole` under its name."""
     own = mesh.boundaries
     found = {
         name: np.concatenate([own[part] for part in parts if part in own])
@@ -131,7 +132,7 @@ def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
 
 @dataclass
 class _Drawing:
-    """Entities of the current gmsh model, by their place."""
+    """Entities of the current gmsh model, by their position."""
 
     cells: Cells
     points: dict[Point, int] = field(default_factory=dict)
@@ -142,12 +143,12 @@ class _Drawing:
 
     @property
     def structure(self) -> tuple[object, ...]:
-        """All data except the positions of points: equal structures have meshes of one topology."""
+        """All data except positions of points; equal structures have meshes of equal topology."""
         names = tuple((name, tuple(curves)) for name, curves in self.boundaries.items())
         return self.cells, names, tuple(self.drawn)
 
     def add(self, block: Block) -> None:
-        """A mapped surface of gmsh."""
+        """Add the mapped surface of `block` to the gmsh model."""
         geo = gmsh.model.geo
         loop = []
         for edge, corner in zip(block.edges, block.corners, strict=True):
@@ -161,7 +162,7 @@ class _Drawing:
         self.drawn.append((block.body, *loop))
 
     def curve(self, edge: Edge) -> tuple[int, Point]:
-        """The curve of `edge` and its start, drawn at its first use."""
+        """Curve of `edge` and its start; the curve is added to the gmsh model at its first use."""
         ends = frozenset((edge.start, edge.end))
         if ends not in self.curves:
             geo = gmsh.model.geo
@@ -181,7 +182,7 @@ class _Drawing:
         return self.curves[ends]
 
     def point(self, place: Point) -> int:
-        """The point at `place`, drawn at its first use."""
+        """Point at `place`; it is added to the gmsh model at its first use."""
         if place not in self.points:
             self.points[place] = gmsh.model.geo.addPoint(*place, 0)
         return self.points[place]

@@ -1,4 +1,4 @@
-"""Discs that touch at the origin, down to the cut through their centre."""
+"""Discs in contact at the origin, up to the section through their centre."""
 
 import math
 
@@ -18,13 +18,13 @@ def quarter_disc(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The quarter x >= 0 of the disc about (0, R) at the origin.
+    """Mesh of the quarter x >= 0, y <= R of the disc about (0, R), fine at the origin.
 
     With `refine` 1, `cells` equal cells lie on the arc over 0 <= x <= `zone` [unit of R]; cells are
-    larger outside. `refine` 2 halves all cells, and so on. Boundaries "surface" (the arc), "axis"
-    (x = 0) and "middle" (the section y = R); body "disc". The disc `below` is about (0, -R)
-    instead. `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone
-    <= R/2.
+    larger outside. `refine` 2 halves all cells, and so on. Boundaries: "surface" (the arc), "axis"
+    (x = 0) and "middle" (the section y = R). Body: "disc". With `below`, the disc is about (0, -R).
+    `order` is 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone <=
+    R/2.
     """
     blocks = [block.mirrored(1, 1 if below else -1) for block in _quarter(R, zone, cells, refine)]
     return mesh_blocks(blocks, order=order, straight=straight)
@@ -40,10 +40,10 @@ def half_disc(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The quarter disc and its mirror image as one body, for loads without symmetry.
+    """Mesh of the quarter disc and its mirror image as one body, for loads without symmetry.
 
-    Fine cells lie over -zone <= x <= zone; the boundary "axis" is inside the body. Otherwise as
-    `quarter_disc`.
+    Fine cells lie over -zone <= x <= zone; the boundary "axis" is inside the body. For all other
+    properties, see `quarter_disc`.
     """
     quarter = _quarter(R, zone, cells, refine)
     y = 1 if below else -1
@@ -52,10 +52,10 @@ def half_disc(
 
 
 def _quarter(R: float, zone: float, cells: int, refine: int) -> list[Block]:
-    """Blocks of the quarter about (0, -R)."""
+    """Blocks of the quarter disc about (0, -R)."""
     if not 0 < zone <= R / 2 < math.inf:
         raise ValueError(
-            f"the fine zone of a disc needs 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
+            f"the fine zone of a disc must have 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
         )
     fine = Zone(zone, cells, refine)
     bend, far = diagonal(core(fine, -R)[1], math.pi / 4 + math.asin(zone / R), R)

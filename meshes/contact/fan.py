@@ -1,4 +1,4 @@
-"""The blocks about a contact: a fine core at the origin and two blocks that fan out from it."""
+"""Blocks about a contact: a fine core at the origin, and two blocks that fan out from the core."""
 
 import math
 from dataclasses import dataclass, replace
@@ -16,7 +16,7 @@ GROWTH = 1.6  # largest ratio of the lengths of successive cells of the coarsest
 
 @dataclass(frozen=True)
 class Zone:
-    """The fine core: `width` along the surface in x, `cells` on it, on the mesh `refine` 1.
+    """Fine core: `width` along the surface in x, with `cells` cells on it on the mesh `refine` 1.
 
     `refine` 2 halves every cell of the mesh, and so on.
     """
@@ -28,11 +28,11 @@ class Zone:
     def __post_init__(self) -> None:
         for name, value in (("cells", self.cells), ("refine", self.refine)):
             if value < 1:
-                raise ValueError(f"a fine zone needs {name} >= 1, got {value}")
+                raise ValueError(f"a fine zone requires {name} >= 1, got {value}")
 
     @property
     def depth(self) -> float:
-        """About half the width, in cells that are square."""
+        """Depth of the core: about half its width, so that its cells are square."""
         return self.width * self.rows / self.cells
 
     @property
@@ -44,10 +44,10 @@ class Zone:
 class Outline:
     """Outline of a region at the origin in x >= 0, y <= 0, with four corners.
 
-    The surface extends from the origin to `end`, the axis to `foot`; `far` is opposite to the
-    origin. The surface is an arc about (0, `centre`), the base from `far` to `foot` an arc about
-    (0, `base`); None for straight lines. Names of boundaries: the surface, the side from `end` to
-    `far`, the base.
+    The surface extends from the origin to `end`, the axis from the origin to `foot`; `far` is the
+    corner opposite to the origin. The surface is an arc about (0, `centre`), the base from `far` to
+    `foot` an arc about (0, `base`); None denotes straight lines. `names` are those of the surface,
+    of the side from `end` to `far`, and of the base.
     """
 
     end: Point
@@ -71,10 +71,11 @@ def core(zone: Zone, centre: float | None) -> tuple[Point, Point]:
 def fan(
     outline: Outline, zone: Zone, body: str, bend: Point | None = None, *, least: int = 1
 ) -> list[Block]:
-    """Mesh of three blocks: a core, a block along the surface, and a block along the axis.
+    """Three blocks: a core, a block along the surface, and a block along the axis.
 
     The diagonal between the two outer blocks is an arc about `bend`, or a line. With `refine` 1,
-    there are at least `least` cells outwards: two fans with a common axis need equal numbers.
+    there are at least `least` cells outwards, because two fans with a common axis must have equal
+    numbers of cells.
     """
     n, m = zone.cells * zone.refine, zone.rows * zone.refine
     centre, around = (c if c is None else (0.0, c) for c in (outline.centre, outline.base))
@@ -104,14 +105,15 @@ def fan(
 def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
     """Number of equal cells over `length` that continue the last cell of a graded edge.
 
-    None is longer than GROWTH times this last cell, about two fifths of the thickness.
+    No cell is longer than GROWTH times this last cell, whose length is about two fifths of the
+    thickness.
     """
     last = last_cell(length=beside.length, cells=beside.cells // zone.refine, beta=beside.beta)
     return zone.refine * at_least(length / (GROWTH * last))
 
 
 def graded(edges: list[tuple[Edge, float]], refine: int, *, least: int = 1) -> list[Edge]:
-    """The edges, all with as many cells, growing from their sizes at the start on `refine` 1."""
+    """Edges with equal numbers of cells, which grow from the given sizes at the start."""
     n = max(cells_along(length=edge.length, first=size, growth=GROWTH) for edge, size in edges)
     n = max(n, least)
     return [

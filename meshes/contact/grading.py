@@ -1,9 +1,9 @@
-"""Grading: cells grow with the distance from a fine zone up to a constant size.
+"""Grading: cell sizes that increase with the distance from a fine zone up to a constant size.
 
 Roberts' stretching: with u from 1 at the fine end to 0 at the other end, the length of cells is
-proportional to beta^2 - u^2. Near the fine end, each cell is longer than the previous one by a
-constant factor; at the other end, cells have one size. Refined cells are on the same map; they
-therefore halve the coarse cells.
+proportional to beta^2 - u^2. Near the fine end, each cell is longer than the previous cell by a
+constant factor; at the other end, all cells have the same size. Refined meshes use the same map;
+refinement therefore halves the coarse cells.
 """
 
 import math
@@ -16,9 +16,9 @@ FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by
 
 
 def cells_along(*, length: float, first: float, growth: float) -> int:
-    """Number of cells over `length` from the size `first`; each grows by `growth` at most.
+    """Number of cells over `length`, the first of size `first`; each grows by at most `growth`.
 
-    `length` and `first` have one unit; `growth` is above 1.
+    `length` and `first` have the same unit; `growth` is above 1.
     """
     rate = math.log(growth)
     beta = math.sqrt(1 + 2 * first / (rate * length))
@@ -26,12 +26,12 @@ def cells_along(*, length: float, first: float, growth: float) -> int:
 
 
 def beta(*, length: float, first: float, cells: int) -> float:
-    """Grading parameter of cells of which the first has the size `first`.
+    """Grading parameter beta for `cells` cells over `length`, the first of size `first`.
 
-    If cells of equal size are smaller than `first`, the cells are equal.
+    If equal cells are smaller than `first`, beta gives equal cells.
 
     `first` is the size of the map at its fine end, the limit for refined meshes: the fine zone
-    continues there without a step.
+    continues there without a jump in cell size.
     """
 
     def excess(log: float) -> float:
@@ -44,7 +44,7 @@ def beta(*, length: float, first: float, cells: int) -> float:
 
 
 def last_cell(*, length: float, cells: int, beta: float) -> float:
-    """Size of the last of `cells` that `beta` grades, in the unit of `length`."""
+    """Size of the last of `cells` cells graded by `beta`, in the unit of `length`."""
     ratio = (beta + 1) / (beta - 1)
     # distance of the last node from the far end, with u = beta (e - 1) / (e + 1)
     e = ratio ** (1 / cells)

@@ -1,4 +1,4 @@
-"""Ring whose bore is touched at the origin, such as the race around a roller."""
+"""Ring with a contact on its bore at the origin, such as the race around a roller."""
 
 import math
 
@@ -18,18 +18,18 @@ def half_race(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The half x >= 0 of the ring about (0, r_i); the lowest point of its bore is the origin.
+    """Mesh of the half x >= 0 of the ring about (0, r_i), fine at the origin on its bore.
 
     With `refine` 1, `cells` equal cells lie on the bore over 0 <= x <= `zone` [unit of r_i]; cells
-    are larger outside. `refine` 2 halves all cells, and so on. Boundaries "bore", "rim" and "axis"
-    (x = 0, both sections); body "race". `order` 1 or 2; `straight` cells have straight edges.
-    Raises ValueError unless 0 < r_i < r_o and 0 < zone < r_o - r_i, zone <= r_i/2.
+    are larger outside. `refine` 2 halves all cells, and so on. Boundaries: "bore", "rim" and "axis"
+    (x = 0, both sections). Body: "race". `order` is 1 or 2; `straight` cells have straight edges.
+    Raises ValueError unless 0 < r_i < r_o, 0 < zone <= r_i/2 and zone < r_o - r_i.
     """
     if not 0 < r_i < r_o < math.inf:
-        raise ValueError(f"a race needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+        raise ValueError(f"a race must have 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
     if not 0 < zone <= r_i / 2 or not zone < r_o - r_i:
         raise ValueError(
-            "the fine zone of a race needs 0 < zone <= r_i/2 and zone < r_o - r_i, got "
+            "the fine zone of a race must have 0 < zone <= r_i/2 and zone < r_o - r_i, got "
             f"zone={zone:g} m, r_i={r_i:g} m, r_o={r_o:g} m"
         )
     fine, wall, centre = Zone(zone, cells, refine), r_o - r_i, (0.0, r_i)
@@ -52,7 +52,7 @@ def half_race(
 
 
 def _at(r: float, angle: float, r_i: float) -> Point:
-    """The point at radius `r`, at `angle` [rad] from the lowest point."""
+    """Point at the radius `r`, at `angle` [rad] from the lowest point of the bore."""
     return r * math.sin(angle), r_i - r * math.cos(angle)
 
 

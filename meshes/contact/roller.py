@@ -22,25 +22,25 @@ def half_roller(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The half y >= 0 of the disc about the origin, fine at (-R, 0) ("near") and (R, 0) ("far").
+    """Mesh of the half y >= 0 of the disc about the origin, fine at (-R, 0) and (R, 0).
 
-    With `refine` 1, `cells` equal cells lie on the arc over 0 <= y <= zone [unit of R] at each end;
-    `zones` are (near, far). Cells are larger outside. `refine` 2 halves all cells, and so on.
-    Boundaries "near" and "far" (the arc in x <= 0 and in x >= 0) and "cut" (y = 0); body "roller".
-    `order` 1 or 2; `straight` cells have straight edges. Raises ValueError unless 0 < zone <= R/2
-    at both ends.
+    With `refine` 1, `cells` equal cells lie on the arc over 0 <= y <= zone [unit of R] at each end.
+    `zones` are those at (-R, 0), "near", and at (R, 0), "far". Cells are larger outside. `refine` 2
+    halves all cells, and so on. Boundaries: "near" (the arc in x <= 0), "far" (the arc in x >= 0)
+    and "cut" (y = 0). Body: "roller". `order` is 1 or 2; `straight` cells have straight edges.
+    Raises ValueError unless 0 < zone <= R/2 at both ends.
     """
     for zone in zones:
         if not 0 < zone <= R / 2 < math.inf:
             raise ValueError(
-                f"the fine zones of a roller need 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
+                f"the fine zones of a roller must have 0 < zone <= R/2, got {zone:g} m, R={R:g} m"
             )
     blocks = half_blocks(R, [Zone(zone, cells, refine) for zone in zones])
     return mesh_blocks(blocks, order=order, straight=straight)
 
 
 def half_blocks(R: float, fine: Sequence[Zone]) -> list[Block]:
-    """The blocks of the half roller, fine near and far."""
+    """Blocks of the half roller, with the fine zones `fine` near and far."""
     wide = max(fine, key=lambda zone: zone.width)
     # both quarters end on one cut, and their diagonals in one point of it
     _, far = diagonal(core(wide, -R)[1], math.pi / 4 + math.asin(wide.width / R), R)
@@ -52,12 +52,12 @@ def half_blocks(R: float, fine: Sequence[Zone]) -> list[Block]:
 
 
 def _places(R: float) -> tuple[Place, Place]:
-    """From the quarter's frame, with the contact at the origin and the body below, to each end."""
+    """Maps from the frame of the quarter (contact at the origin, body below) to each end."""
     return (lambda point: (-R - point[1], point[0])), (lambda point: (R + point[1], point[0]))
 
 
 def _quarter(R: float, zone: Zone, far: Point, name: str) -> list[Block]:
-    """The quarter about (0, -R) whose diagonal is normal to the section y = -R at `far`."""
+    """Blocks of the quarter about (0, -R); the diagonal is normal to y = -R at `far`."""
     x, y = core(zone, -R)[1]
     bend = (far[0] ** 2 - x**2 - (y + R) ** 2) / (2 * (far[0] - x)), -R
     outline = Outline((R, -R), far, (0.0, -R), (name, "", ""), centre=-R)
@@ -65,6 +65,6 @@ def _quarter(R: float, zone: Zone, far: Point, name: str) -> list[Block]:
 
 
 def _cut(block: Block) -> Block:
-    """The block with the axis of the fan as the section of the roller."""
+    """Block with the axis of the fan named as the section "cut" of the roller."""
     a, b, c, d = (replace(e, name="cut") if e.name == "axis" else e for e in block.edges)
     return replace(block, edges=(a, b, c, d))

@@ -1,4 +1,4 @@
-"""Whole rings and discs with even cells around, for contact all along a circle."""
+"""Complete rings and discs with equal cells around, for contact along a whole circle."""
 
 import math
 from dataclasses import replace
@@ -19,16 +19,17 @@ def full_ring(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The ring about the origin, `around` even cells on a circle and `across` through the wall.
+    """Mesh of a ring about the origin with equal cells along its circles.
 
-    Boundaries "bore" and "rim"; body "ring". `order` 1 or 2; `straight` cells keep straight
-    edges. Raises ValueError unless 0 < r_i < r_o, `around` is a multiple of 4 and `across` >= 1.
+    There are `around` cells on a circle and `across` cells through the wall. Boundaries: "bore" and
+    "rim". Body: "ring". `order` is 1 or 2; `straight` cells have straight edges. Raises ValueError
+    unless 0 < r_i < r_o, `around` is a multiple of 4 and `across` >= 1.
     """
     if not 0 < r_i < r_o < math.inf:
-        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+        raise ValueError(f"a ring must have 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
     if around < 4 or around % 4 or across < 1:
         raise ValueError(
-            "a ring needs a positive multiple of 4 cells around and one across, got "
+            "a ring requires a positive multiple of 4 cells around and at least one across, got "
             f"around={around}, across={across}"
         )
     bore, rim = (_circle(r, around // 4, name) for r, name in ((r_i, "bore"), (r_o, "rim")))
@@ -36,15 +37,17 @@ def full_ring(
 
 
 def full_disc(*, R: float, around: int, order: int = 2, straight: bool = False) -> Mesh2D:
-    """The disc about the origin, `around` even cells on its circle and a square in its middle.
+    """Mesh of a disc about the origin with `around` equal cells on its circle.
 
-    Boundary "rim"; body "disc". `order` 1 or 2; `straight` cells keep straight edges. Raises
-    ValueError unless R > 0 and `around` is a multiple of 8.
+    The middle of the mesh is a square. Boundary: "rim". Body: "disc". `order` is 1 or 2; `straight`
+    cells have straight edges. Raises ValueError unless R > 0 and `around` is a multiple of 8.
     """
     if not 0 < R < math.inf:
-        raise ValueError(f"a disc needs R > 0, got R={R:g} m")
+        raise ValueError(f"a disc must have R > 0, got R={R:g} m")
     if around < 8 or around % 8:
-        raise ValueError(f"a disc needs a positive multiple of 8 cells around, got around={around}")
+        raise ValueError(
+            f"a disc requires a positive multiple of 8 cells around, got around={around}"
+        )
     rim = _circle(R, around // 4, "rim")
     sides = [replace(arc, centre=None) for arc in _circle(CORE * R, around // 4, "")]
     a, b, c, d = sides
@@ -53,12 +56,12 @@ def full_disc(*, R: float, around: int, order: int = 2, straight: bool = False) 
 
 
 def _circle(r: float, cells: int, name: str) -> list[Edge]:
-    """Four arcs about the origin, from axis to axis."""
+    """Four arcs about the origin, each from one axis to the next."""
     corners = [(r, 0.0), (0.0, r), (-r, 0.0), (0.0, -r)]
     return [Edge(corners[k - 1], corners[k], cells, centre=(0.0, 0.0), name=name) for k in range(4)]
 
 
 def _between(inner: list[Edge], outer: list[Edge], across: int, body: str) -> list[Block]:
-    """Four blocks between closed chains of edges."""
+    """Four blocks between two closed chains of edges."""
     spokes = [Edge(a.start, b.start, across) for a, b in zip(inner, outer, strict=True)]
     return [Block((inner[k], spokes[(k + 1) % 4], outer[k], spokes[k]), body) for k in range(4)]

@@ -1,4 +1,4 @@
-"""Half a disc with a contact away from its crown, and bodies rotated to the contact."""
+"""Half a disc with a contact at an angle from its crown, and bodies rotated to the contact."""
 
 import math
 from dataclasses import replace
@@ -13,20 +13,22 @@ INNER = 0.45  # over the radius: length of the inner part of the cut, on each si
 
 
 def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: int = 6) -> Mesh2D:
-    """The half y >= 0 of the disc about the origin, fine at R (sin tilt, cos tilt).
+    """Mesh of the half y >= 0 of the disc about the origin, fine at R (sin tilt, cos tilt).
 
     With `refine` 1, `cells` equal cells lie on each side of this point, over `zone` [unit of R] of
-    the tangent; cells are larger outside. `refine` 2 halves all cells. Boundaries "surface" (the
+    the tangent; cells are larger outside. `refine` 2 halves all cells. Boundaries: "surface" (the
     arc), "inner" and "outer" (the section y = 0, up to and beyond 0.45 R from the centre) and
-    "axis" (the radius to the fine point, inside); body "disc". Raises ValueError unless 0 < zone <=
-    R/2 and `tilt` is within 45 degrees.
+    "axis" (the radius to the fine point, inside the body). Body: "disc". Raises ValueError unless 0
+    < zone <= R/2 and `tilt` is within 45 degrees.
     """
     if not 0 < zone <= R / 2 < math.inf:
         raise ValueError(
-            f"the fine zone of a disc needs 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
+            f"the fine zone of a disc must have 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
         )
     if not abs(tilt) <= math.pi / 4:
-        raise ValueError(f"a half disc is tilted by 45 degrees at most, got {math.degrees(tilt):g}")
+        raise ValueError(
+            f"the tilt of a half disc must be at most 45 degrees, got {math.degrees(tilt):g}"
+        )
     fine = Zone(zone, cells, refine)
     wide = _side(R, -abs(tilt), fine)
     narrow = _side(R, abs(tilt), fine, least=wide[1].edges[0].cells // refine)
@@ -36,14 +38,14 @@ def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: 
 
 
 def placed(mesh: Mesh2D, *, turn: float, shift: Point) -> Mesh2D:
-    """The mesh rotated by `turn` [rad] about the origin, then shifted; names are unchanged."""
+    """Mesh rotated by `turn` [rad] about the origin, then shifted; names are unchanged."""
     c, s = math.cos(turn), math.sin(turn)
     moved = np.array([[c, -s], [s, c]]) @ mesh.doflocs + np.reshape(shift, (2, 1))
     return replace(mesh, doflocs=moved)
 
 
 def _side(R: float, rise: float, zone: Zone, least: int = 1) -> list[Block]:
-    """Blocks in x >= 0 of the disc about (0, -R), down to a cut that rises by `rise` [rad]."""
+    """Blocks in x >= 0 of the disc about (0, -R), up to a section that rises by `rise` [rad]."""
     x, y = math.cos(rise), math.sin(rise)
     end, far = (R * x, R * (y - 1)), (INNER * R * x, R * (INNER * y - 1))
     outline = Outline(end, far, (0.0, -R), ("surface", "outer", "inner"), centre=-R)

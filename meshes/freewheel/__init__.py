@@ -1,6 +1,6 @@
 """Cyclic sectors of roller freewheels.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,4 +1,4 @@
-"""Meshes whose nodes a map moves: the bodies of a freewheel, bent from the plane."""
+"""Meshes whose nodes are moved by a map: bodies of a freewheel, mapped from the plane."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -16,12 +16,12 @@ CACHE_SIZE = 64  # meshes; a sweep over the clamping angle moves the same ones a
 
 @lru_cache(CACHE_SIZE)
 def flat_mesh(blocks: tuple[Block, ...], order: int) -> Mesh2D:
-    """The mesh of `blocks` before it is bent. It is stored for reuse: never write into it."""
+    """Mesh of `blocks` before mapping. It is stored for reuse and must not be changed."""
     return mesh_blocks(blocks, order=order)
 
 
 def bent(mesh: Mesh2D, places: Places, names: Mapping[str, str], *, straight: bool) -> Mesh2D:
-    """The cells of `mesh` on `places`, with the boundaries that have a name in `names`."""
+    """Mesh with the cells of `mesh`, nodes at `places`, and the boundaries named in `names`."""
     bodies = dict(mesh.subdomains)
     boundaries = {new: mesh.boundaries[old] for old, new in names.items()}
     moved = type(mesh)(places, mesh.t)

@@ -1,4 +1,4 @@
-"""Checks of a sector of a freewheel; all lengths in metres, as in the messages."""
+"""Checks of the dimensions of a freewheel sector; lengths in metres, also in the messages."""
 
 import math
 from collections.abc import Sequence
@@ -13,59 +13,60 @@ ROOM = 2.0  # fine zones that fit between the contact and the end of the flat
 
 
 def check_radii(rule: str, radii: Sequence[float], z: float) -> None:
-    """ValueError unless z >= 3 is whole and the `radii` [m] are positive and ascending."""
+    """Raise ValueError unless z >= 3 is whole and the `radii` [m] are positive and ascending."""
     if not z >= 3 or z % 1 != 0:
-        raise ValueError(f"a freewheel needs a whole number z >= 3 of rollers, got z={z:g}")
+        raise ValueError(f"the number of rollers must be whole and z >= 3, got z={z:g}")
     ends = (0.0, *radii, math.inf)
     if not all(low < high for low, high in pairwise(ends)):
         found = ", ".join(f"{radius:g}" for radius in radii)
-        raise ValueError(f"a freewheel's walls need 0 < {rule}, got {found} m")
+        raise ValueError(f"the radii of a freewheel must satisfy 0 < {rule}, got {found} m")
 
 
 def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float) -> None:
-    """ValueError unless the roller fits between the races and does not overlap the next roller.
+    """Raise ValueError unless the roller fits between the races and beside the next roller.
 
-    `flat` and `circle` are the distances [m] of its centre from the two races.
+    `flat` and `circle` are the distances [m] of the centre of the roller from the two races.
     """
     if not 0 < r < math.inf:
-        raise ValueError(f"a roller needs r > 0, got r={r:g} m")
+        raise ValueError(f"the radius of a roller must be positive and finite, got r={r:g} m")
     if not 0 <= math.atan2(*centre) <= STEEPEST:
         raise ValueError(
-            "the roller's centre needs x >= 0 and to lie within 45 degrees of +y, got "
+            "the roller's centre must have x >= 0 and lie within 45 degrees of +y, got "
             f"({centre[0]:g}, {centre[1]:g}) m"
         )
     for race, distance in (("flat", flat), ("circle", circle)):
         if not abs(distance - r) <= ASTRAY * r:
             raise ValueError(
-                f"the roller's centre must lie about r={r:g} m from the {race} it touches, within "
+                f"the roller's centre must be at the distance r={r:g} m from the {race}, within "
                 f"r/2, got {distance:g} m"
             )
     if not math.hypot(*centre) * math.sin(math.pi / z) > r:
         raise ValueError(
-            f"{z} rollers of r={r:g} m overlap each other with their centres at the radius "
+            f"neighbouring rollers must not overlap, got {z} rollers of r={r:g} m with centres at "
+            "the radius "
             f"{math.hypot(*centre):g} m"
         )
 
 
 def check_zones(r: float, cam: FlatRace, race: RoundRace, *, flat: float, circle: float) -> None:
-    """ValueError unless the half-widths `flat` and `circle` [m] of the zones fit their bodies."""
+    """Raise ValueError unless the half-widths `flat` and `circle` [m] of zones fit the bodies."""
     room = (cam.half_flat - abs(cam.at)) / ROOM
     if not room > 0:
         raise ValueError(
-            f"the roller touches at x={cam.at:g} m, beyond the end of the flat at "
+            f"the contact must be on the flat: it is at x={cam.at:g} m, the end of the flat at "
             f"x={cam.half_flat:g} m"
         )
     wall = abs(cam.apothem - cam.other)
     bound = min(r / 2, wall, room)
     if not 0 < flat <= bound:
         raise ValueError(
-            "the fine zone on the flat needs 0 < zone <= r/2, the wall and half of what is left "
-            f"to the end of the flat, here {bound:g} m, got {flat:g} m"
+            "the fine zone on the flat must be positive and at most r/2, the wall and half of the "
+            f"length to the end of the flat: at most {bound:g} m, got {flat:g} m"
         )
     wall = race.touched * min(abs(math.log(race.other / race.touched)), race.pitch / 4)
     bound = min(r / 2, wall)
     if not 0 < circle <= bound:
         raise ValueError(
-            "the fine zone on the circle needs 0 < zone <= r/2, about the wall and a quarter of "
-            f"the pitch, here {bound:g} m, got {circle:g} m"
+            "the fine zone on the circle must be positive and at most r/2, about the wall and a "
+            f"quarter of the pitch: at most {bound:g} m, got {circle:g} m"
         )

@@ -1,4 +1,4 @@
-"""The two races of a sector, one round and one flat, mapped from a strip.
+"""Races of a sector, one round and one with a flat, mapped from a strip.
 
 Angles are measured from the y axis, clockwise: x = r sin(angle), y = r cos(angle). In the plane of
 angle and ln r, a round race is a strip; this map preserves angles.
@@ -17,10 +17,10 @@ from meshes.freewheel.strip import Side, Strip
 
 @dataclass(frozen=True)
 class RoundRace:
-    """The sector of a ring between the radii `touched`, at the roller, and `other`.
+    """Sector of a ring between the radii `touched`, at the roller, and `other`.
 
-    Its width is `pitch` [rad]; it is centred on the ray at `angle` [rad] through the contact. The
-    names are those of the circles, that in contact first, and of the body.
+    The sector has the width `pitch` [rad] and is centred on the ray at `angle` [rad] through the
+    contact. `names` are those of the circle in contact, of the other circle, and of the body.
     """
 
     touched: float
@@ -30,7 +30,7 @@ class RoundRace:
     names: tuple[str, str, str]
 
     def mesh(self, zone: Zone, *, order: int, straight: bool) -> Mesh2D:
-        """Cells fine about the contact; `zone` is a length on the touched circle."""
+        """Mesh with fine cells about the contact; `zone` is a length on the circle in contact."""
         surface, base, body = self.names
         fine = Zone(zone.width / self.touched, zone.cells, zone.refine)
         left, right = (Side(((surface, self.pitch / 2),), cut) for cut in ("left", "right"))
@@ -45,11 +45,11 @@ class RoundRace:
 
 @dataclass(frozen=True)
 class FlatRace:
-    """The sector, symmetric about the y axis, between the flat y = `apothem` and a circle `other`.
+    """Sector between the flat y = `apothem` and the circle `other`, symmetric about the y axis.
 
-    The sector of a polygon has the width `pitch` [rad]; if its corner is beyond the radius `tip`,
-    this circle cuts it. The roller touches at x = `at`. Names are as for the round race, and "tip"
-    for the circle that cuts the corner.
+    The sector of a polygon has the width `pitch` [rad]. If its corner is beyond the radius `tip`,
+    the circle of this radius cuts it. The contact is at x = `at`. `names` are as for the round
+    race; "tip" is the circle that cuts the corner.
     """
 
     apothem: float
@@ -61,24 +61,24 @@ class FlatRace:
 
     @property
     def half_flat(self) -> float:
-        """From the middle of the flat to its end [length]."""
+        """Length from the middle of the flat to its end."""
         corner = self.apothem * math.tan(self.pitch / 2)
         return min(corner, math.sqrt(self.tip**2 - self.apothem**2))
 
     @property
     def half_outline(self) -> float:
-        """From the middle of the flat to the cut, along the flat and the corner [length]."""
+        """Length from the middle of the flat to the section, along the flat and the corner."""
         if self.apothem / math.cos(self.pitch / 2) <= self.tip:
             return self.half_flat
         return self.half_flat + self.tip * (self.pitch / 2 - self._end)
 
     @property
     def _end(self) -> float:
-        """Angle of the flat's end [rad]."""
+        """Angle of the end of the flat [rad]."""
         return math.atan(self.half_flat / self.apothem)
 
     def mesh(self, zone: Zone, *, order: int, straight: bool) -> Mesh2D:
-        """Cells fine about the contact; `zone` is a length on the flat."""
+        """Mesh with fine cells about the contact; `zone` is a length on the flat."""
         surface, base, body = self.names
         left, right = (self._side(sign, surface) for sign in (-1, 1))
         radius = math.hypot(self.apothem, self.at)
@@ -98,7 +98,7 @@ class FlatRace:
         return Side(tuple((name, end - sign * self.at) for name, end in parts), cut)
 
     def _places(self, mesh: Mesh2D, thick: float) -> Places:
-        """Positions along rays through the origin; ln r is uniform from outline to circle."""
+        """Positions of nodes on rays through the origin; ln r is uniform from outline to circle."""
         x, y = mesh.doflocs
         along = x + self.at
         over = np.maximum(np.abs(along) - self.half_flat, 0)
@@ -110,7 +110,7 @@ class FlatRace:
 
 
 def _outline(mesh: Mesh2D) -> dict[str, str]:
-    """Names of the boundaries that are not inside."""
+    """Names of the boundaries that are not inside the body."""
     return {name: name for name in mesh.boundaries if name != "axis"}
 
 

@@ -1,4 +1,4 @@
-"""A whole roller with contacts at two points of its rim, less than half a turn from each other."""
+"""Roller with contacts at two points of its rim, at an angle of less than half a turn."""
 
 import math
 
@@ -22,11 +22,12 @@ def bent_roller(
     order: int,
     straight: bool,
 ) -> Mesh2D:
-    """The disc of radius `r` about `centre`, fine at the two `rays` [rad] from its centre.
+    """Mesh of the disc of radius `r` about `centre`, fine at two points of its rim.
 
-    Rays are clockwise from +y; the angle from the second to the first is about half a turn.
-    Boundaries "inner" and "outer", the halves of the rim about the two, in the order of `rays` and
-    `zones`; body "roller". The centre is a vertex.
+    The points are on the `rays` [rad] from the centre, clockwise from +y; the angle from the second
+    to the first ray is about half a turn. Boundaries: "inner" and "outer", the halves of the rim
+    about the two points, in the order of `rays` and `zones`. Body: "roller". The centre is a
+    vertex.
     """
     half = half_blocks(r, zones)
     mesh = flat_mesh((*half, *(block.mirrored(1, -1) for block in half)), order)
@@ -41,6 +42,6 @@ def bent_roller(
 
 
 def _bend(angle: Places, share: Places) -> Places:
-    """Function from 1 at the angle 0 to -1 at half a turn, even about both, and 0 at the centre."""
+    """Even function of the angle: 1 at 0, -1 at half a turn, and 0 at the centre of the disc."""
     c = np.cos(angle)
     return (3 * c - c**3) / 2 * share**2 * (2 - share**2)

@@ -34,28 +34,31 @@ def inner_cam_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """Star with the flat y = `X`, roller of radius `r` about `centre`, and the ring around them.
+    """Mesh of a star with the flat y = `X`, a roller of radius `r` about `centre`, and the ring.
 
-    The star has `z` flats and the bore `r_b`, the ring the bore `R` and the rim `R_a` [one unit of
-    length]; roller and races may overlap or have a gap. If the distance of a tip of the star from
-    the ring is less than half of the `clearance` (by default r/5), the tip is cut by the circle at
-    this clearance.
+    The star has `z` flats and the bore radius `r_b`, the ring the bore radius `R` and the outer
+    radius `R_a`. All lengths have the same unit. Roller and races may overlap or have a gap. If the
+    distance of a tip of the star from the ring is less than half of the `clearance` (by default
+    r/5), the tip is cut by the circle at this clearance.
 
     The `zones` are half-widths of the fine zones at the contacts of the star and of the ring. With
     `refine` 1, `cells` equal cells lie on each half on both bodies; cells are larger outside.
-    `refine` 2 halves all cells, and so on. Bodies "star", "roller" and "ring". Boundaries
-    "star.flat", "star.bore", "star.left", "star.right" and, if cut, "star.tip"; "roller.inner" and
-    "roller.outer", the halves of its rim at the contacts of the star and of the ring; "ring.bore",
-    "ring.rim", "ring.left" and "ring.right". "right" is the section at larger x; rotated
-    anticlockwise by 2 pi/z, its nodes are those of "left". A vertex of the roller is at `centre`.
-    `order` 1 or 2; `straight` cells have straight edges.
+    `refine` 2 halves all cells, and so on. Bodies: "star", "roller" and "ring". Boundaries of the
+    star: "star.flat", "star.bore", "star.left", "star.right" and, if cut, "star.tip". Boundaries of
+    the roller: "roller.inner" and "roller.outer", the halves of its rim at the contacts of the star
+    and of the ring. Boundaries of the ring: "ring.bore", "ring.rim", "ring.left" and "ring.right".
+    "right" is the section at larger x; rotated anticlockwise by 2 pi/z, its nodes coincide with
+    those of "left". A vertex of the roller is at `centre`. `order` is 1 or 2; `straight` cells have
+    straight edges.
 
     Raises ValueError, in metres, for impossible bodies, and if a fine zone is too wide.
     """
     check_radii("r_b < X < R < R_a", (r_b, X, R, R_a), z)
     gap = CLEARANCE * r if clearance is None else clearance
     if not 0 < gap < R - X:
-        raise ValueError(f"a star needs 0 < clearance < R - X = {R - X:g} m, got {gap:g} m")
+        raise ValueError(
+            f"the clearance of a star must be between 0 and R - X = {R - X:g} m, got {gap:g} m"
+        )
     pitch, psi = 2 * math.pi / z, math.atan2(*centre)
     tip = R - gap if X / math.cos(pitch / 2) > R - gap / 2 else math.inf
     star = FlatRace(X, r_b, pitch, centre[0], ("flat", "bore", "star"), tip)
@@ -90,13 +93,13 @@ def outer_cam_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """Shaft of radius `R_s`, roller of radius `r` about `centre`, cup with the flat y = `X_o`.
+    """Mesh of a shaft of radius `R_s`, a roller about `centre`, and a cup with the flat y = `X_o`.
 
-    The shaft has the bore `r_b`, the cup `z` flats inside and the rim `R_a`. The `zones` are those
-    of the contacts of the shaft and of the cup. Bodies "shaft", "roller" and "cup"; boundaries
-    "shaft.rim", "shaft.bore", "cup.flat", "cup.rim" and the sections "left" and "right" of both;
-    "roller.inner" is at the contact of the shaft, "roller.outer" at that of the cup. Otherwise as
-    `inner_cam_sector`.
+    The roller has the radius `r`, the shaft the bore radius `r_b`, the cup `z` inner flats and the
+    outer radius `R_a`. The `zones` are those at the contacts of the shaft and of the cup. Bodies:
+    "shaft", "roller" and "cup". Boundaries: "shaft.rim", "shaft.bore", "cup.flat", "cup.rim", and
+    the sections "left" and "right" of shaft and cup; "roller.inner" is at the contact of the shaft,
+    "roller.outer" at the contact of the cup. For all other properties, see `inner_cam_sector`.
     """
     check_radii("r_b < R_s < X_o < R_a cos(pi/z)", (r_b, R_s, X_o, R_a * math.cos(math.pi / z)), z)
     pitch, psi = 2 * math.pi / z, math.atan2(*centre)

@@ -1,7 +1,7 @@
-"""A strip with a contact at one point of its surface, the plane from which a race is mapped.
+"""Strip with a contact at one point of its surface, the plane region that is mapped to a race.
 
-The surface is y = 0 with the contact at the origin; the body is below. A section bounds it on each
-side; the nodes of both sections have the same y.
+The surface is y = 0, with the contact at the origin and the body below. A section bounds the strip
+on each side; the nodes of both sections have the same y.
 """
 
 import math
@@ -18,20 +18,20 @@ LONG = 0.6  # over the width across the strip, how long its cells far from the c
 
 @dataclass(frozen=True)
 class Side:
-    """Half of the surface: the name and end [length, from the origin] of each part, outwards."""
+    """Half of the surface: name and end [length from the origin] of each part, outwards."""
 
     parts: tuple[tuple[str, float], ...]
     cut: str
 
     @property
     def reach(self) -> float:
-        """Length of the part that is touched."""
+        """Length of the first part, in which the contact lies."""
         return self.parts[0][1]
 
 
 @dataclass(frozen=True)
 class Strip:
-    """The strip between the sections of `left` and `right`, with `depth` and cell sizes."""
+    """Strip between the sections of `left` and `right`, with `depth` and cell sizes."""
 
     left: Side
     right: Side
@@ -41,7 +41,7 @@ class Strip:
     zone: Zone
 
     def blocks(self) -> list[Block]:
-        """A fan on each side of the origin, and blocks at the sides of the fans and below."""
+        """Fans on both sides of the origin, and blocks beside and below the fans."""
         sides = self.left, self.right
         # both fans share their axis, and need as many cells along it
         least = max(self._half(side)[1].edges[0].cells for side in sides) // self.zone.refine
@@ -76,7 +76,7 @@ class Strip:
         return blocks
 
     def _rectangle(self, column: Edge, row: Edge, side: Side) -> Block:
-        """The block across the width of `column` and down the height of `row`."""
+        """Block with the width of `column` and the height of `row`."""
         x, end, y, bottom = column.start[0], column.end[0], row.start[1], row.end[1]
         cut = side.cut if math.isclose(end, side.parts[-1][1]) else ""
         base = self.base if math.isclose(bottom, -self.depth) else ""
@@ -90,9 +90,9 @@ class Strip:
 
 
 def _beyond(edge: Edge, parts: list[tuple[str, float]], refine: int, longest: float) -> list[Edge]:
-    """The line of `edge` from its end on to the end of each part, its cells growing further.
+    """Edges that continue the line of `edge` to the end of each part, with growing cells.
 
-    On average they are not above `longest` on `refine` 1.
+    The mean cell length is at most `longest` for `refine` 1.
     """
     found = []
     for name, end in parts:

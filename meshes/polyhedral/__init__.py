@@ -1,6 +1,6 @@
 """Sectors of rings whose bore is a polygon.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,6 +1,6 @@
-"""The two fine ends of a half sector: below the roller, and around the fillet of the corner.
+"""Fine ends of a half sector: below the roller, and around the fillet of the corner.
 
-Points are in the local frame of the sector; see half_sector.
+Points are in the local frame of the sector; see `half_sector`.
 """
 
 import math
@@ -19,7 +19,7 @@ DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet take
 
 
 def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
-    """From the middle of the side to the line across the wall at `s`, fine outside at 0."""
+    """Blocks from the middle of the side to the line across the wall at `s`, fine at the roller."""
     middle = (ring.apothem, 0.0)
     # the fan's frame has its origin on the outside, the surface along x and the body in y <= 0
     places = {(y, x - ring.r_e): (x, y) for x, y in (*across(ring, s), middle)}
@@ -46,14 +46,14 @@ def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
 
 
 def across(ring: Outline, s: float) -> tuple[Point, Point]:
-    """Ends of the line across the wall at `s`: on the flat, and outside."""
+    """Ends of the line across the wall at `s`: on the flat, and on the outside."""
     return (ring.apothem, s), ring.above(s)
 
 
 def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> list[Block]:
-    """Mesh from the line across the wall at `s` to the corner, fine around the fillet.
+    """Blocks from the line across the wall at `s` to the corner, fine around the fillet.
 
-    With `refine` 1, at least `arc` cells lie on the fillet, and as many outside.
+    With `refine` 1, at least `arc` cells lie on the fillet, and as many on the outside.
     """
     n, depth = _core(ring, rows, arc)
     start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
@@ -85,10 +85,10 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> lis
 
 
 def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
-    """One block over a fillet that is much longer than the thickness of the wall.
+    """Block over a fillet that is much longer than the thickness of the wall.
 
-    Finer cells are not needed. The slender cells of a fan would have an error of third order in h
-    in addition to that of fourth order, with opposite sign for some rings.
+    Finer cells are not required here. The slender cells of a fan would have an error of third order
+    in h in addition to the error of fourth order, with opposite sign for some rings.
     """
     bottom, top = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_e)
     start, above = across(ring, ring.half_flat)
@@ -101,9 +101,10 @@ def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
 
 
 def _core(ring: Outline, rows: int, least: int) -> tuple[int, float]:
-    """Cells along the fillet and depth of the core around it, with `rows` square cells if possible.
+    """Number of cells along the fillet, and depth of the core around it.
 
-    If a thin wall leaves less space, no arc is higher than the thickness of its cell.
+    The core has `rows` square cells if possible. If a thin wall leaves less space, no arc is higher
+    than the thickness of its cell.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(least, at_least(arc / (SLENDER * wall)))

@@ -35,15 +35,16 @@ def half_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """Half a sector of a ring with a polygonal bore: mapped quadrilaterals, fine at the fillet.
+    """Mesh of half a sector of a ring with a polygonal bore, fine at the fillet.
 
-    `z` sides, outside diameter `d_e`, diameter `d_i` of the circle through the rounded corners, and
-    their radius `fillet` [one unit of length]. `refine` 1 is the coarsest mesh, 2 halves all cells,
-    and so on. With a `zone`, `cells` equal cells (for `refine` 1) lie outside over 0 <= y <=
+    The cells are mapped quadrilaterals. The bore has `z` sides; `d_e` is the outside diameter,
+    `d_i` the diameter of the circle through the rounded corners, and `fillet` the radius of the
+    corners. All lengths have the same unit. `refine` 1 is the coarsest mesh, 2 halves all cells,
+    and so on. With a `zone`, `cells` equal cells (for `refine` 1) lie on the outside over 0 <= y <=
     `zone`, at the contact of a roller. The `hub` acts on the flat from s_0 to s_1 [length] from its
-    middle. At least `arc` cells (for `refine` 1) lie on the fillet. Boundaries "rim" (whole
+    middle. At least `arc` cells (for `refine` 1) lie on the fillet. Boundaries: "rim" (whole
     outside) and its part "zone"; "bore" with its parts "flat" and "fillet"; "hub", part of the
-    flat; the sections "mid" (y = 0) and "corner"; body "ring". `order` 1 or 2; `straight` cells
+    flat; the sections "mid" (y = 0) and "corner". Body: "ring". `order` is 1 or 2; `straight` cells
     have straight edges.
 
     Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, the zone is narrow relative
@@ -51,13 +52,13 @@ def half_sector(
     """
     ring = Outline(z, d_e, d_i, fillet)
     if refine < 1:
-        raise ValueError(f"a mesh needs refine >= 1, got {refine}")
+        raise ValueError(f"refine must be at least 1, got {refine}")
     fine = None if zone is None else Zone(zone, cells, refine)
     rows = ROWS if fine is None else fine.rows
     stops = _stops(ring, hub, first=None if fine is None else ring.wall(0.0))
     if fine is not None and not 0 < fine.width <= min(ring.wall(0.0), ring.above(stops[0])[1]) / 2:
         raise ValueError(
-            "the fine zone needs 0 < zone <= half of the wall at the middle of the side, "
+            "the fine zone must have 0 < zone <= half of the wall at the middle of the side, "
             f"{ring.wall(0.0):g} m, and of the outside beside it, {ring.above(stops[0])[1]:g} m; "
             f"got zone={fine.width:g} m"
         )
@@ -74,10 +75,10 @@ def half_sector(
 
 
 def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
-    """Lines across the wall: end of the fan of the roller, and start of the fan of the corner.
+    """Positions of lines across the wall: end of the roller's fan, start of the corner's fan.
 
-    Each fan is about as wide as its wall; `first` is that of the roller; without it, lines start at
-    0.
+    Each fan is about as wide as its wall. `first` is the width of the roller's fan; if it is None,
+    the first line is at 0.
     """
     end, last = ring.half_flat, ring.wall(ring.half_flat)
     if hub is None:
@@ -87,7 +88,7 @@ def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) 
         low, high = hub
         if not 0 < low < high < end:
             raise ValueError(
-                "the hub presses the flat for 0 < s_0 < s_1 < half of the flat, "
+                "the hub must act on the flat at 0 < s_0 < s_1 < half of the flat, "
                 f"{end:g} m; got s_0={low:g} m, s_1={high:g} m"
             )
     start = 0.0 if first is None else (first if first < NEAR * low else low)
@@ -98,7 +99,7 @@ def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) 
 def _column(
     ring: Outline, ends: tuple[float, float], *, hub: bool, rows: int, refine: int
 ) -> Block:
-    """The block between two lines across the wall, its cells about square."""
+    """Block between two lines across the wall, with nearly square cells."""
     (a, b), (c, d) = (across(ring, s) for s in ends)
     size = min(math.dist(a, b), math.dist(c, d)) / rows
     n = refine * max(HUB if hub else 1, at_least(math.dist(a, c) / size))

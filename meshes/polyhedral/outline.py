@@ -1,4 +1,4 @@
-"""Half a sector of a polyhedral ring: its corners, and lines across its wall."""
+"""Outline of half a sector of a polyhedral ring: its corners, and lines across its wall."""
 
 import math
 from dataclasses import dataclass
@@ -11,7 +11,8 @@ class Outline:
     """Half a sector of a ring with a bore that is a regular polygon with `z` rounded corners.
 
     The middle of a side is at the angle 0, the corner at pi/z. `d_e` is the outside diameter, `d_i`
-    that of the circle through the rounded corners, `fillet` their radius [one unit].
+    the diameter of the circle through the rounded corners, `fillet` the radius of the corners. All
+    lengths have the same unit.
     """
 
     z: int
@@ -21,16 +22,16 @@ class Outline:
 
     def __post_init__(self) -> None:
         if not self.z >= 3 or self.z % 1 != 0:
-            raise ValueError(f"a polygon needs a whole number z >= 3 of sides, got z={self.z:g}")
+            raise ValueError(f"the number of sides must be whole and z >= 3, got z={self.z:g}")
         if not 0 < self.d_i < self.d_e < math.inf:
             raise ValueError(
-                "a polyhedral ring has a wall at its corners only for 0 < d_i < d_e, got "
+                "the diameters of a polyhedral ring must satisfy 0 < d_i < d_e, got "
                 f"d_i={self.d_i:g} m, d_e={self.d_e:g} m"
             )
         if not 0 < self.fillet < self.r_i:
             raise ValueError(
-                "the fillet needs 0 < fillet < d_i/2: a sharp corner has no finite stress, and "
-                "with d_i/2 the bore is round; "
+                "the fillet must satisfy 0 < fillet < d_i/2 (a sharp corner has infinite stress, "
+                "with fillet = d_i/2 the bore is round), "
                 f"got fillet={self.fillet:g} m, d_i/2={self.r_i:g} m"
             )
 
@@ -49,12 +50,12 @@ class Outline:
 
     @property
     def apothem(self) -> float:
-        """From the ring's centre to the middle of a side."""
+        """Distance from the centre of the ring to the middle of a side."""
         return self.r_i * math.cos(self.angle) + self.fillet * (1 - math.cos(self.angle))
 
     @property
     def half_flat(self) -> float:
-        """From the middle of a side to its end at the fillet."""
+        """Length from the middle of a side to its end at the fillet."""
         return (self.r_i - self.fillet) * math.sin(self.angle)
 
     @property
@@ -62,18 +63,19 @@ class Outline:
         return self.on_corner_ray(self.r_i - self.fillet)
 
     def on_corner_ray(self, r: float) -> Point:
-        """The point at radius `r` on the ray through the corner."""
+        """Point at the radius `r` on the ray through the corner."""
         return r * math.cos(self.angle), r * math.sin(self.angle)
 
     def above(self, s: float) -> Point:
         """Point of the outside on the line across the wall that starts on the flat at `s`.
 
-        The line is between the normal of the flat and the radius of the ring, nearer to the normal.
+        The direction of the line is between the normal of the flat and the radius of the ring,
+        nearer to the normal.
         """
         normal, radius = math.asin(s / self.r_e), math.atan2(s, self.apothem)
         turn = normal + (radius - normal) / 3
         return self.r_e * math.cos(turn), self.r_e * math.sin(turn)
 
     def wall(self, s: float) -> float:
-        """Length of that line."""
+        """Length of the line across the wall that starts on the flat at `s`."""
         return math.dist((self.apothem, s), self.above(s))

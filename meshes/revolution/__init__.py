@@ -1,6 +1,6 @@
-"""Half-sections of bodies of revolution: x is the radius, y the axis.
+"""Half-sections of bodies of revolution: x is the radius, y the axial coordinate.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,4 +1,4 @@
-"""Half-sections of cylinders that are touched on a part of their length, fine at its end."""
+"""Half-sections of cylinders with contact on a part of their length, fine at its end."""
 
 import math
 
@@ -20,22 +20,22 @@ def half_cylinder(
     first: float,
     refine: int = 1,
 ) -> MeshQuad1:
-    """The half z >= 0 of a cylinder of radius `R` with contact at the stations `contact`.
+    """Mesh of the half z >= 0 of a cylinder of radius `R` with contact at the stations `contact`.
 
-    `contact` extends from 0 to the end of the contact; beyond, the cylinder continues by
-    `overhang`, and its first cell has the size of the last contact cell. Cells below the rim have
-    the depth `first` and are larger below; `refine` 2 halves these and the cells beyond, but
-    `contact` is unchanged. All lengths have one unit. Boundaries "rim", "axis" or "bore", "start"
-    (z = 0) and "end"; body "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations
-    ascend from 0.
+    `contact` extends from 0 to the end of the contact. Beyond it, the cylinder continues by
+    `overhang`, and the first cell has the size of the last contact cell. Cells below the rim have
+    the depth `first`; cells further inside are larger. `refine` 2 halves these cells and the cells
+    beyond the contact, but `contact` is unchanged. All lengths have the same unit. Boundaries:
+    "rim", "axis" or "bore", "start" (z = 0) and "end". Body: "body". Raises ValueError unless 0 <=
+    bore < R, overhang >= 0, and the stations ascend from 0.
     """
     z = np.asarray(contact, float)
     if not 0 <= bore < R < math.inf:
-        raise ValueError(f"a cylinder needs 0 <= bore < R, got bore={bore:g} m, R={R:g} m")
+        raise ValueError(f"the bore must satisfy 0 <= bore < R, got bore={bore:g} m, R={R:g} m")
     if not 0 <= overhang < math.inf:
-        raise ValueError(f"an overhang must not be negative, got overhang={overhang:g} m")
+        raise ValueError(f"overhang must be finite and not negative, got overhang={overhang:g} m")
     if z.ndim != 1 or z.size < 2 or z[0] != 0 or not np.all(np.diff(z) > 0):
-        raise ValueError(f"stations of contact must grow from 0, got {z}")
+        raise ValueError(f"the stations of contact must ascend from 0, got {z}")
     if overhang > 0:
         last = min(refine * float(z[-1] - z[-2]), overhang)
         end = float(z[-1]) + overhang

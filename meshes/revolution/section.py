@@ -1,4 +1,4 @@
-"""Half-sections of solid and hollow cylinders on stations of radius and of the axis."""
+"""Half-sections of solid and hollow cylinders with cells between given radii and axial stations."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -13,10 +13,11 @@ Array = NDArray[np.float64]
 
 
 def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
-    """Rectangular cells between ascending stations `r` >= 0 and `z`, with straight edges.
+    """Mesh of rectangular cells between ascending `r` >= 0 and `z`, with straight edges.
 
-    Boundaries "axis" (if the first r is 0) or "bore", "rim", "start" (first z) and "end"; body
-    "body". ValueError unless there are at least two ascending stations, none with r < 0.
+    Boundaries: "axis" (if the first r is 0) or "bore", "rim", "start" (first z) and "end". Body:
+    "body". Raises ValueError unless r and z have at least two ascending values, and no r is
+    negative.
     """
     r, z = _growing(r, "r"), _growing(z, "z")
     if r[0] < 0:
@@ -33,14 +34,14 @@ def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
 def stations(*, start: float, end: float, first: float, growth: float, refine: int = 1) -> Array:
     """Stations from `start`, with cells of size `first`, to `end`, in either direction.
 
-    Away from `start`, a cell is at most `growth` times as long as the previous one; at a large
-    distance, sizes become constant. `refine` 2 halves all cells, and so on. ValueError unless 0 <
-    first <= |end - start|.
+    Away from `start`, a cell is at most `growth` times as long as the previous cell. At a large
+    distance, sizes become constant. `refine` 2 halves all cells, and so on. Raises ValueError
+    unless 0 < first <= |end - start|.
     """
     length = abs(end - start)
     if not 0 < first <= length < np.inf or not growth > 1 or refine < 1:
         raise ValueError(
-            "stations need 0 < first <= |end - start|, growth > 1 and refine >= 1, got "
+            "stations require 0 < first <= |end - start|, growth > 1 and refine >= 1, got "
             f"first={first:g} m, |end - start|={length:g} m, growth={growth:g}, refine={refine}"
         )
     n = cells_along(length=length, first=first, growth=growth)
@@ -53,15 +54,18 @@ def stations(*, start: float, end: float, first: float, growth: float, refine: i
 
 
 def chain(parts: Sequence[Array]) -> Array:
-    """Ascending stations of several parts, each starting at the end of the previous one."""
+    """Ascending stations of several parts; each part must start at the end of the previous part."""
     for before, after in pairwise(parts):
         if before[-1] != after[0]:
-            raise ValueError(f"stations end at {before[-1]:g} m but continue at {after[0]:g} m")
+            raise ValueError(
+                "each part of stations must start at the end of the previous part, which is "
+                f"{before[-1]:g} m, got {after[0]:g} m"
+            )
     return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
 
 
 def _growing(values: ArrayLike, name: str) -> Array:
     found = np.asarray(values, float)
     if found.ndim != 1 or found.size < 2 or not np.all(np.diff(found) > 0):
-        raise ValueError(f"stations {name} must grow, two or more, got {found}")
+        raise ValueError(f"stations {name} must have two or more ascending values, got {found}")
     return found

@@ -1,6 +1,6 @@
 """Rings and sectors of rings.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,4 +1,4 @@
-"""Quarter ring in the first quadrant, mapped quadrilaterals."""
+"""Quarter ring in the first quadrant, with mapped quadrilaterals."""
 
 import math
 
@@ -16,15 +16,15 @@ ACROSS = 0.4  # increase of ln r over one of these cells
 def quarter_ring(
     *, r_i: float, r_o: float, refine: int, order: int = 2, straight: bool = False
 ) -> Mesh2D:
-    """Quarter of a ring whose cells grow with the radius.
+    """Mesh of a quarter of a ring, with cells that grow with the radius.
 
     `refine` 1 is the coarsest mesh: twelve cells along the quarter (more in thin walls) and at
-    least one across each half; 2 halves all cells, and so on. Boundaries "bore", "rim", "x=0",
-    "y=0" and the internal circle "middle" between the bodies "inner half" and "outer half". `order`
-    1 or 2; `straight` cells have straight edges.
+    least one across each half of the wall; 2 halves all cells, and so on. Boundaries: "bore",
+    "rim", "x=0", "y=0" and the internal circle "middle" between the bodies "inner half" and "outer
+    half". `order` is 1 or 2; `straight` cells have straight edges.
     """
     if not 0 < r_i < r_o:
-        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+        raise ValueError(f"a ring must have 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
     radii = (r_i, (r_i + r_o) / 2, r_o)
     # the rise of an arc over its chord stays below a quarter of the thinnest cell
     thin = math.log(r_o / radii[1])

@@ -30,26 +30,26 @@ def half_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The sector 0 <= theta <= pi/n of a ring, fine at a patch on one wall at theta = 0.
+    """Mesh of the sector 0 <= theta <= pi/n of a ring, fine at a patch on one wall at theta = 0.
 
     Half the patch, 0 <= r theta <= `patch` [length along the arc], is on the wall `loaded` and has
     `cells` equal cells for `refine` 1; cells are larger outside. `refine` 2 halves all cells, and
-    so on. Boundaries "patch", "bore" and "rim" (the loaded wall includes the patch), "load cut"
-    (theta = 0) and "free cut" (theta = pi/n); body "ring". `order` 1 or 2; `straight` cells have
-    straight edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and the patch is at most half of
-    the rest of half a pitch and at most as wide as the thickness of the wall.
+    so on. Boundaries: "patch", "bore" and "rim" (the loaded wall includes the patch), "load cut"
+    (theta = 0) and "free cut" (theta = pi/n). Body: "ring". `order` is 1 or 2; `straight` cells
+    have straight edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and `patch` is at most half
+    of the arc of half a pitch and at most the thickness of the wall.
     """
     if not 0 < r_i < r_o < math.inf:
-        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+        raise ValueError(f"a ring must have 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
     if loaded not in ("bore", "rim"):
-        raise ValueError(f"the loaded wall is 'bore' or 'rim', got {loaded!r}")
+        raise ValueError(f"loaded must be 'bore' or 'rim', got {loaded!r}")
     if n < 2:
-        raise ValueError(f"evenly spaced loads balance each other from n = 2 on, got n={n}")
+        raise ValueError(f"balanced, evenly spaced loads require n >= 2, got n={n}")
     r = r_i if loaded == "bore" else r_o
     width, depth, zone = math.pi / n, math.log(r_o / r_i), patch / r
     if not 0 < zone <= min(width / 2, depth):
         raise ValueError(
-            "a patch needs 0 < patch <= half of half a pitch and <= the wall, got "
+            "a patch must have 0 < patch <= half of half a pitch and patch <= the wall, got "
             f"patch={patch:g} m, half a pitch {width * r:g} m, wall {r_o - r_i:g} m"
         )
     block = half_block(
@@ -64,7 +64,7 @@ def half_sector(
 def _renamed(
     block: Mesh2D, points: NDArray[np.float64], loaded: Wall, zone: float, straight: bool
 ) -> Mesh2D:
-    """The block's cells on `points` (2, nodes), its boundaries by the ring's names."""
+    """Mesh with the cells of `block`, nodes at `points` (2, nodes), and the names of a ring."""
     walls = {"surface": loaded, "bottom": "rim" if loaded == "bore" else "bore"}
     names = NAMES | walls
     boundaries = {names[name]: facets for name, facets in (block.boundaries or {}).items()}

@@ -1,6 +1,6 @@
-"""Half-sections of stepped shafts: x is the radius, y the axis.
+"""Half-sections of stepped shafts: x is the radius, y the axial coordinate.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

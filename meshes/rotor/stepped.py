@@ -23,13 +23,13 @@ def stepped_section(
     growth: float = 2.0,
     refine: int = 1,
 ) -> MeshQuad1:
-    """Rectangular cells in a shaft of `parts` (length, d_o, d_i) from z = 0, end to end.
+    """Mesh of rectangular cells in a shaft of `parts` (length, d_o, d_i) from z = 0, end to end.
 
     Cells are at most `first` long at the corners of steps, and larger at a distance from them;
     `refine` divides the size of all cells. All lengths have the same unit. Boundaries: "rim" and
     "bore" of all parts, "axis", "start", "end", and each of the `bands` (from, to) on the rim.
-    Body: "body". ValueError unless lengths are positive, 0 <= d_i < d_o, the sections of
-    neighbours overlap, and bands lie on the shaft.
+    Body: "body". Raises ValueError unless lengths are positive, 0 <= d_i < d_o, the sections of
+    neighbouring parts overlap, and bands lie on the shaft.
     """
     _check(parts)
     z = np.cumsum([0.0, *(length for length, _, _ in parts)])
@@ -73,10 +73,10 @@ def _between(
 
 
 def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
-    """The band; an end that differs from the end of a part by round-off is moved there."""
+    """The band; an end that differs from the end of a part by round-off is moved to that end."""
     if not 0 <= band[0] < band[1] <= z[-1] * (1 + SAME):
         raise ValueError(
-            f"a band must lie on the shaft, 0 to {z[-1]:g} m, from low to high: got {band}"
+            f"a band must lie on the shaft, 0 to {z[-1]:g} m, from low to high, got {band}"
         )
     low, high = (
         float(z[k]) if abs(z[k] - end) <= SAME * z[-1] else end
@@ -87,7 +87,7 @@ def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
 
 
 def _named(mesh: MeshQuad1, z: Array, bands: Mapping[str, tuple[float, float]]) -> MeshQuad1:
-    """The mesh with boundaries named by the position of facets, each the outside of one cell."""
+    """Mesh with boundaries named by the position of facets."""
     outside = mesh.boundary_facets()
     ends = mesh.p[:, mesh.facets[:, outside]]
     r, at = ends.mean(axis=1)
@@ -107,14 +107,14 @@ def _check(parts: Sequence[Part]) -> None:
     for length, d_o, d_i in parts:
         if not (0 < length < np.inf and 0 <= d_i < d_o < np.inf):
             raise ValueError(
-                "a part needs length > 0 and 0 <= d_i < d_o, got "
+                "a part must have length > 0 and 0 <= d_i < d_o, got "
                 f"length={length:g} m, d_o={d_o:g} m, d_i={d_i:g} m"
             )
     if not parts:
-        raise ValueError("a shaft needs a part, got none")
+        raise ValueError("a shaft must have at least one part, got none")
     for a, b in pairwise(parts):
         if not max(a[2], b[2]) < min(a[1], b[1]):
             raise ValueError(
-                f"neighbours of d_o={a[1]:g}, d_i={a[2]:g} and d_o={b[1]:g}, d_i={b[2]:g} m have "
-                "no section in common"
+                f"neighbours of d_o={a[1]:g}, d_i={a[2]:g} and d_o={b[1]:g}, d_i={b[2]:g} m must "
+                "have a common section"
             )

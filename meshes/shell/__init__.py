@@ -1,6 +1,6 @@
 """Shell surfaces: rectangle, cylinder panel, strip along a plane path.
 
-Lengths in any consistent unit.
+All lengths must have the same unit.
 """
 
 from meshes.public import lazily

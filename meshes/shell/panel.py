@@ -8,8 +8,9 @@ from meshes.spring.path import Piece
 
 
 def rectangle(*, length: float, width: float, along: int, across: int) -> ShellMesh:
-    """From x = 0 ("head") to x = `length` ("tail"), z = 0 ("middle") to z = `width` ("edge").
+    """Mesh of a rectangle from x = 0 to x = `length` and from z = 0 to z = `width`.
 
+    Boundaries: "head" (x = 0), "tail" (x = `length`), "middle" (z = 0) and "edge" (z = `width`).
     Normals point along -y.
     """
     if not length > 0:
@@ -27,14 +28,15 @@ def cylinder_panel(
     across: int,
     finest: float | None = None,
 ) -> ShellMesh:
-    """From the crown (0, `radius`, z) ("head") over `angle` [rad] towards +x ("tail").
+    """Mesh of a cylinder panel from the crown (0, `radius`, z) over `angle` [rad] towards +x.
 
-    z = 0 is "middle" and z = `width` "edge", with cells from `finest` on as in `swept_path`.
-    Normals point to the axis.
+    Boundaries: "head" (the crown), "tail" (the other end), "middle" (z = 0) and "edge" (z =
+    `width`). At the edge, cells have the size `finest`, see `swept_path`. Normals point to the
+    axis.
     """
     if not (radius > 0 and 0 < angle <= math.pi / 2):
         raise ValueError(
-            f"needs a positive radius and an angle in (0, 90] deg, got radius={radius:g}, "
+            f"radius must be positive and angle must be in (0, 90] deg, got radius={radius:g}, "
             f"angle={math.degrees(angle):g} deg"
         )
     arc = Piece("arc", 0.0, radius, 0.0, radius * angle, -angle, 1)

@@ -30,16 +30,16 @@ def swept_path(
     finest: float | None = None,
     leaf_ends: float = 1.0,
 ) -> ShellMesh:
-    """Leaves and arcs of a plane path, swept from z = 0 to z = `width`.
+    """Mesh of the leaves and arcs of a plane path, swept from z = 0 to z = `width`.
 
-    `per_arc` and `per_leaf` cells lie along each piece, and `across` cells over the width, equal or
-    growing from about `finest` at the edge z = `width` (in the unit of the path). Cells at the ends
-    of a leaf are about `leaf_ends` times as long as in its middle. Twice the numbers of cells and
-    half of `finest` halve every cell.
+    `per_arc` and `per_leaf` cells lie along each piece. `across` cells lie over the width; they are
+    equal, or grow from about `finest` (in the unit of the path) at the edge z = `width`. Cells at
+    the ends of a leaf are about `leaf_ends` times as long as in its middle. To halve every cell,
+    double the numbers of cells and halve `finest`.
 
-    Boundaries "head" and "tail" (first and last line across), "middle" (z = 0) and "edge"; nodes
-    "head" and "tail" in the middle; bodies "leaves" and "arcs", if they exist. Normals point to the
-    right of the path, seen from positive z.
+    Boundaries: "head" and "tail" (first and last line across), "middle" (z = 0) and "edge". Nodes:
+    "head" and "tail" in the middle. Bodies: "leaves" and "arcs", if they exist. Normals point to
+    the right of the path, seen from positive z.
     """
     pieces = list(path)
     _check(pieces, width, min(per_arc, per_leaf, across), finest, leaf_ends)
@@ -61,11 +61,11 @@ def _check(
     pieces: list[Piece], width: float, fewest: int, finest: float | None, leaf_ends: float
 ) -> None:
     if not pieces:
-        raise ValueError("a path needs a leaf or an arc")
+        raise ValueError("a path must have at least one leaf or arc")
     if not width > 0:
         raise ValueError(f"width must be positive, got {width:g}")
     if fewest < 1:
-        raise ValueError(f"needs one cell or more along each piece and across, got {fewest}")
+        raise ValueError(f"at least one cell is required along each piece and across, got {fewest}")
     if finest is not None and not finest > 0:
         raise ValueError(f"finest must be positive, got {finest:g}")
     if not 0 < leaf_ends <= 1:
@@ -73,7 +73,7 @@ def _check(
 
 
 def _heights(width: float, across: int, finest: float | None) -> list[float]:
-    """Lines between cells, as shares of the width."""
+    """Positions of the lines between cells, relative to the width."""
     even = np.arange(1, across + 1) / across
     if finest is None or finest * across >= width:
         return [float(x) for x in even]
@@ -100,7 +100,7 @@ def _path(pieces: list[Piece], per_arc: int, per_leaf: int, leaf_ends: float) ->
 
 
 def _name(line: _Path, swept: list[tuple[int, int]]) -> None:
-    """Physical groups; `swept` lists each curve's copy at the edge before its surface."""
+    """Define physical groups; `swept` lists each curve's copy at the edge before its surface."""
     surfaces = [i for i, (dim, _) in enumerate(swept) if dim == 2]
     head, tail = (
         [c for c in gmsh.model.getAdjacencies(0, point)[0] if c not in line.curves]

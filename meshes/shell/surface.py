@@ -1,4 +1,4 @@
-"""The surface mesh of the current gmsh model as plain arrays, in memory."""
+"""Surface mesh of the current gmsh model as arrays, in memory."""
 
 from dataclasses import dataclass
 
@@ -12,10 +12,10 @@ LINE3, QUAD9 = 8, 10  # gmsh's element types
 
 @dataclass(frozen=True)
 class ShellMesh:
-    """Nine-node quadrilaterals in space.
+    """Mesh of nine-node quadrilaterals in space.
 
-    `points` (n, 3); `cells` (m, 9): corners, middles of the edges, centre; `boundaries` names
-    groups of edges (k, 3): ends and middle; `nodes` single nodes and `bodies` groups of cells.
+    `points` is (n, 3), `cells` (m, 9): corners, middles of the edges, centre. `boundaries` names
+    groups of edges (k, 3): ends and middle. `nodes` names single nodes, `bodies` groups of cells.
     """
 
     points: NDArray[np.float64]
@@ -26,9 +26,10 @@ class ShellMesh:
 
 
 def shell_mesh() -> ShellMesh:
-    """The surfaces of the current gmsh model; physical groups of every dimension give names.
+    """Mesh of the surfaces of the current gmsh model, with names of physical groups.
 
-    Raises ValueError if a surface has no name or other cells than quadratic quadrilaterals.
+    Raises ValueError if no surface has a name, or if a surface has other cells than quadratic
+    quadrilaterals.
     """
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
     blocks, bodies, count = [], {}, 0
@@ -39,7 +40,7 @@ def shell_mesh() -> ShellMesh:
         bodies[gmsh.model.getPhysicalName(dim, group)] = np.arange(count, count + size)
         count += size
     if not blocks:
-        raise ValueError("a shell mesh needs physical surfaces, the model names none")
+        raise ValueError("a shell mesh requires physical surfaces, but the model has none")
     used, cells = np.unique(np.concatenate(blocks), return_inverse=True)
     row = np.full(int(tags.max()) + 1, -1)
     row[used] = np.arange(used.size)
@@ -65,6 +66,9 @@ def _nodes(dim: int, entity: int, kind: int) -> Indices:
     kinds, _, nodes = gmsh.model.mesh.getElements(dim, entity)
     if list(kinds) != [kind]:
         what = "curve" if dim == 1 else "surface"
-        raise ValueError(f"{what} {entity} needs quadratic lines or nine-node quadrilaterals")
+        raise ValueError(
+            f"{what} {entity} must have quadratic lines or nine-node quadrilaterals: set the mesh "
+            "order to 2"
+        )
     size = gmsh.model.mesh.getElementProperties(kind)[3]
     return nodes[0].reshape(-1, size).astype(np.int64)

@@ -1,6 +1,6 @@
 """Solids in space: second-order hexahedra of strips swept over their width, and of blocks.
 
-Lengths in any consistent unit; messages state metres.
+All lengths must have the same unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,4 +1,4 @@
-"""A block of even hexahedra."""
+"""Block of equal hexahedra."""
 
 import math
 
@@ -15,14 +15,15 @@ SIDES = ("z=0", "z=1", "y=0", "x=1", "y=1", "x=0")  # in gmsh's order; 0 the low
 def solid_block(
     *, x: Span, y: Span, z: Span, cells: tuple[int, int, int], order: int = 2
 ) -> Mesh3D:
-    """The block between two `x`, `y` and `z`, of `cells` per direction; reference axes x, y, z.
+    """Mesh of the block between two values of `x`, `y` and `z`, with `cells` per direction.
 
-    Boundaries "x=0" (the lower end) and "x=1" (the upper), and so on; body "block". `order` 1 or 2.
-    ValueError unless the second of each pair is above the first and every count at least 1.
+    The reference axes of the cells are x, y, z. Boundaries: "x=0" (the lower end), "x=1" (the upper
+    end), and so on. Body: "block". `order` is 1 or 2. Raises ValueError unless the second value of
+    each pair is above the first and every number of cells is at least 1.
     """
     if min(cells) < 1 or not all(-math.inf < low < high < math.inf for low, high in (x, y, z)):
         raise ValueError(
-            f"a block needs growing x, y, z and a cell per direction, got x={x}, y={y}, z={z}, "
+            f"a block requires rising x, y, z and a cell per direction, got x={x}, y={y}, z={z}, "
             f"cells={cells}"
         )
     with gmsh_session():

@@ -1,15 +1,16 @@
-"""Ends of cells along a line whose sizes decrease towards one end."""
+"""Positions of the ends of cells whose sizes decrease towards one end of a line."""
 
 import math
 
 
 def levels(cells: int, grading: float) -> list[float]:
-    """Ends (0..1] of `cells` with sizes that decrease as a geometric series, by `grading` in total.
+    """Ends (0..1] of `cells` cells with sizes that decrease as a geometric series by `grading`.
 
-    They are on one map: twice the number halves the cells. ValueError unless 1 <= grading.
+    `grading` is the total ratio of first to last size. All meshes use the same map: twice the
+    number of cells halves the cells. Raises ValueError unless grading >= 1.
     """
     if not 1 <= grading < math.inf:
-        raise ValueError(f"cells shrink by a factor of at least 1, got grading={grading:g}")
+        raise ValueError(f"grading must be finite and at least 1, got grading={grading:g}")
     rest = [1 - k / cells for k in range(1, cells)]
     if grading > 1:
         rest = [(grading**s - 1) / (grading - 1) for s in rest]

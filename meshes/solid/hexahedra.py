@@ -1,4 +1,4 @@
-"""The hexahedra of the current gmsh model for scikit-fem, in memory."""
+"""Hexahedra of the current gmsh model for scikit-fem, in memory."""
 
 from collections.abc import Iterator
 
@@ -17,16 +17,18 @@ KINDS = {5: (MeshHex, ElementHex1), 12: (MeshHex2, ElementHex2)}
 
 
 def solid_mesh(*, straight: bool = False) -> Mesh3D:
-    """The current gmsh model as a scikit-fem mesh of 8- or 27-node hexahedra.
+    """Mesh of 8- or 27-node hexahedra for scikit-fem, from the current gmsh model.
 
-    Physical surfaces become `boundaries` and physical volumes `subdomains` of their names.
-    `straight` moves the middle nodes of 27-node cells between their corners. Raises ValueError
-    if the model has other cells, or none.
+    Physical surfaces become `boundaries`, and physical volumes become `subdomains`, with their
+    names. `straight` moves the middle nodes of 27-node cells between their corners. Raises
+    ValueError if the model has other cells, or none.
     """
     found = [int(k) for k in gmsh.model.mesh.getElementTypes(3)]
     if len(found) != 1 or found[0] not in KINDS:
         names = [gmsh.model.mesh.getElementProperties(k)[0] for k in found]
-        raise ValueError(f"a solid mesh needs hexahedra of 8 or 27 nodes, got {names or 'none'}")
+        raise ValueError(
+            f"a solid mesh must have hexahedra of 8 or 27 nodes, got {names or 'none'}"
+        )
     kind = found[0]
     shape, element = KINDS[kind]
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
@@ -45,9 +47,9 @@ def solid_mesh(*, straight: bool = False) -> Mesh3D:
 
 
 def _order(kind: int, doflocs: Array) -> Indices:
-    """Order of gmsh's nodes by scikit-fem's, by their place in the unit cube.
+    """Index of gmsh's node for each node of scikit-fem, by positions in the unit cube.
 
-    Both cubes are right-handed, so that the first reference direction is gmsh's.
+    Both cubes are right-handed; the first reference direction is therefore that of gmsh.
     """
     local = np.reshape(gmsh.model.mesh.getElementProperties(kind)[4], (-1, 3))
     return np.array([np.argmin(abs((local + 1) / 2 - x).sum(axis=1)) for x in doflocs])
@@ -74,7 +76,7 @@ def _cells(kind: int, cell_tags: Indices, volumes: list[int]) -> Indices:
 
 
 def _boundaries(mesh: Mesh3D, vertex: dict[int, int]) -> dict[str, Indices]:
-    """Facets of every physical surface, found by their four vertices."""
+    """Facets of every physical surface, identified by their four vertices."""
     facet = {tuple(corners): k for k, corners in enumerate(np.sort(mesh.facets, axis=0).T.tolist())}
     found = {}
     for name, surfaces in _named(2):

@@ -28,14 +28,15 @@ def solid_strip(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh3D:
-    """The strip of thickness `b` about a path in z = 0, extended to z = `width` [one unit].
+    """Mesh of a strip of thickness `b` about a path in z = 0, swept to z = `width` [same unit].
 
-    `through` cells over b, `per_arc` and `per_leaf` along each piece, `across` over the width;
-    those at z = width are finer than those at 0 by about `grading`. The first reference direction
-    of every cell is along the path. Boundaries "head" and "tail" (the end faces), "left" and
-    "right" seen from the head, "middle" (z = 0) and "edge"; bodies "arcs" and "leaves". `order` 1
-    or 2; `straight` cells have straight edges. ValueError for lengths and counts that are not
-    positive, and for an arc with an inner radius below half the thickness.
+    There are `through` cells over b, `per_arc` and `per_leaf` along each piece, and `across` over
+    the width. Cells at z = width are finer than cells at z = 0 by a factor of about `grading`. The
+    first reference direction of every cell is along the path. Boundaries: "head" and "tail" (the
+    end faces), "left" and "right" seen from the head, "middle" (z = 0) and "edge". Bodies: "arcs"
+    and "leaves". `order` is 1 or 2; `straight` cells have straight edges. Raises ValueError for
+    lengths and numbers that are not positive, and for an arc with a radius of at most half the
+    thickness.
     """
     _check(pieces, b, width, (through, per_arc, per_leaf, across))
     with gmsh_session():
@@ -58,7 +59,7 @@ def solid_strip(
 
 
 def _name(pieces: Sequence[Piece], layers: list[list[int]], swept: list[int]) -> None:
-    """Physical groups of the entities of each layer: its far face, its volume and four sides."""
+    """Define physical groups from each layer's entities: far face, volume and four sides."""
     through = len(layers[0])
     parts = [swept[k : k + 6] for k in range(0, len(swept), 6)]
     faces = {
@@ -90,7 +91,7 @@ def _face(x: float, y: float, heading: float, b: float, through: int) -> Face:
 
 
 def _layers(piece: Piece, before: Face, after: Face, cells: int) -> list[int]:
-    """Surfaces of the piece, one for each cell through its thickness: their sides are also arcs."""
+    """Surfaces of the piece, one for each cell through its thickness; their sides are also arcs."""
     geo = gmsh.model.geo
     sides = []
     for start, end in zip(before[0], after[0], strict=True):
@@ -111,17 +112,17 @@ def _layers(piece: Piece, before: Face, after: Face, cells: int) -> list[int]:
 
 def _check(pieces: Sequence[Piece], b: float, width: float, counts: tuple[int, ...]) -> None:
     if not pieces:
-        raise ValueError("a strip needs a path of at least one leaf or arc")
+        raise ValueError("a strip must have a path of at least one leaf or arc")
     if not (0 < b < math.inf and 0 < width < math.inf):
-        raise ValueError(f"a strip needs b > 0 and width > 0, got b={b:g} m, width={width:g} m")
+        raise ValueError(f"a strip must have b > 0 and width > 0, got b={b:g} m, width={width:g} m")
     if min(counts) < 1:
         raise ValueError(
-            "a strip needs a cell per direction, got through, per_arc, per_leaf, across = "
+            "a strip requires a cell per direction, got through, per_arc, per_leaf, across = "
             + ", ".join(map(str, counts))
         )
     for piece in pieces:
         if piece.turn and abs(piece.length / piece.turn) <= b / 2:
             raise ValueError(
-                f"an arc needs a radius above b/2, got {abs(piece.length / piece.turn):g} m "
+                f"the radius of an arc must be above b/2, got {abs(piece.length / piece.turn):g} m "
                 f"with b={b:g} m"
             )

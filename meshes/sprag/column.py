@@ -1,4 +1,4 @@
-"""The mesh of a sprag: a column of equal cells about both contacts, mapped between its outlines."""
+"""Mesh of a sprag: a column of equal cells with both contacts, mapped between its outlines."""
 
 from dataclasses import dataclass
 
@@ -28,13 +28,14 @@ class Reach:
 
     @property
     def share(self) -> float:
-        """The shorter length over the mean of both."""
+        """Ratio of the shorter length to the mean of both lengths."""
         return 2 * self.least / (self.left + self.right)
 
     def stretched(self, share: Array, depth: Array) -> Array:
-        """Lengths from the contact at shares -1 to 1 of the half column.
+        """Lengths from the contact at the positions -1 to 1 of the half column.
 
-        They are even about the contact, and from the `depth` 1 on all over.
+        They are equal on both sides near the contact, and uniform over the whole outline from the
+        `depth` 1.
         """
         end = np.where(share < 0, self.left, self.right)
         near = self.least * share + (end - self.least) * share**3
@@ -44,7 +45,7 @@ class Reach:
 
 
 def reaches(at: Placed) -> tuple[Reach, Reach]:
-    """Of the spiral and of the arc."""
+    """Lengths `Reach` along the spiral and along the arc."""
     sprag = at.sprag
     low, high = (abs(sprag.spiral_length(at.theta, end)) for end in sprag.below)
     left, right = (abs(end - at.phi) * sprag.r_e for end in sprag.above)
@@ -52,9 +53,9 @@ def reaches(at: Placed) -> tuple[Reach, Reach]:
 
 
 def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: bool) -> Mesh2D:
-    """The sprag `at` its position, fine at the inner and the outer contact.
+    """Mesh of the sprag `at` its position, fine at the inner and the outer contact.
 
-    Boundaries "inner", "outer", and the flanks "left" and "right"; body "sprag".
+    Boundaries: "inner", "outer", and the flanks "left" and "right". Body: "sprag".
     """
     half, height = at.sprag.b / 2, float(np.hypot(*np.subtract(at.outer, at.inner)))
     inner, outer = reaches(at)
@@ -80,7 +81,7 @@ def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: b
 def _half(
     name: str, reach: Reach, zone: Zone, half: float, height: float, *, up: int
 ) -> list[Block]:
-    """The straight half column that the contact on `name` tops at y = `up` times `height`."""
+    """Blocks of the straight half column whose contact `name` is at y = `up` times `height`."""
     fine = Zone(zone.width * half / reach.least, zone.cells, zone.refine)
     left, right = (Side(((name, half),), flank) for flank in ("left", "right"))
 

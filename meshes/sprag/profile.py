@@ -1,7 +1,7 @@
-"""The outline of a sprag (spiral below, arc above, two straight flanks), and contacts with races.
+"""Outline of a sprag (spiral below, arc above, two straight flanks), and contacts with races.
 
 In the local frame, the pole of the spiral is the origin and the top of the arc is on +y. Directions
-of the spiral are anticlockwise from -y, angles of the arc clockwise from +y.
+of the spiral are measured anticlockwise from -y, angles of the arc clockwise from +y.
 """
 
 import math
@@ -24,11 +24,12 @@ STEEPEST = math.radians(75)  # largest angle from the column's line to the ends 
 
 @dataclass(frozen=True)
 class Sprag:
-    """A column between the spiral rho = `rho_0` exp(`m` (theta - `theta_0`)) and the arc `r_e`.
+    """Column between the spiral rho = `rho_0` exp(`m` (theta - `theta_0`)) and an arc.
 
-    The spiral is about the pole, the arc about `centre` [one unit of length]; this is also the pole
-    unless the sprag is drawn in the compressed state. The line through the point of the spiral at
-    `theta_0` [rad] and the top of the arc is the middle of the column, which has the width `b`.
+    `r_e` is the radius of the arc. The spiral is about the pole, the arc about `centre`; all
+    lengths have the same unit. `centre` is the pole, unless the sprag is in the compressed state.
+    The middle line of the column passes through the point of the spiral at `theta_0` [rad] and the
+    top of the arc. The column has the width `b`.
     """
 
     rho_0: float
@@ -41,17 +42,17 @@ class Sprag:
     def __post_init__(self) -> None:
         for name, value in (("rho_0", self.rho_0), ("r_e", self.r_e), ("b", self.b)):
             if not 0 < value < math.inf:
-                raise ValueError(f"a sprag needs {name} > 0, got {name}={value:g} m")
+                raise ValueError(f"a sprag must have {name} > 0, got {name}={value:g} m")
         if not (0 < self.m < 1 and abs(self.theta_0) < math.pi / 4):
             raise ValueError(
-                "a sprag's spiral needs 0 < m < 1 and theta_0 within 45 degrees, got "
+                "the spiral of a sprag must have 0 < m < 1 and theta_0 within 45 degrees, got "
                 f"m={self.m:g}, theta_0={self.theta_0:g} rad"
             )
         for end, place in (("spiral", self._ends_below), ("arc", self._ends_above)):
             if place is None:
                 raise ValueError(
-                    f"a sprag of the width b={self.b:g} m is wider than its {end} reaches within "
-                    f"{math.degrees(STEEPEST):g} degrees of its middle"
+                    f"the width b={self.b:g} m of a sprag must not exceed the width of its {end} "
+                    f"within {math.degrees(STEEPEST):g} degrees of its middle"
                 )
 
     @property
@@ -71,26 +72,26 @@ class Sprag:
         return self.rho_0 * math.exp(self.m * (theta - self.theta_0))
 
     def along_spiral(self, start: float, s: Array) -> Array:
-        """Points (2, ...) of the spiral at lengths `s` (...) from the direction `start` on."""
+        """Points (2, ...) of the spiral at the lengths `s` (...) from the direction `start`."""
         reach = math.sqrt(1 + self.m**2)
         grown = np.log1p(self.m * s / (reach * self.radius(start))) / self.m
         rho = self.radius(start) * np.exp(self.m * grown)
         return np.asarray(rho * np.array([np.sin(start + grown), -np.cos(start + grown)]))
 
     def spiral_length(self, start: float, end: float) -> float:
-        """From the direction `start` to `end`, signed."""
+        """Length of the spiral from the direction `start` to `end`, with sign."""
         grown = self.radius(end) - self.radius(start)
         return grown * math.sqrt(1 + self.m**2) / self.m
 
     def along_arc(self, start: float, s: Array) -> Array:
-        """Points (2, ...) of the arc at lengths `s` (...) from the direction `start` on."""
+        """Points (2, ...) of the arc at the lengths `s` (...) from the direction `start`."""
         angle = start + s / self.r_e
         x, y = self.centre
         return np.array([x + self.r_e * np.sin(angle), y + self.r_e * np.cos(angle)])
 
     @cached_property
     def middle(self) -> tuple["Point", "Point"]:
-        """Both ends of the column's middle line, the spiral's and the arc's."""
+        """Ends of the middle line of the column: on the spiral and on the arc."""
         x, y = self.centre
         low = self.rho_0 * math.sin(self.theta_0), -self.rho_0 * math.cos(self.theta_0)
         return low, (x, y + self.r_e)
@@ -102,7 +103,7 @@ class Sprag:
         return math.atan2(x_1 - x_0, y_1 - y_0)
 
     def _across(self, x: float, y: float) -> float:
-        """Distance of a point to the right of the middle line."""
+        """Distance of a point from the middle line, positive to the right."""
         (x_0, y_0), _ = self.middle
         return (x - x_0) * math.cos(self.lean) - (y - y_0) * math.sin(self.lean)
 
@@ -137,7 +138,7 @@ class Sprag:
 
 @dataclass(frozen=True)
 class Placed:
-    """A sprag with its pole at `pole`, rotated clockwise by `turn` [rad]; the axis is (0, 0)."""
+    """Sprag with its pole at `pole`, rotated clockwise by `turn` [rad]; the axis is (0, 0)."""
 
     sprag: Sprag
     pole: "Point"
@@ -147,21 +148,21 @@ class Placed:
     def theta(self) -> float:
         """Direction [rad] at which the normal of the spiral passes through the axis.
 
-        ValueError if this direction is beyond the flanks.
+        Raises ValueError if this direction is beyond the flanks.
         """
         sprag = self.sprag
         left, right = sprag.below
 
         def off(theta: float) -> float:
-            """Component of the point along the tangent."""
+            """Component of the point's position along the tangent."""
             c, s = math.cos(theta - self.turn), math.sin(theta - self.turn)
             x, y = self.pole
             return x * (sprag.m * s + c) + y * (s - sprag.m * c) + sprag.m * sprag.radius(theta)
 
         if not off(left) < 0 < off(right):
             raise ValueError(
-                f"the sprag turned by {math.degrees(self.turn):.4g} degrees touches the inner race "
-                "beyond a flank: make it wider or turn it less"
+                f"the sprag, rotated by {math.degrees(self.turn):.4g} degrees, touches the inner "
+                "race beyond a flank: make it wider or rotate it less"
             )
         return brentq(off, left, right, xtol=1e-15)
 
@@ -173,24 +174,24 @@ class Placed:
         phi = math.atan2(x, y) - self.turn
         if not left < phi < right:
             raise ValueError(
-                f"the sprag turned by {math.degrees(self.turn):.4g} degrees touches the outer race "
-                "beyond a flank: make it wider or turn it less"
+                f"the sprag, rotated by {math.degrees(self.turn):.4g} degrees, touches the outer "
+                "race beyond a flank: make it wider or rotate it less"
             )
         return phi
 
     @property
     def inner(self) -> "Point":
-        """The point of the spiral whose normal passes through the axis."""
+        """Point of the spiral whose normal passes through the axis."""
         x, y = self.placed(self.sprag.along_spiral(self.theta, np.zeros(())))
         return float(x), float(y)
 
     @property
     def outer(self) -> "Point":
-        """The point of the arc whose normal passes through the axis."""
+        """Point of the arc whose normal passes through the axis."""
         x, y = self.placed(self.sprag.along_arc(self.phi, np.zeros(())))
         return float(x), float(y)
 
     def placed(self, x: Array) -> Array:
-        """Places of points (2, ...) of the local frame of the sprag."""
+        """Positions in space of points (2, ...) given in the local frame of the sprag."""
         c, s = math.cos(self.turn), math.sin(self.turn)
         return np.array([c * x[0] + s * x[1] + self.pole[0], c * x[1] - s * x[0] + self.pole[1]])

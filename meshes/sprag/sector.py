@@ -1,4 +1,4 @@
-"""One pitch of a sprag clutch: inner race, a sprag and the outer race about the axis (0, 0)."""
+"""One pitch of a sprag clutch: inner race, sprag and outer race about the axis (0, 0)."""
 
 import math
 
@@ -29,19 +29,19 @@ def sprag_sector(
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
-    """The races `R_id`..`R_i` and `R_e`..`R_ed`, and one of `z` sprags between them.
+    """Mesh of the races `R_id`..`R_i` and `R_e`..`R_ed`, and of one of `z` sprags between them.
 
-    The pole of the sprag is at `pole`, above the axis; the sprag is rotated clockwise by `turn`
+    The pole of the sprag is at `pole`, above the axis. The sprag is rotated clockwise by `turn`
     [rad]. Sprag and races may overlap or have a gap.
 
     The `zones` [unit of the radii] are half-widths of the fine zones at the inner and the outer
     contact. With `refine` 1, `cells` equal cells lie on each half on both bodies; cells are larger
-    outside. `refine` 2 halves all cells, and so on. Bodies "inner", "sprag" and "outer". Boundaries
-    "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the sections "left" and "right" of
-    both races; "sprag.inner" (the spiral), "sprag.outer" (the arc), and its flanks "sprag.left" and
-    "sprag.right". Each race is centred on its contact; its "right" is the section at larger x,
-    whose nodes, rotated anticlockwise by 2 pi/z, are those of "left". `order` 1 or 2; `straight`
-    cells have straight edges.
+    outside. `refine` 2 halves all cells, and so on. Bodies: "inner", "sprag" and "outer".
+    Boundaries of the races: "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the sections
+    "left" and "right" of both races. Boundaries of the sprag: "sprag.inner" (the spiral),
+    "sprag.outer" (the arc), and the flanks "sprag.left" and "sprag.right". Each race is centred on
+    its contact. Its "right" is the section at larger x; rotated anticlockwise by 2 pi/z, its nodes
+    coincide with those of "left". `order` is 1 or 2; `straight` cells have straight edges.
 
     Raises ValueError, in metres, for impossible bodies, and if a fine zone is too wide.
     """

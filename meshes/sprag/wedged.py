@@ -1,7 +1,7 @@
-"""A sprag between its races by vectors: its spiral, its position, and one pitch in drawn position.
+"""Sprag between its races by vectors: spiral, position, and one pitch in compressed position.
 
-View along the axis, O below and the sprag above it; angles are clockwise from the line through O
-and the pole. The sprag rotates clockwise into the wedge.
+The view is along the axis O, with the sprag above O. Angles are measured clockwise from the line
+through O and the pole. The sprag rotates clockwise into the wedge.
 """
 
 import math
@@ -22,9 +22,10 @@ GROWTHS = 1e-5, 0.95  # range of growths of the spiral in the search for a wedge
 
 @dataclass(frozen=True)
 class Races:
-    """z sprags `b` wide between races `R_id`..`R_i` and `R_e`..`R_ed` [m].
+    """Set of z sprags of width `b` between the races `R_id`..`R_i` and `R_e`..`R_ed` [m].
 
-    The spiral's radius of curvature at first contact is `r_i` [m], its wedge angle `nu_0` [rad].
+    `r_i` [m] is the radius of curvature of the spiral at first contact, `nu_0` [rad] its wedge
+    angle.
     """
 
     R_id: float
@@ -38,14 +39,17 @@ class Races:
 
     @property
     def sprag(self) -> Sprag:
-        """The sprag without load."""
+        """Sprag without load."""
         first = first_contact(self.R_i, self.R_e, self.r_i, self.nu_0)
         return Sprag(first.rho, first.theta, first.m, self.R_e - math.hypot(*first.pole), self.b)
 
 
 @dataclass(frozen=True)
 class FirstContact:
-    """Pole and contacts [m] at first touch of a spiral of growth `m`, its contact on +y."""
+    """Pole and contacts [m] at first contact of a spiral of growth `m`.
+
+    The inner contact is on +y.
+    """
 
     R_i: float
     R_e: float
@@ -54,12 +58,12 @@ class FirstContact:
 
     @property
     def rho(self) -> float:
-        """Distance from the pole to the inner contact, where the radius of curvature is r_i."""
+        """Distance [m] from the pole to the inner contact, where the radius of curvature is r_i."""
         return self.r_i / math.hypot(1, self.m)
 
     @property
     def pole(self) -> tuple[float, float]:
-        """A spiral's radius and its normal differ by arctan m."""
+        """Position of the pole: radius and normal of a spiral differ by the angle arctan m."""
         x = math.hypot(1, self.m)
         return -self.rho * self.m / x, self.R_i + self.rho / x
 
@@ -79,14 +83,17 @@ class FirstContact:
 
 @lru_cache(64)
 def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstContact:
-    """The sprag with the wedge angle `nu_0` [rad]; ValueError if no spiral has it."""
+    """First contact of the sprag with the wedge angle `nu_0` [rad].
+
+    Raises ValueError if no spiral has this wedge angle.
+    """
 
     def missing(m: float) -> float:
         return FirstContact(R_i, R_e, r_i, m).wedge - nu_0
 
     low, high = GROWTHS
     if not missing(low) < 0 < missing(high):
-        raise ValueError(f"no spiral between the races has the wedge angle {nu_0:.4g} rad")
+        raise ValueError(f"no spiral between the races has the wedge angle nu_0 = {nu_0:.4g} rad")
     return FirstContact(R_i, R_e, r_i, brentq(missing, low, high, xtol=1e-15))
 
 
@@ -94,10 +101,10 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
 class Place:
     """Position of the sprag: rotated by `alpha` [rad], pole at the distance `D` [m] from O.
 
-    `shares` are the parts of the races in the overlaps of the inner and of the outer contact; the
-    rest is that of the sprag. Bodies are drawn in the compressed state, so that forces act at their
-    real positions. `bends` [m] is the part of the overlaps that is drawn: the mean distance of the
-    curved surfaces, weighted by the pressure.
+    `shares` are the shares of the races in the overlaps of the inner and of the outer contact; the
+    rest belongs to the sprag. Bodies are meshed in the compressed state, so that forces act at
+    their real positions. `bends` [m] is the part of the overlaps that is included in the mesh: the
+    mean distance of the curved surfaces, weighted by the pressure.
     """
 
     q: Races
@@ -108,13 +115,13 @@ class Place:
 
     @classmethod
     def overlapping(cls, q: Races, alpha: float) -> "Place":
-        """Rotated by `alpha`, with nearly equal overlaps of both contacts."""
+        """Position rotated by `alpha`, with nearly equal overlaps of both contacts."""
         D = q.R_e - q.sprag.r_e
         return cls(q, alpha, D + cls(q, alpha, D).overlaps[0] / 2)
 
     @cached_property
     def free(self) -> Placed:
-        """The sprag without loads, which overlaps both races."""
+        """Sprag without loads, which overlaps both races."""
         return Placed(self.q.sprag, (0.0, self.D), self.alpha)
 
     @cached_property
@@ -130,12 +137,12 @@ class Place:
 
     @property
     def OA(self) -> float:
-        """Radius [m] at which the inner contact's force acts."""
+        """Radius [m] at which the force of the inner contact acts."""
         return self.q.R_i - self.shares[0] * self.overlaps[0]
 
     @property
     def OB(self) -> float:
-        """Radius [m] at which the outer contact's force acts."""
+        """Radius [m] at which the force of the outer contact acts."""
         return self.q.R_e + self.shares[1] * self.overlaps[1]
 
     @property
@@ -146,14 +153,14 @@ class Place:
 
     @property
     def strut(self) -> tuple[float, float]:
-        """Angles nu and omega [rad] of the line AB against OA and OB."""
+        """Angles nu and omega [rad] between the line AB and OA or OB."""
         x, y = self.OB * math.sin(self.beta), self.OB * math.cos(self.beta)
         nu = math.atan2(x, y - self.OA)
         return nu, nu - self.beta
 
     @cached_property
     def drawn(self) -> Placed:
-        """The compressed sprag, whose ends have moved along their normals."""
+        """Compressed sprag, whose ends have moved along their normals."""
         at, (x_i, y_i) = self.free, self.free.inner
         inwards = (self.OA - self.bends[0]) / math.hypot(x_i, y_i) - 1
         pole = x_i * inwards, self.D + y_i * inwards
@@ -164,7 +171,7 @@ class Place:
 
     @property
     def core(self) -> tuple[float, float]:
-        """The point of the column's axis next to the pole."""
+        """Point of the axis of the column nearest to the pole."""
         at = self.drawn
         low, high = np.array(at.sprag.middle)
         along = (high - low) / np.hypot(*(high - low))
@@ -173,28 +180,31 @@ class Place:
 
     @property
     def touched(self) -> tuple[float, float]:
-        """Distance [m] of the contacts of the drawn sprag above O."""
+        """Distances [m] of the contacts of the compressed sprag above O."""
         return self.drawn.inner[1], self.drawn.outer[1]
 
     @property
     def spiral(self) -> tuple[tuple[float, float], float, float, float]:
-        """Spiral of the drawn sprag: pole, first radius [m], direction [rad] from +x, growth."""
+        """Spiral of the compressed sprag: pole, first radius [m], its direction [rad], growth.
+
+        The direction is measured from +x.
+        """
         at, s = self.drawn, self.drawn.sprag
         return at.pole, s.rho_0, s.theta_0 - at.turn - math.pi / 2, s.m
 
     @property
     def arc(self) -> tuple[tuple[float, float], float]:
-        """Arc of the drawn sprag: centre and radius [m]."""
+        """Arc of the compressed sprag: centre and radius [m]."""
         x, y = self.drawn.placed(np.array(self.drawn.sprag.centre))
         return (float(x), float(y)), self.drawn.sprag.r_e
 
     def settled(
         self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
     ) -> "Place":
-        """Position of the sprag that has moved `outwards` [m].
+        """Position of the sprag after a displacement `outwards` [m].
 
-        The races have moved outwards at the contacts by `races` [m], and the drawn gap between
-        curved surfaces has grown by `opened` [m].
+        The races have moved outwards at the contacts by `races` [m], and the gap between the curved
+        surfaces in the mesh has increased by `opened` [m].
         """
         moved = replace(self, D=self.D + outwards)
         (inner, outer), (d_i, d_e) = races, moved.overlaps
@@ -202,7 +212,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """Position rotated by `alpha` [rad], approximately, and ratio of both total deflections."""
+        """Approximate position rotated by `alpha` [rad], and ratio of the total deflections."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole
@@ -210,7 +220,7 @@ class Place:
         return replace(self, alpha=alpha, D=D, bends=(share * b_i, share * b_e)), share
 
     def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D":
-        """One pitch with `cells` on half of each fine zone `zones` [m] about the contacts."""
+        """Mesh of one pitch with `cells` on half of each fine zone `zones` [m]."""
         from meshes.sprag.sector import sprag_sector
 
         q, at = self.q, self.drawn

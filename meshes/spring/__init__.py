@@ -1,6 +1,6 @@
 """Accordion springs: centre line and strip.
 
-Lengths in any consistent unit.
+All lengths must have the same unit.
 """
 
 from meshes.public import lazily

@@ -24,11 +24,13 @@ def centre_line(
     per_arc: int,
     per_leaf: int,
 ) -> LineMesh:
-    """Quadratic elements, `per_arc` on each arc and `per_leaf` on each leaf or half leaf.
+    """Line mesh of quadratic elements along the centre line of an accordion spring.
 
-    Nodes "head" (middle of the head) and "tail" (its support); bodies "arcs" and "leaves". With
-    `tips`, the leaves of head and tail extend to their free ends: nodes "head tip" and "tail tip",
-    bodies "tips" (the free parts, not among "leaves") and "unit 1" to "unit n".
+    There are `per_arc` elements on each arc and `per_leaf` on each leaf or half leaf. Nodes: "head"
+    (middle of the head) and "tail" (its support). Bodies: "arcs" and "leaves". With `tips`, the
+    leaves of head and tail extend to their free ends. Additional nodes are then "head tip" and
+    "tail tip"; additional bodies are "tips" (the free parts, not included in "leaves") and "unit 1"
+    to "unit n".
     """
     path = accordion(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf, tips=tips)
     with gmsh_session():
@@ -60,7 +62,7 @@ def centre_line(
 
 
 def _merged(mesh: LineMesh) -> LineMesh:
-    """The bodies "kind unit" of the mesh joined to all of a kind and all of a unit."""
+    """Mesh with its bodies "kind unit" combined into one body per kind and one per unit."""
     bodies: dict[str, list[int]] = {}
     for name, elements in mesh.bodies.items():
         kind, unit = name.split()

@@ -1,4 +1,4 @@
-"""The centre line of an accordion spring as leaves and arcs, for the meshes of this package."""
+"""Centre line of an accordion spring as leaves and arcs, for the meshes of this package."""
 
 import math
 from collections.abc import Iterator
@@ -11,9 +11,9 @@ Kind = Literal["leaf", "arc", "tip"]
 
 @dataclass(frozen=True)
 class Piece:
-    """A leaf (turn 0) or an arc of at most 90 deg, starting at (x, y); heading and turn in rad.
+    """Leaf (turn 0) or arc of at most 90 deg that starts at (x, y); heading and turn in rad.
 
-    A "tip" is the free part of the leaf of head or tail; `unit` is numbered from 1 at the head.
+    A "tip" is the free part of the leaf of head or tail. `unit` is numbered from 1 at the head.
     """
 
     kind: Kind
@@ -56,10 +56,10 @@ def accordion(
 ) -> Iterator[Piece]:
     """Pieces from the middle of the head (origin, heading along y) to the support of the tail.
 
-    `radius` of the centre line of the arcs; `leaf` the straight length of the n - 2 middle units,
-    by default such that the loops extend equally to both sides. With `tips`, both end leaves are
-    complete: the path begins at the tip of the head, half a leaf before the origin, and ends at the
-    tip of the tail.
+    `radius` is that of the centre line of the arcs; `leaf` is the straight length of the n - 2
+    middle units, by default chosen so that the loops extend equally to both sides. With `tips`,
+    both end leaves are complete: the path begins at the tip of the head, half a leaf before the
+    origin, and ends at the tip of the tail.
     """
     if leaf is None:
         leaf = (L1 + 2 * radius * math.cos(alpha)) / math.sin(alpha)

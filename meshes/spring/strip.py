@@ -24,10 +24,10 @@ def strip(
     per_leaf: int,
     order: int = 2,
 ) -> Mesh2D:
-    """Quadrilaterals, `through` the thickness b, `per_arc` on each arc, `per_leaf` on each leaf.
+    """Mesh of quadrilaterals: `through` the thickness b, `per_arc` per arc, `per_leaf` per leaf.
 
-    Boundaries "head" and "tail" (the cut faces, along x), "left" and "right" seen from the head;
-    bodies "arcs" and "leaves".
+    Boundaries: "head" and "tail" (the end faces, along x), "left" and "right" seen from the head.
+    Bodies: "arcs" and "leaves".
     """
     with gmsh_session():
         geo = gmsh.model.geo
@@ -59,7 +59,7 @@ def strip(
 
 
 def _face(x: float, y: float, heading: float, b: float, through: int) -> tuple[int, int, int]:
-    """Left point, right point and the curve from left to right across the strip."""
+    """Left point, right point, and the curve from left to right across the strip."""
     geo = gmsh.model.geo
     n_x, n_y = -math.sin(heading) * b / 2, math.cos(heading) * b / 2
     left, right = geo.addPoint(x + n_x, y + n_y, 0), geo.addPoint(x - n_x, y - n_y, 0)

@@ -57,19 +57,19 @@ def beside(angle, radius=R - R_R):
 @pytest.mark.parametrize(
     ("sector", "changed", "rule"),
     [
-        (inner, {"z": 2}, "whole number z >= 3 of rollers, got z=2"),
+        (inner, {"z": 2}, "the number of rollers must be whole and z"),
         (inner, {"r_b": X}, "r_b < X"),
-        (inner, {"clearance": 0.0}, "0 < clearance < R - X"),
+        (inner, {"clearance": 0.0}, "the clearance of a star must be between 0"),
         (inner, {"centre": (-1e-6, CENTRE[1])}, "x >= 0"),
         (inner, {"centre": beside(46)}, "45 degrees"),
-        (inner, {"centre": (0.0, 10e-3)}, "from the flat it touches"),
-        (inner, {"R": R + 2e-3}, "from the circle it touches"),
-        (inner, {"z": 20}, "rollers of r=0.0025 m overlap each other"),
-        (inner, {"z": 16, "centre": beside(12)}, "beyond the end of the flat"),
+        (inner, {"centre": (0.0, 10e-3)}, "the roller's centre must be at the distance"),
+        (inner, {"R": R + 2e-3}, "the roller's centre must be at the distance"),
+        (inner, {"z": 20}, "neighbouring rollers must not overlap, got"),
+        (inner, {"z": 16, "centre": beside(12)}, "the contact must be on the flat: it is at"),
         (
             inner,
             {"z": 14, "centre": beside(10.3), "zones": (6e-5, 1e-4)},
-            "half of what is left to the end of the flat",
+            "the fine zone on the flat must be positive",
         ),
         (inner, {"zones": (1.3e-3, 1e-4)}, "r/2"),
         (inner, {"zones": (5e-4, 1e-4), "r_b": X - 4e-4}, "the wall"),
@@ -77,9 +77,9 @@ def beside(angle, radius=R - R_R):
         (inner, {"cells": 0}, "cells >= 1"),
         (inner, {"refine": 0}, "refine >= 1"),
         (outer, {"R_a": X_O / cos(pi / Z)}, r"X_o < R_a cos\(pi/z\)"),
-        (outer, {"r": float("nan")}, "a roller needs r > 0"),
+        (outer, {"r": float("nan")}, "the radius of a roller must be positive and"),
         (outer, {"zones": (1e-4, 1.3e-3)}, "zone on the flat"),
-        (outer, THIN_SHAFT | {"zones": (6e-4, 1e-4)}, "a quarter of the pitch, here 0.000523599"),
+        (outer, THIN_SHAFT | {"zones": (6e-4, 1e-4)}, "the fine zone on the circle must be"),
     ],
 )
 def test_a_sector_that_cannot_be_is_refused_in_one_line(sector, changed, rule):

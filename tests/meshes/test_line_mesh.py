@@ -74,8 +74,8 @@ def bar(order, name):
 @pytest.mark.parametrize(
     ("order", "name", "message"),
     [
-        (1, "bar", "quadratic line elements"),
-        (3, "bar", "quadratic line elements"),
+        (1, "bar", "curve 1 must have quadratic elements: set"),
+        (3, "bar", "curve 1 must have quadratic elements: set"),
         (2, None, "physical curves"),
     ],
 )

@@ -42,10 +42,10 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
     ("wrong", "message"),
     [
         ({"r_o": 0.9}, "0 < r_i < r_o"),
-        ({"n": 1}, "from n = 2 on, got n=1"),
+        ({"n": 1}, "balanced, evenly spaced loads require n >="),
         ({"loaded": "side"}, "'bore' or 'rim'"),
         ({"patch": 0.2}, "half of half a pitch"),
-        ({"r_o": 1.005}, "and <= the wall"),
+        ({"r_o": 1.005}, "a patch must have 0 < patch <= half of half"),
         ({"refine": 0}, "refine >= 1"),
     ],
 )

@@ -98,13 +98,13 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
 @pytest.mark.parametrize(
     ("changed", "rule"),
     [
-        ({"z": 2}, "whole number z >= 3 of sprags, got z=2"),
+        ({"z": 2}, "the number of sprags must be whole and z >="),
         ({"R_id": R_I}, "R_id < R_i"),
-        ({"R_i": R_I - 3e-3}, "reach about to the inner race at 0.00811 m"),
-        ({"turn": nan}, "turned by up to 45 degrees"),
+        ({"R_i": R_I - 3e-3}, "the sprag must reach the inner race at"),
+        ({"turn": nan}, "the pole of a sprag must be within 45"),
         ({"pole": (D, 0.5 * D)}, "within 45 degrees of"),
-        ({"turn": radians(34)}, "turned by 34 degrees touches the inner race beyond a flank"),
-        ({"turn": radians(24)}, "from a flank: its contact needs"),
+        ({"turn": radians(34)}, "the sprag, rotated by 34 degrees, touches"),
+        ({"turn": radians(24)}, "the sprag touches the inner race"),
         ({"z": 20}, "at the radius 0.01215.* m, a sprag needs 19.05 degrees"),
         ({"zones": (1e-4, 1.3e-3)}, "of the distance to the flank"),
         ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "about the wall"),
@@ -124,8 +124,8 @@ def test_a_sector_that_cannot_be_is_refused_in_one_line(changed, rule):
         ({"rho_0": 0.0}, "rho_0 > 0"),
         ({"m": 0.0}, "0 < m < 1"),
         ({"theta_0": 0.9}, "theta_0 within 45 degrees"),
-        ({"b": 8e-3}, "wider than its spiral reaches"),
-        ({"b": 6e-3, "r_e": 3e-3}, "wider than its arc reaches"),
+        ({"b": 8e-3}, "the width b=0.008 m of a sprag must not"),
+        ({"b": 6e-3, "r_e": 3e-3}, "the width b=0.006 m of a sprag must not"),
     ],
 )
 def test_a_sprag_that_cannot_be_is_refused_in_one_line(changed, rule):

@@ -36,7 +36,7 @@ def test_the_fine_zone_and_the_hub_are_at_the_specified_places():
         ({"d_i": 0.08}, "0 < d_i < d_e"),
         ({"fillet": 0.0}, "sharp corner"),
         ({"fillet": 0.036}, "the bore is round"),
-        ({"refine": 0}, "refine >= 1"),
+        ({"refine": 0}, "refine must be at least 1"),
         ({"zone": 0.006}, "half of the wall"),
         ({"hub": (2e-3, 1e-3)}, "0 < s_0 < s_1"),
         ({"hub": (16e-3, 17.1e-3)}, "half of the flat"),

@@ -47,18 +47,30 @@ def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: section(r=[0.0, 2.0, 1.0], z=[0.0, 1.0]), "stations r must grow"),
-        (lambda: section(r=[0.0, 2.0], z=[0.0]), "stations z must grow, two or more"),
-        (lambda: section(r=[-1.0, 2.0], z=[0.0, 1.0]), "not be negative, got r=-1 m"),
+        (
+            lambda: section(r=[0.0, 2.0, 1.0], z=[0.0, 1.0]),
+            "stations r must have two or more ascending",
+        ),
+        (lambda: section(r=[0.0, 2.0], z=[0.0]), "stations z must have two or more ascending"),
+        (
+            lambda: section(r=[-1.0, 2.0], z=[0.0, 1.0]),
+            "radii must not be negative, got r=-1 m",
+        ),
         (lambda: stations(start=0.0, end=1.0, first=2.0, growth=1.5), "0 < first <= "),
         (lambda: stations(start=0.0, end=1.0, first=0.1, growth=1.0), "growth > 1"),
         (lambda: stations(start=0.0, end=1.0, first=0.1, growth=2.0, refine=0), "refine >= 1"),
         (lambda: half_cylinder(R=1.0, contact=[0, 1], bore=1.0, first=0.1), "0 <= bore < R"),
-        (lambda: half_cylinder(R=1.0, contact=[0, 1], overhang=-1.0, first=0.1), "not be negative"),
-        (lambda: half_cylinder(R=1.0, contact=[1, 2], first=0.1), "grow from 0"),
+        (
+            lambda: half_cylinder(R=1.0, contact=[0, 1], overhang=-1.0, first=0.1),
+            "overhang must be finite and not negative",
+        ),
+        (
+            lambda: half_cylinder(R=1.0, contact=[1, 2], first=0.1),
+            "the stations of contact must ascend from 0",
+        ),
         (
             lambda: chain([np.array([0.0, 1.0]), np.array([2.0, 3.0])]),
-            "end at 1 m but continue at 2 m",
+            "each part of stations must start at the end",
         ),
     ],
 )
