@@ -1,8 +1,7 @@
-"""Public names of packages, which are imported when they are first used.
+"""Public names of packages, imported when they are first used.
 
-The public names of a package are those that its stub `__init__.pyi` imports; type checkers and
-editors also read the stub. Importing the package, or one of its modules, does not import the
-others.
+A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
+editors read as well. Importing the package, or one module of it, imports none of the others.
 """
 
 import ast
@@ -32,7 +31,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def earlier() -> dict[str, str]:
-        """Present name for every name of version 0.1 that has changed."""
+        """Present name of every name that version 0.1 had instead."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         named = [
             x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)

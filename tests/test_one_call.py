@@ -42,7 +42,7 @@ def test_a_freewheel_bears_its_loads_at_the_angle_of_the_formulas(freewheel):
 
 @pytest.mark.parametrize(
     ("changes", "message"),
-    [({"mu": 0.05}, r"mu is above tan\(alpha\) = 0\.05278"), ({"T": 0.0}, "needs T > 0 N m"),
+    [({"mu": 0.05}, r"mu must be above tan\(alpha\) = 0\.05278"), ({"T": 0.0}, "must be T > 0 N m"),
      ({"F_ax": -1.0}, "F_ax >= 0 N")],
 )  # fmt: skip
 def test_loads_and_friction_of_a_freewheel_are_checked(changes, message):
@@ -60,7 +60,7 @@ def test_a_polygon_ring_grows_as_by_its_series():
     assert ring.growth(theta) == pytest.approx(series, rel=1e-3)
     cells = ring.solution.in_body("ring").polar()[2].max()  # a little below the surface
     assert cells < ring.fillet_stress < 1.05 * cells
-    with pytest.raises(ValueError, match="theta lies between 0 and pi/6 rad"):
+    with pytest.raises(ValueError, match="theta must be between 0 and pi/6 rad"):
         ring.growth(0.6)
 
 
@@ -87,7 +87,7 @@ def test_what_is_no_spring_is_refused():
     line = spring_centre_line(**SPRING, tail="arc", per_arc=2, per_leaf=2)
     with pytest.raises(ValueError, match="tips=True"):
         compress_spring(line, [1e-3], **STRIP, nu=0.3)
-    with pytest.raises(ValueError, match="a head is one of free, hinged, guided, got 'held'"):
+    with pytest.raises(ValueError, match="head must be one of free, hinged, guided, got 'held'"):
         compress_spring(line, [1e-3], **STRIP, nu=0.3, head="held")
     tips = spring_centre_line(**SPRING, tail="arc", tips=True, per_arc=2, per_leaf=2)
     with pytest.raises(ValueError, match="must be positive and ascending"):

@@ -1,6 +1,6 @@
 """Meshes of bodies in contact, with fine cells near the contact at the origin.
 
-All lengths must have the same unit. Messages state metres.
+All lengths must be in one consistent unit. Messages state metres.
 """
 
 from meshes.public import lazily

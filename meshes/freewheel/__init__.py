@@ -1,6 +1,6 @@
 """Cyclic sectors of roller freewheels.
 
-All lengths must have the same unit. Messages state metres.
+All lengths must be in one consistent unit. Messages state metres.
 """
 
 from meshes.public import lazily

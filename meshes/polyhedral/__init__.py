@@ -1,6 +1,6 @@
 """Sectors of rings whose bore is a polygon.
 
-All lengths must have the same unit. Messages state metres.
+All lengths must be in one consistent unit. Messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,6 +1,6 @@
 """Half-sections of stepped shafts: x is the radius, y the axial coordinate.
 
-All lengths must have the same unit. Messages state metres.
+All lengths must be in one consistent unit. Messages state metres.
 """
 
 from meshes.public import lazily

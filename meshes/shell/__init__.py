@@ -1,6 +1,6 @@
 """Shell surfaces: rectangle, cylinder panel, strip along a plane path.
 
-All lengths must have the same unit.
+All lengths must be in one consistent unit.
 """
 
 from meshes.public import lazily

@@ -1,6 +1,6 @@
 """Solids in space: second-order hexahedra of strips swept over their width, and of blocks.
 
-All lengths must have the same unit. Messages state metres.
+All lengths must be in one consistent unit. Messages state metres.
 """
 
 from meshes.public import lazily

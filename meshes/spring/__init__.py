@@ -1,6 +1,6 @@
 """Accordion springs: centre line and strip.
 
-All lengths must have the same unit.
+All lengths must be in one consistent unit.
 """
 
 from meshes.public import lazily
