@@ -139,7 +139,7 @@ class Path:
         return State(z[:n], z[n:-1])
 
     def _weight(self, z: Array) -> Array:
-        """Weights (n + k + 1,) of squares, with which current forces and motions are about one."""
+        """Weights (n + k + 1,) of squares; current forces and motions have the weighted sum one."""
         weight = np.append(np.diag(self.cone.B), self.cone.stiffness)
         size = float(weight @ z[:-1] ** 2)
         return np.append(weight / (size or 1.0), 1.0)

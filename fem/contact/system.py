@@ -79,7 +79,7 @@ class ContactSystem:
 
     @cached_property
     def scales(self) -> tuple[Array, Array]:
-        """Scales of multipliers (n,) and motions (k,) with which the system is about one."""
+        """Scales of multipliers (n,) and motions (k,) that bring all entries to about one."""
         own = 1 / self.reach
         felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
         return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))

@@ -44,7 +44,7 @@ class Start:
         )
 
     def state(self, q: Pitch, cells: int) -> State:
-        """Equilibrium state with these overlaps."""
+        """Equilibrium state with the overlaps `d`."""
         place = Place.overlapping(q, *self.d)
         sector = Sector(place, self.widths, cells, mu=STICKS * math.tan(place.psi / 2))
         return sector.rest(self.drags)
