@@ -208,7 +208,7 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     assert "σ_i" in capsys.readouterr().out
     assert source_code.source_of(registry.find("curved-bar").reference)
     assert verify("other") == 2
-    assert "curved_bars.bar:ART_29: is no subclass of Case" in capsys.readouterr().err
+    assert "curved_bars.bar:ART_29: must be a subclass of Case" in capsys.readouterr().err
     assert verify("exits") == 2
     assert capsys.readouterr().err == "freewheel: curved_bars.exits:Bar: SystemExit: 3\n"
 
@@ -217,7 +217,7 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     ("name", "message"),
     [("nosuch.py", "nosuch.py: there is no such file"),
      ("json.py", "another module is called json; rename the file"),
-     ("my-bar.py", "rename the file: letters, digits and _")],
+     ("my-bar.py", "only letters, digits and _ are allowed")],
 )  # fmt: skip
 def test_a_file_that_cannot_be_a_module_is_one_line(name, message, bar, capsys):
     if name != "nosuch.py":
