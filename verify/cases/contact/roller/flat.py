@@ -64,7 +64,7 @@ class FlatRoller(OnHalfSpace):
         yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
         yield comparisons.loaded_ends(self)
         yield comparisons.end_pressure(self)
-        yield Order(name="slope of 1/peak over the cell: the pressure at the end is unbounded",
+        yield Order(name="slope of 1/peak over the cell size: the pressure at the end is unbounded",
                     symbol="p", unit="1", errors=self._inverse_peaks, order=SLOPE)  # fmt: skip
         yield from comparisons.sliced_rows(self, (q.p_mid_slices,), (q.p_mid_lamina,))
         yield comparisons.balanced(self)
@@ -92,7 +92,7 @@ class FlatRoller(OnHalfSpace):
             title="Unbounded growth of the peak at the end", x_label="cells on Hertz's half-width",
             y_label="p/p_0", cells=np.round(cells, 1), errors=(("peak", peak),), order=-0.5,
             note="Dots: largest pressure of a cell over Hertz's pressure of a uniform load; line: "
-            f"slope 1/2. At mid-length p/p_0 stays at {mid[-1]:.4f}.",
+            f"slope 1/2. At mid-length, p/p_0 remains {mid[-1]:.4f}.",
         )  # fmt: skip
 
     def _over_strips(self, context: Context) -> Figure:

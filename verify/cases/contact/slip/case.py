@@ -91,7 +91,7 @@ class SlippingRollers(SlipFormulas):
                                state=at[k], symbol="δ − δ_c")  # fmt: skip
         for stage in STAGES:
             yield self._traction(by.q_0, f"Q/Q_max = {stage:g}", stage)
-        yield _half_planes(by.delta_0, "cycle: displacement left at Q = 0")
+        yield _half_planes(by.delta_0, "cycle: residual displacement at Q = 0")
         yield _half_planes(by.W, "cycle: energy lost, work of friction", fem="work")
         yield _half_planes(by.W, "cycle: energy lost, area of the loop", fem="area",
                            symbol="∮Q dδ")  # fmt: skip
@@ -122,8 +122,8 @@ class SlippingRollers(SlipFormulas):
             ("steps", "cycle: one step and many steps coincide", "Δq", "MPa", peak, 1e-9, SECANT),
             ("closure", "cycle: first and last state coincide", "Δq", "MPa", peak, 1e-9, SECANT),
             ("sliding", "sliding: Q = μP", "Q − μP", "N/mm", {"limit": self.limit}, 1e-10, SLIDING),
-            ("cuts", "balance of both cuts", "ΣF", "N/mm", load, 1e-9, SECANT),
-            ("passed_on", "balance of cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
+            ("cuts", "balance of forces on both cuts", "ΣF", "N/mm", load, 1e-9, SECANT),
+            ("passed_on", "balance of forces on cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
             ("moment", "balance of moments, cut and contact", "ΣM", "N", couple, 1e-9, SECANT),
         ):
             yield balance(residual, name, symbol, unit, of=of, bound=bound, because=because)

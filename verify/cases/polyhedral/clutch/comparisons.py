@@ -166,7 +166,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
             f"balance_{x}", f"balance of half a sector, {x}", f"ΣF_{x}", "N/mm", bound=1e-8,
             of={"side": self.p_t * self.ring.d_i * float(np.sin(np.pi / self.z))}, because=BALANCE,
         )  # fmt: skip
-    yield balance("moment", "moments of hub and rollers about the axis", "ΣM", "N m",
+    yield balance("moment", "balance of moments of hub and rollers", "ΣM", "N m",
                   of={"M series": self.M_el}, bound=1e-9,
                   because="statics: lever and angle of Eq. 14")  # fmt: skip
 

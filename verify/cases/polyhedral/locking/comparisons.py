@@ -64,7 +64,7 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
     ):
         yield balance(key, name, f"ΣF_{axis}", "N/mm", of={"side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
-    yield fact("a wider support takes more of the pressure", "Δη", wider)
+    yield fact("a wider support carries more of the pressure", "Δη", wider)
 
 
 def _series(self: LockedFormulas) -> Iterator[Comparison]:

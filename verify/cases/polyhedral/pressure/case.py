@@ -171,7 +171,7 @@ class RingPressure(ThinRing):
         yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
-        yield balance("balance", "hoop force of a wall and the bore's pressure", "ΣF_x", "N/mm",
+        yield balance("balance", "balance of hoop force and bore pressure", "ΣF_x", "N/mm",
                       of={"Lamé force": self.E / 1000 * self.d_i / 2}, bound=1e-9,
                       because="direct solution: machine epsilon × condition number")  # fmt: skip
 

@@ -57,7 +57,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield fact("friction 1 % below tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
-        name="T/(μN) over wedge angles, to the limit and beyond", symbol="ΔT/(μN)", unit="1",
+        name="T/(μN) for wedge angles below and above the limit", symbol="ΔT/(μN)", unit="1",
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
     ), quantity=case.wedged, shares=COULOMB)  # fmt: skip
     for k in SHARES:
@@ -71,8 +71,8 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
         yield Fact(name=f"{together}: {words}", symbol=symbol, unit="1", paper_only=True,
                    margin=below(bound, "slipping", part))  # fmt: skip
     for residual, name in (
-        ("along", "balance along the bisector"), ("across", "balance of cut and contact"),
-        ("cage", "balance of cage and contact"),
+        ("along", "balance along the bisector"), ("across", "balance of forces on cut and contact"),
+        ("cage", "balance of forces of cage and contact"),
     ):  # fmt: skip
         yield balance(residual, name, "ΣF", "N", of=scale, bound=1e-9, because=SOLVER)
     yield balance("unslipped", "caged roller: all nodes at the limit of friction", "μp − q", "N",
