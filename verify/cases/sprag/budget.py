@@ -73,7 +73,7 @@ WEDGE = Left(
     "a quarter of the torque and thicker races remove more than the whole difference",
 )
 STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the wind-up of rigid "
-             "races; the parts are listed there")  # fmt: skip
+             "races; see the parts of that row")  # fmt: skip
 TURNED = Left(
     ("wind-up of the races by rolling*",),
     "neither the torque nor the races explain it; no other cause was varied",
@@ -82,7 +82,7 @@ TURNED = Left(
 STATEMENTS: Mapping[str, Statement] = {
     "sprag-wedge": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a quarter of the torque: contacts half as wide",
+            Rerun(cause=Cause.GEOMETRY, what="a quarter of the torque, half the contact width",
                   inputs=light, levels=(9,)),
             Rerun(cause=Cause.GEOMETRY, what="races with thicker walls", inputs=thick, levels=(9,)),
         ),

@@ -87,7 +87,7 @@ def test_a_curve_has_a_third_stage_if_its_force_doubles(own):
     assert soft.reason.startswith("not held")
     for curve in ({}, further(own, 1.03, 1.99)):  # it ends for want of an equilibrium
         found = judge(TENFOLD, context(own, **curve))
-        assert found.reason.startswith("not converged: no result, no equilibrium was found beyond")
+        assert found.reason.startswith("not converged: no result: no equilibrium was found beyond")
 
 
 def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_alone(monkeypatch):

@@ -90,7 +90,7 @@ def test_a_critical_point_that_is_not_found_is_no_spring_without_one(monkeypatch
     assert "column_U" in v
     assert q.refusal() == f"{NOT_FOUND} (no equilibrium found): check it without --fem"
     assert list(q.warnings()) == [
-        "no critical point of the elastica was found, tail arc and mid-leaf"
+        "no critical point of the elastica was found for tail = arc and mid-leaf"
     ]
     critical_point.cache_clear()
     monkeypatch.setattr(reference, "LAST", 0.01)

@@ -53,8 +53,8 @@ MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
     """Interval of the relative difference, for p ~ √N; None for a user's inputs.
 
-    It contains the difference of slices from strips, and that of two races on a spring from the
-    equations of motion of all sprags. No tolerance is stated for a user's inputs.
+    It contains two differences: slices against strips, and two races on a spring against the
+    equations of motion with all sprags. No tolerance is stated for a user's inputs.
     """
     if not q.is_default:
         return None
@@ -95,7 +95,7 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """0.5 minus the largest share of z_m in the mean drop of the printed crowns, 0, text."""
+    """Margin of the largest share of z_m in the mean drop of the printed crowns below 0.5 %."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])

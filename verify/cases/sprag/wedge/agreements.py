@@ -93,7 +93,7 @@ def inner_above_outer(context: Context) -> tuple[float, float]:
 
 
 def onset(context: Context) -> Pair:
-    """tan(nu) of the formula, and the mean of the friction that holds and the one that slips."""
+    """tan(nu) of the formula, and the mean of the friction coefficients that hold and slip."""
     v = context.fem[0].values
     tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
     between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2

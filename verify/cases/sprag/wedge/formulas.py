@@ -166,7 +166,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_plane(self) -> float:
         return float(self.state_of(self.bodies.plane).alpha_b)
 
-    @Quantity("α", "deg", "rotation with elastic deflections and Eqs. 9, 10",
+    @Quantity("α", "deg", "rotation by printed Eqs. 9, 10, elastic deflections",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
     def alpha_printed(self) -> float:
         return float(self.printed_state_of(self.clutch).alpha_b)
@@ -181,7 +181,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_contacts(self) -> float:
         return float(self.state_of(self.bodies.by_contacts_and_races).alpha_b)
 
-    @Quantity("α", "deg", "rotation with Palmgren's law and Eqs. 6, 7, 9, 10",
+    @Quantity("α", "deg", "rotation by printed Eqs. 9, 10, Palmgren's law, Eqs. 6, 7",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:
         return float(self.printed_state_of(self.bodies.composite).alpha_b)

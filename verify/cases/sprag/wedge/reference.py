@@ -81,7 +81,7 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Friction coefficients with which the sprag holds and slips; nan if it does not do so."""
+    """Friction coefficient with which the sprag holds, and one with which it slips; may be nan."""
     state = sweep.states[SLIPS]
     tan = state.T[0] / state.N[0]
     above, below = (1 + ONSET) * tan, (1 - ONSET) * tan
