@@ -235,7 +235,7 @@ def test_a_flip_or_move_is_printed_and_written_and_decides(tmp_path):
     assert "status: ring/bore: PASS here, FAIL in there" in "\n".join(command.lines(flipped))
     moved = summary_of(tmp_path, **MOVED)
     assert not moved.is_portable
-    assert "value: ring/bore moves without a reason in there" in "\n".join(command.lines(moved))
+    assert "value: ring/bore changes without a reason in there" in "\n".join(command.lines(moved))
     command.write(moved, tmp_path)
     data = json.loads((tmp_path / "portable.json").read_text("utf-8"))
     assert data["portable"] is False
@@ -261,7 +261,7 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
 
 def test_wrong_arguments_are_refused_in_one_line(capsys):
     for option, value, words in (
-        ("--only", "core-z80", "no such machine; known are baseline"),
+        ("--only", "core-z80", "unknown machine; known are baseline"),
         ("--seeds", "-1", "--seeds must be 0 to 1000, got -1"),
     ):
         assert run(["portable", option, value]) == 2

@@ -135,7 +135,7 @@ def test_a_printed_string_is_a_number_with_a_last_digit():
 
 def test_what_is_no_printed_number_is_refused():
     for printed in ("", "about 5", "5,5", "5.", "nan", "1/2"):
-        with pytest.raises(ValueError, match="is not a printed number"):
+        with pytest.raises(ValueError, match="must be a printed number"):
             number(printed)
 
 
@@ -152,7 +152,7 @@ def test_a_value_that_differs_from_its_printed_text_is_refused():
     assert Value(**VALUE).standard_uncertainty == pytest.approx(0.0005 / math.sqrt(3), rel=1e-15)
     assert Value(**VALUE, approximate=True).standard_uncertainty is None
     for change, message in (
-        ({"value": 0.602}, "is not the printed"), ({"kind": "guess"}, "kind"),
+        ({"value": 0.602}, "must be the printed"), ({"kind": "guess"}, "kind"),
         ({"place": " "}, "place"), ({"id": "a:b"}, "id"), ({"colour": "red"}, "colour"),
     ):  # fmt: skip
         with pytest.raises(ValidationError, match=message):
@@ -176,10 +176,11 @@ def test_an_incomplete_ledger_is_refused():
     Paper.model_validate(RAW["belcin"])
     for raw, message in (
         (changed("equations", -1), "needs Eqs. 1 to 21"),
-        (changed("equations", 0, **EMPTY | {"status": "implemented"}), "its code and its test"),
-        (changed("equations", 0, **EMPTY | {"status": "argued"}), "give the argument"),
+        (changed("equations", 0, **EMPTY | {"status": "implemented"}),
+         "code and test are required"),
+        (changed("equations", 0, **EMPTY | {"status": "argued"}), "must contain the argument"),
         (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
-         "but names code or a test"),
+         "code and test must be empty"),
         (changed("errata", 1, id=RAW["belcin"]["errata"][0]["id"]), "used twice"),
         (changed("errata", 0, evidence=""), "evidence"),
         (RAW["belcin"] | {"values": RAW["belcin"]["values"] * 2}, "used twice"),

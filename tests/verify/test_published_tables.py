@@ -84,11 +84,11 @@ def test_tables_and_values_that_differ_are_refused():
     Paper.model_validate(wang())
     for raw, message in (
         (TABLE | {"rows": [["k"]]}, "has 1 cells, the header 2"),
-        (TABLE | {"rows": [["k", "0.601"]]}, "refer to its value"),
-        (TABLE | {"rows": []}, "say why in its note"),
-        (wang() | {"tables": []}, "needs Tables 1 to 1"),
-        (wang(rows=[*ROWS, ("", "=k9", "", "")]), "no value k9"),
-        (wang(rows=[*ROWS, ROWS[0]]), "stands in 2 cells"),
+        (TABLE | {"rows": [["k", "0.601"]]}, "must be a reference, not a number"),
+        (TABLE | {"rows": []}, "note must state the reason"),
+        (wang() | {"tables": []}, "tables must be Table 1 to 1"),
+        (wang(rows=[*ROWS, ("", "=k9", "", "")]), "unknown value k9"),
+        (wang(rows=[*ROWS, ROWS[0]]), "must be in one cell, is in 2"),
         (wang(rows=ROWS[:1]), "no cell for value k2-fea"),
         (wang(rows=[*ROWS, ("", "=b", "", "")]), "b is printed in Sec. 1.2"),
     ):

@@ -117,7 +117,7 @@ def test_a_change_is_reported_beyond_its_error_or_a_tenth_of_its_band(row, chang
     assert aspects(changed) == reported
     assert not changed.unexplained
     if not reported:
-        assert since.lines(changed) == ["since 0.1.0: 1 rows compared, nothing moved"]
+        assert since.lines(changed) == ["since 0.1.0: 1 rows compared, no changes"]
 
 
 LOOSENED = [
@@ -217,7 +217,7 @@ def test_a_release_is_read_as_it_was_written(tmp_path, of_paper):
     store([ROW], "0.10.0", "abc", tmp_path)
     assert newest(tmp_path).version == "0.10.0"
     path.write_bytes(b"\x1f\x8b\x08\x00torn")
-    with pytest.raises(InputError, match="is no release"):
+    with pytest.raises(InputError, match="is not a release file"):
         load(path)
 
 

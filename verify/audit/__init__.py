@@ -1,1 +1,1 @@
-"""Mutants, changes since a release, other machines."""
+"""Audits of the suite: fault detection (mutants), changes since a release, other machines."""

@@ -1,4 +1,4 @@
-"""Contents of a report on a case beside its rows: inputs, formulas, figures, sketch."""
+"""Contents of the report on a case, except its rows: inputs, formulas, figures, sketch."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,7 +12,7 @@ from verify.papers.ledger import published
 
 
 def described(case: Case, context: Context) -> dict[str, Any]:
-    """The fields of `CaseResult` that come from the case and its formulas."""
+    """Fields of `CaseResult` that follow from the case and its formulas."""
     q, values = context.inputs, context.analytic
     return {
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
@@ -28,7 +28,7 @@ def described(case: Case, context: Context) -> dict[str, Any]:
 
 
 def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValue, ...]:
-    """The outputs that these inputs have, in display units."""
+    """Outputs that exist for these inputs, in display units."""
     return tuple(
         FormulaValue(
             key=out.key, symbol=out.symbol, what=out.what,
@@ -40,7 +40,7 @@ def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValu
 
 
 def _inputs(q: Inputs, *, is_paper: bool) -> tuple[InputValue, ...]:
-    """Every input, on the paper's numbers with the place that prints it."""
+    """All inputs of a case; at the paper's inputs, with the place where the paper states each."""
     if not is_paper:
         return q.display()
     claims = {name: meta(field)["claims"] for name, field in type(q).model_fields.items()}

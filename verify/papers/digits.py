@@ -1,4 +1,4 @@
-"""Value of a printed number, and the uncertainty by its number of digits."""
+"""Value of a printed number, and its uncertainty, which follows from its digits."""
 
 import re
 
@@ -10,14 +10,14 @@ _NUMBER = re.compile(
 def _parts(printed: str) -> tuple[str, int]:
     match = _NUMBER.fullmatch(printed.strip())
     if match is None:
-        raise ValueError(f"{printed!r} is not a printed number such as 0.601 or 1.4×10^-5")
+        raise ValueError(f"{printed!r} must be a printed number such as 0.601 or 1.4×10^-5")
     sign = "-" if match["sign"] in ("-", "−") else ""
     exponent = int((match["exponent"] or "0").replace("−", "-"))
     return sign + match["mantissa"], exponent
 
 
 def number(printed: str) -> float:
-    """The number that a printed string means.
+    """Value of a printed number.
 
     >>> number("1.4×10^-5")
     1.4e-05
@@ -27,7 +27,7 @@ def number(printed: str) -> float:
 
 
 def is_number(text: str) -> bool:
-    """Whether a text is a printed number and nothing else.
+    """Whether a text consists of a printed number only.
 
     >>> is_number("0.601"), is_number("k_1"), is_number("")
     (True, False, False)

@@ -1,4 +1,4 @@
-"""Entries of the file of a paper: values, numbered equations and errata, each validated."""
+"""Entries of the file of a paper: printed values, numbered equations and errata, validated."""
 
 import math
 from typing import Annotated, Literal, Self
@@ -12,13 +12,13 @@ Key = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9-]*$")]
 
 
 class Entry(BaseModel):
-    """Base class of entries in the file of a paper: no unknown keys, immutable."""
+    """Base class of the entries in the file of a paper: immutable, without unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 class Value(Entry):
-    """A printed number that states an input, a result, a claim or a limit of the paper's work."""
+    """A printed number: an input, a result, a claim or a limit of the paper's work."""
 
     id: Key
     what: Words
@@ -35,18 +35,20 @@ class Value(Entry):
 
     @property
     def standard_uncertainty(self) -> float | None:
-        """Half the last printed digit over root three [unit]; None if it is only about so."""
+        """Half the last printed digit over √3 [unit]; None if the number is approximate."""
         return None if self.approximate else half_last_digit(self.printed) / math.sqrt(3)
 
     @model_validator(mode="after")
     def _value_is_what_is_printed(self) -> Self:
         if not math.isclose(number(self.printed), self.value, rel_tol=1e-12, abs_tol=0.0):
-            raise ValueError(f"{self.id}: value {self.value!r} is not the printed {self.printed!r}")
+            raise ValueError(
+                f"{self.id}: value {self.value!r} must be the printed {self.printed!r}"
+            )
         return self
 
 
 def literal(printed: str, what: str, place: str) -> Value:
-    """A number with its unit as a source outside the suite prints it, "77.25 MPa"."""
+    """Printed number with unit from a source outside the suite, such as "77.25 MPa"."""
     digits, _, unit = printed.partition(" ")
     return Value(
         id="printed", what=what, printed=digits, value=number(digits), unit=unit or "1",
@@ -55,7 +57,7 @@ def literal(printed: str, what: str, place: str) -> Value:
 
 
 class Equation(Entry):
-    """A numbered equation: implemented (with code and a check), argued, or missing.
+    """A numbered equation: implemented (with code and test), argued (with a note), or missing.
 
     `tex` is the equation as printed, including mistakes.
     """
@@ -71,18 +73,18 @@ class Equation(Entry):
     @model_validator(mode="after")
     def _claims_are_backed(self) -> Self:
         if self.status == "implemented" and not (self.code and self.test):
-            raise ValueError(f"equation {self.number} is implemented: name its code and its test")
+            raise ValueError(f"equation {self.number} is implemented: code and test are required")
         if self.status == "argued" and not self.note:
-            raise ValueError(f"equation {self.number} is argued: give the argument in its note")
+            raise ValueError(f"equation {self.number} is argued: note must contain the argument")
         if self.status == "missing" and (self.code or self.test):
-            raise ValueError(f"equation {self.number} is declared missing but names code or a test")
+            raise ValueError(f"equation {self.number} is missing: code and test must be empty")
         return self
 
 
 class Erratum(Entry):
-    """A printed statement that cannot be right, its corrected form, and the evidence.
+    """A printed statement that is wrong, its corrected form, and the evidence.
 
-    `printed_tex` and `right_tex` are the equations for `printed` and `right`, which are plain text;
+    `printed_tex` and `right_tex` are the equations that belong to the texts `printed` and `right`.
     `values` are the ids of affected printed values of the same paper.
     """
 

@@ -1,7 +1,7 @@
-"""Printed contents of the five papers: values, tables, numbered equations and errata, validated.
+"""Printed contents of the five papers: values, tables, equations and errata, validated.
 
-Each paper has one TOML file next to this module. A value is stored as the printed string, because
-its last digit is the only uncertainty of a printed number.
+Each paper has one TOML file in the folder of this module. A value is stored as the printed text,
+because its last digit is the only uncertainty of a printed number.
 """
 
 import tomllib
@@ -41,7 +41,7 @@ class Paper(Entry):
 
     @property
     def cited(self) -> str:
-        """The first author's name and the year."""
+        """Name of the first author and year."""
         return f"{self.authors.split(',')[0].split()[-1]} {self.year or ''}".strip()
 
     @model_validator(mode="after")
@@ -53,7 +53,7 @@ class Paper(Entry):
         found = [equation.number for equation in self.equations]
         if found != list(range(1, NUMBERED_EQUATIONS[self.key] + 1)):
             raise ValueError(
-                f"{self.key}: needs Eqs. 1 to {NUMBERED_EQUATIONS[self.key]} in order, has {found}"
+                f"{self.key}: needs Eqs. 1 to {NUMBERED_EQUATIONS[self.key]} in order, got {found}"
             )
         return self
 
@@ -66,7 +66,7 @@ class Paper(Entry):
         known = {value.id for value in self.values}
         for entry in self.errata:
             if unknown := [i for i in entry.values if i not in known]:
-                raise ValueError(f"{self.key}: erratum {entry.id}: there is no value {unknown[0]}")
+                raise ValueError(f"{self.key}: erratum {entry.id}: unknown value {unknown[0]}")
         return self
 
 
@@ -90,11 +90,17 @@ def _index() -> dict[str, Value]:
 
 
 def published(reference: str) -> Value:
-    """The value named `paper:id`, such as "wang2023:k1-theory"; KeyError if there is none."""
+    """Printed value with the name "paper:id", such as "wang2023:k1-theory".
+
+    Raises KeyError if there is no such value.
+    """
     return _index()[reference]
 
 
 def erratum(reference: str) -> Erratum:
-    """The erratum named `paper:id`; KeyError if there is none."""
+    """Erratum with the name "paper:id".
+
+    Raises KeyError if there is no such erratum.
+    """
     found = {f"{paper.key}:{e.id}": e for paper in papers() for e in paper.errata}
     return found[reference]

@@ -1,4 +1,4 @@
-"""The published data as plain records for the report, with the related rows of the cases."""
+"""Contents of the papers as records for the report, with the related rows of the cases."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -9,9 +9,9 @@ from verify.papers.paper_tables import claiming_rows, paper_tables
 
 
 def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) -> dict[str, Any]:
-    """Records of the ledgers and the papers' tables for `verify.core.results.Report`.
+    """Records of the papers and their tables for `verify.core.results.Report`.
 
-    `inputs` are those of the cases that are equal to a printed value, by "paper:id".
+    `inputs` lists the inputs of the cases that equal a printed value, by "paper:id".
     """
     used = claimed(results, inputs)
     return {
@@ -30,13 +30,13 @@ def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) 
 
 
 def sources(results: Sequence[CaseResult]) -> dict[str, Any]:
-    """Sources of a report on cases outside the suite alone, without papers."""
+    """Sources for a report that contains only cases outside the suite; there are no papers."""
     found = tuple(_other_sources(results))
     return {"papers": found} | dict.fromkeys(("equations", "errata", "published", "tables"), ())
 
 
 def _other_sources(results: Sequence[CaseResult]) -> list[dict[str, Any]]:
-    """Books and papers of cases outside the suite, which have no ledger."""
+    """Books and papers of cases outside the suite, for which there is no file of contents."""
     keys = {paper.key for paper in papers()}
     none = ("values", "claimed", "equations", "errata", "implemented", "argued", "missing")
     return [
@@ -49,7 +49,7 @@ def _other_sources(results: Sequence[CaseResult]) -> list[dict[str, Any]]:
 def claimed(
     results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]
 ) -> Mapping[str, list[str]]:
-    """Published values in use ("paper:id"), with the inputs and judged rows that use them."""
+    """Printed values in use, by "paper:id", with the inputs and judged rows that use them."""
     used = {reference: list(names) for reference, names in inputs.items()}
     for reference, rows in claiming_rows(results).items():
         used.setdefault(reference, []).extend(row.id for row in rows)

@@ -1,4 +1,4 @@
-"""Equations that a text names."""
+"""Equation numbers in a text."""
 
 import re
 
@@ -6,7 +6,7 @@ _NUMBERS = re.compile(r"Eqs?\. ([\d, and-]*\d)")
 
 
 def numbers(text: str) -> frozenset[int]:
-    """The equations that a text names: "Eqs. 6, 8-10" are 6, 8, 9 and 10.
+    """Numbers of the equations that a text names: "Eqs. 6, 8-10" gives 6, 8, 9 and 10.
 
     >>> sorted(numbers("Eqs. 6, 8-10 and 12"))
     [6, 8, 9, 10, 12]

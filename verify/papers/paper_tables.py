@@ -1,4 +1,4 @@
-"""The tables of the papers for the report: every printed number with its comparisons."""
+"""Tables of the papers for the report: every printed number with its comparisons."""
 
 from collections.abc import Mapping, Sequence
 
@@ -21,7 +21,7 @@ def paper_tables(
 
 
 def claiming_inputs(cases: Sequence[Case]) -> dict[str, list[str]]:
-    """Inputs that repeat a value ("input n of spring-accordion"), by "paper:id"."""
+    """Inputs that equal a printed value ("input n of spring-accordion"), by "paper:id"."""
     found: dict[str, list[str]] = {}
     for case in cases:
         for name, field in case.inputs.model_fields.items():
@@ -31,7 +31,7 @@ def claiming_inputs(cases: Sequence[Case]) -> dict[str, list[str]]:
 
 
 def claiming_rows(results: Sequence[CaseResult]) -> dict[str, list[Row]]:
-    """Judged rows that claim a published value, by "paper:id"."""
+    """Judged rows that are compared with a printed value, by "paper:id"."""
     found: dict[str, list[Row]] = {}
     for result in results:
         for row in result.rows:
@@ -67,7 +67,7 @@ def _table(
 
 
 def _claim(row: Row, value: Value) -> PaperClaim:
-    """Numbers of the row in the printed unit; the row has the dimension of the printed number."""
+    """Numbers of a row, converted to the printed unit."""
     f = units.factor(row.unit) / units.factor(value.unit)
     fem = row.fem if is_finite_elements(row) else None
     analytic, fem, u = (None if v is None else v * f for v in (row.analytic, fem, row.u_num))

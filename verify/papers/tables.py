@@ -1,7 +1,7 @@
-"""Tables of a paper, in its layout. A number in a cell is a value of the same file.
+"""Tables of a paper in its layout; cells refer to printed values of the same file.
 
-A cell "=k1-theory" is replaced by the value with this id: each number is entered only once. Any
-other cell is plain text.
+A cell "=k1-theory" is replaced by the value with this id, so that each number is entered only once.
+Any other cell is plain text.
 """
 
 import re
@@ -16,7 +16,10 @@ from verify.papers.entries import Entry, Value, Words
 
 
 class PrintedTable(Entry):
-    """One table; `name` is its number in the paper. If it has no rows, `note` gives the reason."""
+    """One table; `name` is its number in the paper.
+
+    If the table has no rows, `note` gives the reason.
+    """
 
     name: Words
     caption: Words
@@ -26,13 +29,13 @@ class PrintedTable(Entry):
 
     @property
     def references(self) -> Iterator[str]:
-        """Ids of the values in its cells, row by row."""
+        """Ids of the values in the cells, row by row."""
         return (id_ for row in self.rows for cell in row if (id_ := referred(cell)))
 
     @model_validator(mode="after")
     def _has_its_layout(self) -> Self:
         if not self.rows and not self.note:
-            raise ValueError(f"{self.name} has no rows: say why in its note")
+            raise ValueError(f"{self.name} has no rows: note must state the reason")
         for row in self.rows:
             if len(row) != len(self.header):
                 raise ValueError(
@@ -40,12 +43,12 @@ class PrintedTable(Entry):
                     f"the header {len(self.header)}"
                 )
             if typed := [cell for cell in row if is_number(cell)]:
-                raise ValueError(f"{self.name}: cell {typed[0]} is a number: refer to its value")
+                raise ValueError(f"{self.name}: cell {typed[0]} must be a reference, not a number")
         return self
 
 
 def referred(cell: str) -> str | None:
-    """The id that a cell refers to, None for plain text.
+    """Id to which a cell refers; None for plain text.
 
     >>> referred("=k1-theory"), referred("k_1")
     ('k1-theory', None)
@@ -54,7 +57,7 @@ def referred(cell: str) -> str | None:
 
 
 def named_tables(place: str) -> set[str]:
-    """Tables that a place is about; text before or after a table is not in it.
+    """Tables that a place names, except those with "before" or "after".
 
     >>> sorted(named_tables("Table 1 and Table 2, row 3")), named_tables("Sec. 4, before Table 1")
     (['Table 1', 'Table 2'], set())
@@ -63,19 +66,19 @@ def named_tables(place: str) -> set[str]:
 
 
 def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printed: int) -> None:
-    """Raise ValueError if tables and values do not hold the same numbers, each once.
+    """Raise ValueError if tables and values do not contain the same numbers, each once.
 
     `printed` is the number of tables in the paper.
     """
     if (names := [t.name for t in tables]) != [f"Table {i + 1}" for i in range(printed)]:
-        raise ValueError(f"needs Tables 1 to {printed} in order, has {names}")
+        raise ValueError(f"tables must be Table 1 to {printed} in order, got {names}")
     placed = {v.id: v.place.partition(",")[0] for v in values}
     for table in tables:
         for id_, times in Counter(table.references).items():
             if id_ not in placed:
-                raise ValueError(f"{table.name}: there is no value {id_}")
+                raise ValueError(f"{table.name}: unknown value {id_}")
             if times > 1:
-                raise ValueError(f"{table.name}: value {id_} stands in {times} cells")
+                raise ValueError(f"{table.name}: value {id_} must be in one cell, is in {times}")
             if placed[id_] != table.name:
                 raise ValueError(f"{table.name}: value {id_} is printed in {placed[id_]}")
     shown = {id_ for table in tables for id_ in table.references}

@@ -1,8 +1,8 @@
 """pytest plugin: rows of case files and answers to parameter files as tests.
 
-`pytest --freewheel my_case.py part.toml` runs the files that are named. With
-`freewheel_collect = true` in the configuration pytest also collects, without the option, the files
-whose names match `freewheel_cases` (by default `case_*.py`) and `freewheel_parts` (none).
+`pytest --freewheel my_case.py part.toml` runs the named files. If `freewheel_collect = true` is set
+in the configuration, pytest also collects files without the option: those whose names match
+`freewheel_cases` (default `case_*.py`) or `freewheel_parts` (no default).
 """
 
 from pathlib import Path
@@ -16,25 +16,25 @@ KINDS = ("identity", "asymptotic", "approximation", "trend", "fact", "exact")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The option and the settings."""
+    """Add the option and the settings to pytest."""
     parser.getgroup("freewheel").addoption(
         "--freewheel", action="store_true", help="collect case files and parameter files as tests"
     )
-    parser.addini(ON, "collect them without the option", type="bool", default=False)
+    parser.addini(ON, "collect these files without --freewheel", type="bool", default=False)
     parser.addini(CASES, "patterns of case files", type="args", default=["case_*.py"])
     parser.addini(PARTS, "patterns of parameter files", type="args", default=[])
-    parser.addini(STRICT, "rows and parts that are not judged fail", type="bool", default=False)
+    parser.addini(STRICT, "tests of results without a verdict fail", type="bool", default=False)
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The markers of tests: freewheel, and the kind of a row."""
+    """Register the markers of tests: freewheel, and the kinds of rows."""
     config.addinivalue_line("markers", "freewheel: a row of a case, or a part")
     for kind in KINDS:
         config.addinivalue_line("markers", f"{kind}: a row of this kind")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """A case file or a parameter file: one that is named, or that a pattern fits."""
+    """Collector of a case file or a parameter file that is named or matches a pattern."""
     if not _is_ours(file_path, parent.config):
         return None
     from verify.plugin.cases import CaseFile  # half a second, of every run of pytest
@@ -48,22 +48,22 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Collector | None:
-    """Nothing in place of the module that pytest makes of each Python file that is named."""
+    """Empty collector instead of the module that pytest makes of each named Python file."""
     if not _is_ours(module_path, parent.config):
         return None
     return NoModule.from_parent(parent, path=module_path)
 
 
 class NoModule(pytest.File):
-    """A case file, whose functions are no tests."""
+    """A case file whose functions are not tests."""
 
     def collect(self) -> list[pytest.Item]:
-        """No test."""
+        """No tests."""
         return []
 
 
 def _is_ours(file_path: Path, config: pytest.Config) -> bool:
-    """Whether a file is a case file or a parameter file that is to be run."""
+    """Whether a file is a case file or a parameter file that is to be collected."""
     if not (config.getoption("--freewheel") or config.getini(ON)):
         return False
     setting = {".py": CASES, ".toml": PARTS}.get(file_path.suffix)
@@ -74,7 +74,7 @@ def _is_ours(file_path: Path, config: pytest.Config) -> bool:
 
 
 def _is_named(file_path: Path, config: pytest.Config) -> bool:
-    """Whether the command line names the file itself, which has no name of a file of tests."""
+    """Whether the command line names the file, and the name is not that of a test module."""
     named = (Path(config.invocation_params.dir, arg.partition("::")[0]) for arg in config.args)
     is_of_tests = file_path.match("test_*.py") or file_path.match("*_test.py")
     return file_path in {path.resolve() for path in named} and not is_of_tests

@@ -1,4 +1,4 @@
-"""A case file as tests: one for each of its rows."""
+"""A case file as tests: one test for each of its rows."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -25,10 +25,10 @@ NOT_JUDGED = (Status.SHOWN, Status.CALIBRATED)  # these fail if the setting is s
 
 
 class CaseFile(pytest.File):
-    """A file that declares a case."""
+    """Collector of a file that declares a case."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """A test for each row, known without solving; one that fails where the file is wrong."""
+        """One test for each row, without solving; one failing test if the file is wrong."""
         try:
             rows = unsolved_rows(self.case, self.case.inputs(), paper=True)
         except (Exception, SystemExit) as error:
@@ -45,19 +45,25 @@ class CaseFile(pytest.File):
 
     @cached_property
     def case(self) -> Case:
-        """The case of the file; InputError."""
+        """Case of the file.
+
+        Raises InputError if the file is wrong.
+        """
         return load(str(self.path))
 
     @cached_property
     def rows(self) -> dict[str, Row]:
-        """The judged rows by their ids; levels come from the store where they are there."""
+        """Judged rows by id; stored finite-element levels are used."""
         (result,) = solve(
             [Job(self.case, self.case.inputs())], Where(1), use_cache=True, quiet=True
         )
         return {row.id: row for row in result.rows}
 
     def judged(self, row_id: str) -> Row:
-        """The row of this id; FreewheelError with the reasons of other rows where it is absent."""
+        """Judged row with this id.
+
+        Raises FreewheelError, with the reasons of other failed rows, if the row does not exist.
+        """
         if found := self.rows.get(row_id):
             return found
         reasons = {row.reason: None for row in self.rows.values() if row.status in FAILED}
@@ -65,10 +71,10 @@ class CaseFile(pytest.File):
 
 
 class Item(pytest.Item):
-    """A test that fails with a few lines in place of a traceback."""
+    """A test that fails with a few lines instead of a traceback."""
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *args: Any) -> Any:
-        """The message alone; with `--full-trace` the traceback of an unexpected exception."""
+        """The message only; with `--full-trace`, the traceback of an unexpected exception."""
         if isinstance(excinfo.value, FreewheelError | InputError):
             return with_extra(str(excinfo.value))
         if self.config.getoption("fulltrace"):
@@ -76,18 +82,18 @@ class Item(pytest.Item):
         return with_extra(f"{self.path.name}: {named(excinfo.value)} (traceback: --full-trace)")
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        """The file and the name that pytest prints above a failure."""
+        """File and name that pytest prints above a failure."""
         return self.path, None, f"{self.path.name}: {self.name}"
 
     def not_judged(self, message: str) -> None:
-        """Skip the test for this reason; where the setting is strict it fails."""
+        """Skip the test for this reason; if `freewheel_strict` is set, it fails instead."""
         if self.config.getini(STRICT):
-            raise FreewheelError(f"{message}\n{STRICT}: results that are not judged fail")
+            raise FreewheelError(f"{message}\n{STRICT} is set: a result without a verdict fails")
         pytest.skip(message)
 
 
 class Broken(Item):
-    """A file that cannot be used: one test, which says why."""
+    """Test for a file that cannot be used; it fails and states the reason."""
 
     def __init__(self, *, message: str, **more: Any) -> None:
         super().__init__(**more)
@@ -95,12 +101,12 @@ class Broken(Item):
         self.add_marker("freewheel")
 
     def runtest(self) -> None:
-        """Fail."""
+        """Fail with the message."""
         raise FreewheelError(self.message)
 
 
 class RowItem(Item):
-    """A row of a case. A row that is not judged (SHOWN, CALIBRATED, NOTE) is skipped visibly."""
+    """Test of one row; a row without a verdict (SHOWN, CALIBRATED, NOTE) is skipped visibly."""
 
     def __init__(self, *, row: Row, **more: Any) -> None:
         super().__init__(**more)
@@ -109,7 +115,7 @@ class RowItem(Item):
         self.add_marker(row.kind.value)
 
     def runtest(self) -> None:
-        """Judge the row; the first row of a file solves the case."""
+        """Judge the row; the first test of a file solves the case."""
         assert isinstance(self.parent, CaseFile)
         row = self.parent.judged(self.row_id)
         self.user_properties += [("status", row.status.value), ("kind", row.kind.value)]

@@ -1,4 +1,4 @@
-"""The few lines that a failed row or part prints in place of a traceback."""
+"""Lines that a failed row or part prints instead of a traceback."""
 
 import re
 import shlex
@@ -11,11 +11,11 @@ NO_MODULE = re.compile(r"No module named '(\w+)")
 
 
 class FreewheelError(Exception):
-    """A row or a part that fails; its message is what the test prints."""
+    """Failure of a row or a part; the test prints its message."""
 
 
 def failure(row: Row, file: str) -> str:
-    """A failed row: numbers in its unit, and what is to be done next."""
+    """Text for a failed row: numbers in its unit, and the recommended next step."""
     lines = [f"{row.status.value}: {row.reason}", _compared(row), *_judged(row)]
     name = row.quantity.removesuffix(CONVERGENCE)
     told = shlex.join(["freewheel", "explain", name, file])
@@ -28,7 +28,7 @@ def _compared(row: Row) -> str:
 
 
 def _judged(row: Row) -> list[str]:
-    """Value, reference, difference, tolerance and detection limit, where the row has them."""
+    """Lines with value, reference, difference, tolerance and detection limit, if they exist."""
     unit = "" if row.unit == "1" else f" {row.unit}"
     sides = (("value", row.analytic), ("reference", _reference(row)))
     limits = (("difference", row.difference), ("tolerance", row.tolerance))
@@ -53,7 +53,7 @@ def _reference(row: Row) -> float | None:
 
 
 def _next(row: Row) -> str:
-    """What is to be done about the reason of a failed row."""
+    """Recommended next step for the reason of a failed row."""
     reason = row.reason
     if re.search(r"\.py:\d+", reason):
         return "correct this line of the file"
@@ -67,7 +67,7 @@ def _next(row: Row) -> str:
 
 
 def with_extra(message: str) -> str:
-    """The message; where an optional library is missing, with the command that installs it."""
+    """The message; if an optional library is missing, with the command that installs it."""
     missing = NO_MODULE.search(message)
     extra = extra_of(missing[1]) if missing else ""
     return f"{message}\ninstall it: pip install '{PACKAGE}[{extra}]'" if extra else message

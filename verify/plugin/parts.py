@@ -1,4 +1,4 @@
-"""A parameter file as a test: a part that fails its check fails the test."""
+"""A parameter file as a test, which fails if the part fails its check."""
 
 from collections.abc import Iterator
 from contextlib import redirect_stdout
@@ -19,17 +19,17 @@ LINES = 12  # of an answer, which come first
 
 
 class PartFile(pytest.File):
-    """A parameter file."""
+    """Collector of a parameter file."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """One test, of the name of the command."""
+        """One test with the name of the command, "check"."""
         item = PartItem.from_parent(self, name="check")
         item.add_marker("freewheel")
         yield item
 
 
 class PartItem(Item):
-    """What `freewheel check FILE` says; an answer that cannot be given is skipped visibly."""
+    """Test with the result of `freewheel check FILE`; it is skipped visibly without an answer."""
 
     def runtest(self) -> None:
         """Check the part by its formulas."""

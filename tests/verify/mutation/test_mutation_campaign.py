@@ -192,7 +192,7 @@ def test_each_group_counts_for_the_code_that_it_was_measured_on(group, tmp_path,
         assert (now.missing, [g.name for g in now.groups]) == ("", [name])
         assert {"references", "judging"} <= set(now.stale)
     none = score.measured(lambda: "a third")
-    assert none.missing == "not measured for this code: freewheel mutants does it"
+    assert none.missing == "not measured for the present code: run `freewheel mutants`"
     assert not none.groups
 
 
@@ -207,7 +207,7 @@ def of(tests: int, survived: int, reason: str = "as the root is squared") -> Cau
 def test_the_gate_requires_95_percent_and_a_reason_for_the_rest():
     assert score.complaints(of(95, 5)) == []
     (few,) = score.complaints(of(94, 6))
-    assert few == "formulas: 94 of 100 mutants are caught, 95% required"
+    assert few == "formulas: 94 of 100 mutants are detected, 95% required"
     (bare,) = score.complaints(of(99, 1, reason=""))
-    assert bare == "formulas: 1 survivors without a reason in argued.json"
+    assert bare == "formulas: 1 undetected mutants without a reason in argued.json"
     assert all(len(reason.split()) > 3 for reason in score.argued().values())

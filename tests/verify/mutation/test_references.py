@@ -82,7 +82,7 @@ def test_an_interval_that_moves_with_its_formula_hides_errors():
     found = score([both])
     assert found["by formula"]["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
     assert found["gate"]["failures"] == [
-        "1 row hides an error of their formula, ring-made-up/formula first"
+        "1 row does not reveal an error of the formula, first ring-made-up/formula"
     ]
 
 

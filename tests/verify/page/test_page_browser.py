@@ -141,7 +141,7 @@ def test_a_wrong_sweep_is_an_error_of_one_line(page: Browser) -> None:
     page.unfold("tool-sweep")
     page.one("#sweep-values").send_keys("1:2")
     page.press("sweep")
-    page.until(lambda: "needs NAME=a:b:n" in page.text("#sweep-progress"))
+    page.until(lambda: "write NAME=a:b:n" in page.text("#sweep-progress"))
 
 
 def test_two_variants_stand_side_by_side(page: Browser) -> None:

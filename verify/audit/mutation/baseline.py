@@ -1,4 +1,4 @@
-"""Baseline before the first mutant: states, times and called functions, stored for later."""
+"""Baseline before the first mutant: statuses, times and called functions, stored for later."""
 
 import json
 import time
@@ -29,7 +29,7 @@ TESTING = 900.0  # s for a file of tests
 
 @dataclass(frozen=True)
 class Noted:
-    """Unchanged code at work: the functions that it calls, its seconds, and states of rows."""
+    """Record of unchanged code: time [s], called functions, and statuses of rows."""
 
     seconds: float
     functions: tuple[str, ...]
@@ -38,21 +38,21 @@ class Noted:
 
 @dataclass(frozen=True)
 class Notes:
-    """Recorded calls in the store; missing records are made."""
+    """Records of unchanged code, from the store or, if missing, determined now."""
 
     store: Store
     jobs: int
     show: Show
 
     def cases(self, loads: Sequence[Load]) -> dict[str, Noted]:
-        """Functions called in judging each case, by the cases' ids."""
+        """Records of judging each case, by the ids of the cases."""
         code = digest("analytic", "verify")
         work = {f"{load.case.id} {code}": partial(_judge, load) for load in loads}
         found = self._noted("cases", "judging", work, JUDGING)
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
-        """Functions called in solving each case's coarsest level."""
+        """Records of solving the coarsest level of each case, by the ids of the cases."""
         tracer = digest(TRACER)
         work = {
             f"{case.id} {cache.key(case, case.inputs(), case.levels[0])} {tracer}": partial(
@@ -64,7 +64,7 @@ class Notes:
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def tests(self, kind: str, files: Sequence[str]) -> dict[str, tuple[float, Sequence[str]]]:
-        """Seconds and called functions of all tests of the files."""
+        """Time [s] and called functions of all tests in the files, by test."""
         from verify.audit.mutation import suite  # pytest, which a user's environment may not have
 
         tested = suite.TESTED[kind]
@@ -78,7 +78,10 @@ class Notes:
         self, kind: str, doing: str, work: Mapping[str, Callable[[], Any]], limit: float,
         *, needed: bool = True,
     ) -> dict[str, Any]:  # fmt: skip
-        """Recorded calls: from the store, and otherwise determined now."""
+        """Records of one kind from the store; missing records are determined now.
+
+        Raises InputError if a record that is `needed` cannot be determined.
+        """
         stored = self.store.load(KIND, list(work))
         known = {}
         for name, content in stored.items():
@@ -93,13 +96,13 @@ class Notes:
                 known[name] = answer.value
                 self.store.store(KIND, kind, {name: json.dumps(answer.value).encode()})
             elif needed:
-                raise InputError(f"{doing} {name.partition(' ')[0]}: {answer.failure}")
+                raise InputError(f"{doing} {name.partition(' ')[0]} failed: {answer.failure}")
             else:
                 dispatch.unstored += 1
             return 1
 
         dispatch = Dispatch(
-            f"notes of {doing} unchanged code", len(work), len(known), self.show,
+            f"records of {doing} unchanged code", len(work), len(known), self.show,
             title=lambda task: str(task.key).partition(" ")[0],
         )  # fmt: skip
         dispatch.run(forks(self.jobs), perform, queue(waiting), receive)

@@ -1,4 +1,4 @@
-"""Tests a group's mutants by judging, tests and solving; every outcome is stored at once."""
+"""Check of the mutants of a group by judging, tests and solving; outcomes are stored at once."""
 
 from collections import deque
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
 
 @dataclass
 class Campaign:
-    """One running group; `stages` holds the stage of each mutant not detected yet."""
+    """Check of one group; `stages` contains the stage of each mutant that is not detected yet."""
 
     group: Group
     outcomes: Outcomes
@@ -28,7 +28,7 @@ class Campaign:
     stages: dict[str, int] = field(default_factory=dict)
 
     def run(self) -> None:
-        """Try every chosen mutant that has no outcome yet."""
+        """Check every selected mutant that has no outcome yet."""
         self.mutants = {one.mutant.id: one for one in self.group.chosen}
         missing = [key for key in self.mutants if key not in self.outcomes.found]
         self.waiting += [self.group.trial(self.mutants[key]) for key in missing]
@@ -47,7 +47,7 @@ class Campaign:
         return 1
 
     def _outcome(self, key: str, answer: Answer) -> Outcome | None:
-        """The outcome of a mutant; None if further tests remain."""
+        """Outcome of a mutant; None if further checks remain."""
         if answer.failure:
             by = By.TIME if answer.failure == LATE else By.CRASHED
             what = answer.failure
@@ -57,11 +57,11 @@ class Campaign:
             self.waiting.appendleft(task)
             return None
         if by is By.TIME and self.stages.get(key) == TESTED:
-            by, what = By.TESTS, "tests that do not end"
+            by, what = By.TESTS, "the tests do not end"
         return Outcome(key, by, what, round(self.spent[key], 1))
 
     def _next(self, key: str) -> Task | None:
-        """Next step for a mutant: the tests, then cases that take a long time to solve with it."""
+        """Next check of a mutant: the tests, then the cases that take a long time to solve."""
         changed = self.mutants[key]
         while (stage := self.stages.get(key, JUDGED)) < SOLVED:
             self.stages[key] = stage + 1

@@ -1,4 +1,4 @@
-"""`freewheel mutants`: try mutants, print how many are detected, store the score."""
+"""Command `freewheel mutants`: check mutants, print how many are detected, store the score."""
 
 import os
 import time
@@ -22,7 +22,7 @@ SEED = 0  # of the sample that is stored
 
 
 def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> int:
-    """Measure the groups, print and store the detections; returns 1 if the gate is not met."""
+    """Check the groups, print and store the scores; return 1 if a requirement is not met."""
     Where(jobs)  # raises an error for a wrong number of processes
     jobs = jobs or os.cpu_count() or 1
     names = [name for name in (score.REFERENCES, *groups.MAKE) if not only or name in only]

@@ -1,4 +1,4 @@
-"""Output of `freewheel mutants`: a line for each group, then every survivor."""
+"""Output of `freewheel mutants`: one line per group, then all undetected mutants."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from verify.core.results import Caught, MutantGroup, Survivor
 
 
 def told(caught: Caught) -> None:
-    """Print the counts of each group and the survivors, those without a reason first."""
+    """Print the counts of each group and the undetected mutants, those without a reason first."""
     if caught.references:
         for line in moved(caught.references):
             print(line)
@@ -18,17 +18,17 @@ def told(caught: Caught) -> None:
 
 
 def moved(data: Mapping[str, Any]) -> list[str]:
-    """Number of failed rows of the gate, and the counts of the other rows."""
+    """Lines with the number of failed rows under the requirement, and of the other rows."""
     gate, rest, listed, formula = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
     excluded = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
-        f"references: of {gate['rows']} rows fail at {_reds(gate)}",
-        f"  of these {rest['rows']} that a formula's value reaches: {_reds(rest)}; "
+        f"references: {gate['rows']} rows must fail; failed at {_reds(gate)}",
+        f"  {rest['rows']} of these rows depend on a value of a formula: {_reds(rest)}; "
         f"excluded: {excluded}",
         f"  not required: {listed['rows']} of {data['rows']} rows ({listed['share']:.1%}; "
         f"{listed['share without convergence']:.1%} without {data['convergence']} of convergence)",
         f"  of {formula['rows']} rows with a formula {formula['reached']} depend on its value, "
-        f"{formula['rows'] - formula['reached']} do not, {len(formula['hidden'])} hide a change",
+        f"{formula['rows'] - formula['reached']} do not, {len(formula['hidden'])} hide an error",
     ]
 
 
@@ -37,7 +37,7 @@ def _reds(shares: Mapping[str, Any]) -> str:
 
 
 def counted(group: MutantGroup) -> str:
-    """One line: shares with their counts."""
+    """Line with the counts and shares of one group."""
     tried = max(group.tried, 1)
     parts = ", ".join(
         f"{word} {count} ({count / tried:.1%})"
@@ -46,12 +46,12 @@ def counted(group: MutantGroup) -> str:
         )
     )  # fmt: skip
     lost = group.apart
-    failed = f"; {lost} more crashed or did not end" if lost else ""
-    return f"{group.name}: {group.tried} of {group.all} mutants tried, caught by {parts}{failed}"
+    failed = f"; {lost} others crashed or did not end" if lost else ""
+    return f"{group.name}: {group.tried} of {group.all} mutants tried, detected by {parts}{failed}"
 
 
 def named(survivor: Survivor) -> str:
-    """One line: place and text of the change, and why it cannot be detected."""
+    """Line with the place and the text of an undetected change, and the reason."""
     place = f"{survivor.where} line {survivor.line}"
     reason = survivor.reason or "no reason given"
-    return f"  survives: {place}: {survivor.before} -> {survivor.after} ({reason})"
+    return f"  not detected: {place}: {survivor.before} -> {survivor.after} ({reason})"

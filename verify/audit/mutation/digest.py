@@ -1,4 +1,4 @@
-"""The code that a measurement counts for, as a hash."""
+"""Hash of the code for which a measurement is valid."""
 
 import hashlib
 
@@ -8,7 +8,10 @@ ALL = ("analytic", "fem", "meshes", "verify", "tests")
 
 
 def digest(*folders: str) -> str:
-    """Hash of files and of all sources in folders, by default of all on which the score depends."""
+    """Hash of files and of all sources in folders.
+
+    By default, all sources on which the score depends are included.
+    """
     found = hashlib.sha256()
     for folder in folders or ALL:
         place = ROOT / folder

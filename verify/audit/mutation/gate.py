@@ -1,11 +1,11 @@
-"""The gate on perturbed references: which rows must fail, which are only listed.
+"""Requirement for perturbed references: which rows must fail, and which are only listed.
 
-The gate applies to comparisons that pass and must detect 1 % or less: identities, asymptotics,
-trends, approximations with an expected interval, and balances. All others are listed with the
-reason and their detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less sensitive
-comparisons. Convergence rows belong to a comparison and have no reference; the gate neither applies
-to them nor lists them. A row that fails if its reference is changed must also fail if a value of
-its formula is wrong.
+The requirement applies to comparisons that pass and must detect 1 % or less: identities,
+asymptotics, trends, approximations with an expected interval, and balances. All other rows are
+listed with the reason and their detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less
+sensitive comparisons. Convergence rows belong to a comparison and have no reference; they are
+neither required to fail nor listed. A row that fails if its reference is changed must also fail if
+a value of its formula is wrong.
 """
 
 from collections.abc import Sequence
@@ -30,7 +30,7 @@ WIDER = "a wider demand"
 
 
 def listed_as(row: Row) -> str:
-    """Reason why the gate does not apply to the row; "" if it does, and for convergence rows."""
+    """Reason why a row is only listed; empty if it must fail, and for convergence rows."""
     if is_convergence(row):
         return ""
     if row.status is not Status.PASS:
@@ -42,22 +42,22 @@ def listed_as(row: Row) -> str:
 
 
 def held(row: Row) -> bool:
-    """Whether the gate requires the row to fail."""
+    """Whether the row must fail if its reference is perturbed."""
     return not is_convergence(row) and not listed_as(row)
 
 
 def share(rows: Sequence[Tried], p: float) -> float:
-    """Share of the rows that fail at the perturbation `p` of the reference; 1 of none."""
+    """Share of the rows that fail at the perturbation `p` of the reference; 1 without rows."""
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 
 def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
-    """The violations of the gate, one line each; empty if there are none.
+    """Violations of the requirement, one line each; empty if there are none.
 
     `hidden` are rows that pass although the value of their formula is wrong.
     """
     gated = [tried for tried in rows if held(tried.row)]
-    found = [] if gated else ["no row is held to the gate"]
+    found = [] if gated else ["no row must fail"]
     found += [
         f"{p:+.0%} makes {share(gated, p):.2%} of {len(gated)} rows fail, {asked:.0%} required"
         for size, asked in ((SMALL, LEAST), (LARGE, 1.0))
@@ -66,11 +66,11 @@ def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
     ]
     listed = sum(bool(listed_as(tried.row)) for tried in rows)
     if listed > MOST_LISTED * len(rows):
-        found.append(f"{listed} of {len(rows)} rows are only listed, {MOST_LISTED:.0%} at most")
+        found.append(f"{listed} of {len(rows)} rows are only listed, maximum {MOST_LISTED:.0%}")
     if hidden:
-        found.append(f"{_rows(len(hidden))} an error of their formula, {hidden[0]} first")
+        found.append(f"{_rows(len(hidden))} an error of the formula, first {hidden[0]}")
     return found
 
 
 def _rows(count: int) -> str:
-    return "1 row hides" if count == 1 else f"{count} rows hide"
+    return "1 row does not reveal" if count == 1 else f"{count} rows do not reveal"

@@ -37,9 +37,10 @@ LONGEST = 4.0  # s for a coarsest level that mutants are tried on
 
 @dataclass(frozen=True)
 class Group:
-    """Mutants with their sample, the function that tries one, and the tests that follow.
+    """A group of mutants: all, the selected sample, and the functions that check a mutant.
 
-    `last` is the final check if no faster check has detected the mutant.
+    `trial` returns the first check of a mutant and `tests` the tests that follow. `last` returns
+    the final check, for a mutant that no faster check has detected.
     """
 
     name: str
@@ -51,7 +52,7 @@ class Group:
 
 
 def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
-    """Mutants of analytic/ in functions that judging a case calls."""
+    """Mutants of analytic/ in functions that are called while cases are judged."""
     benches = _benches(loads, notes.cases(loads))
     tests = _suite(notes, "formulas")
     found = reached(_modules(benches, "analytic."), FORMULAS, benches)
@@ -60,7 +61,7 @@ def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> 
 
 
 def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
-    """Mutants of the judging; every case is judged with the known values of its formulas."""
+    """Mutants of the judging code; each case is judged with stored values of its formulas."""
     noted = notes.cases(loads)
     benches = _benches(_with_values(loads, notes.show), noted)
     tests = _suite(notes, "judging")
@@ -69,7 +70,7 @@ def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> G
 
 
 def elements(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
-    """Mutants of fem/ and meshes/ in functions that a case's coarsest level calls."""
+    """Mutants of fem/ and meshes/ in functions that the coarsest level of a case calls."""
     quick = _quick(loads)
     noted = notes.elements([load.case for load in quick])
     states = notes.cases(loads)
@@ -95,17 +96,17 @@ def _group(
 
 
 def _with_values(loads: Sequence[Load], show: Show) -> list[Load]:
-    """The cases with their formulas' values, which are made here once for all mutants."""
+    """The cases with the values of their formulas, computed once for all mutants."""
     start, found = time.monotonic(), list[Load]()
     for n, load in enumerate(loads):
         left = (time.monotonic() - start) / max(n, 1) * (len(loads) - n)
-        show(State(n, len(loads), (load.case.id,), left, what="formulas' values, cases"))
+        show(State(n, len(loads), (load.case.id,), left, what="cases with formulas computed"))
         found.append(load.with_values())
     return found
 
 
 def _benches(loads: Sequence[Load], noted: Mapping[str, Noted]) -> dict[str, list[Bench]]:
-    """The cases that call each function, the quickest first."""
+    """Cases that call each function, fastest case first."""
     found: dict[str, list[Bench]] = {}
     for bench in sorted(
         (Bench(load, noted[load.case.id]) for load in loads if load.case.id in noted),
@@ -122,7 +123,10 @@ def _modules(functions: Mapping[str, object], package: str | tuple[str, ...]) ->
 
 
 def _of(changed: Changed, benches: Mapping[str, list[Bench]]) -> list[Bench]:
-    """The cases that call the mutant's function, or for a constant any function of its module."""
+    """Cases that call the function of a mutant.
+
+    For a constant, these are the cases that call any function of its module.
+    """
     module, name = changed.mutant.module, changed.mutant.function
     if found := benches.get(f"{module}:{name}"):
         return found
@@ -155,7 +159,10 @@ def _task(changed: Changed, stored: Sequence[Bench], moved: Sequence[Bench]) -> 
 
 
 def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
-    """The coarsest levels of the fastest cases, or all levels of cases that take little time."""
+    """Check that solves the coarsest levels of the fastest cases with a mutant.
+
+    Cases that take little time are solved on all levels.
+    """
     known = durations.load(cache.default_folder())
 
     def levels(case: Case) -> Sequence[int]:
@@ -172,7 +179,7 @@ def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Tas
 
 
 def _quick(loads: Sequence[Load]) -> list[Load]:
-    """The cases whose coarsest level, by known durations, is solved in a short time."""
+    """Cases whose coarsest level is solved in a short time, by stored solution times."""
     known = durations.load(cache.default_folder())
     return [
         load for load in loads
@@ -189,7 +196,7 @@ def _imported(noted: Mapping[str, Noted]) -> None:
 
 
 def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
-    """The tests that reach the function of a mutant; none if pytest is not installed."""
+    """Function that gives the tests which reach the code of a mutant; none without pytest."""
     try:
         from verify.audit.mutation import suite
     except ImportError:
@@ -202,7 +209,7 @@ def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
 
 
 def functions_of(changed: Changed) -> set[str]:
-    """The function that a mutant changes, or the functions of its module that read the constant."""
+    """Function that a mutant changes, or all functions that read the changed constant."""
     module, name = changed.mutant.module, changed.mutant.function
     found = readers(name, source(module)) if is_constant(name) else {name}
     return {f"{module}:{function}" for function in found}

@@ -1,7 +1,7 @@
-"""General changes of code: from a node of the syntax tree to its replacements.
+"""General changes of code (operators): replacements for a node of the syntax tree.
 
-An operator takes a node and the names around it, and yields all its replacements, none for an
-unknown node. Replacements are new nodes; the given node is not changed.
+An operator takes a node and the names around it, and yields all replacements. It yields none for a
+node to which it does not apply. Replacements are new nodes; the given node is not changed.
 """
 
 import ast
@@ -45,7 +45,7 @@ DROPPED = ("sqrt", "abs", "hypot", "floor", "ceil", "square")
 
 
 def arithmetic(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """+ for -, * for /, and vice versa."""
+    """Replace + by -, * by /, and vice versa."""
     if isinstance(node, ast.BinOp | ast.AugAssign) and type(node.op) in OPPOSITE:
         changed = deepcopy(node)
         changed.op = OPPOSITE[type(node.op)]()
@@ -53,19 +53,19 @@ def arithmetic(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def power(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """The exponent dropped: nu for nu**2."""
+    """Remove an exponent: nu instead of nu**2."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
         yield deepcopy(node.left)
 
 
 def sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A minus dropped."""
+    """Remove a minus sign."""
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield deepcopy(node.operand)
 
 
 def constant(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A number twice and half as large, with opposite sign, plus one, or 1 % larger."""
+    """Replace a number by twice or half the number, its negative, the next integer, or 1 % more."""
     if not isinstance(node, ast.Constant) or type(node.value) not in (int, float):
         return
     value = node.value
@@ -80,12 +80,12 @@ def constant(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def comparison(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A comparison replaced by its opposite."""
+    """Replace a comparison by its opposite."""
     yield from _compared(node, TURNED)
 
 
 def boundary(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """< for <=, if the two sides may be equal."""
+    """Replace < by <= and vice versa, which matters if both sides may be equal."""
     yield from _compared(node, BOUNDARY)
 
 
@@ -101,12 +101,12 @@ def _compared(
 
 
 def function(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Sin for cos, sin for tan, and their like."""
+    """Replace a function by a similar one, such as sin by cos."""
     yield from _called(node, FUNCTIONS)
 
 
 def extreme(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Min for max."""
+    """Replace min by max and vice versa."""
     yield from _called(node, EXTREMES)
 
 
@@ -121,13 +121,13 @@ def _called(node: ast.AST, others: dict[str, str]) -> Iterator[ast.Call]:
 
 
 def dropped(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A square root, absolute value or similar function replaced by its argument."""
+    """Replace a square root, absolute value or similar function by its argument."""
     if isinstance(node, ast.Call) and name_of(node.func) in DROPPED and node.args:
         yield deepcopy(node.args[0])
 
 
 def condition(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """And for or; a not dropped."""
+    """Replace `and` by `or` and vice versa; remove `not`."""
     if isinstance(node, ast.BoolOp):
         changed = deepcopy(node)
         changed.op = ast.Or() if isinstance(node.op, ast.And) else ast.And()
@@ -137,7 +137,7 @@ def condition(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def name_of(node: ast.AST) -> str:
-    """The last part of a name: sin of np.sin; empty if there is none."""
+    """Last part of a name, such as sin of np.sin; empty if the node is no name."""
     if isinstance(node, ast.Attribute):
         return node.attr
     return node.id if isinstance(node, ast.Name) else ""

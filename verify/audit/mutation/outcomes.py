@@ -1,4 +1,4 @@
-"""Outcome of each mutant, stored at once: an interrupted run continues from there."""
+"""Outcomes of mutants, stored at once so that an interrupted run can be continued."""
 
 import json
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ KIND = "mutant"  # of entries: their subject is the code
 
 
 class By(StrEnum):
-    """Outcome of a mutant: the check that detected it, or none."""
+    """Outcome of a mutant: the kind of check that detected it, or none."""
 
     ROWS = "rows"  # a row is red that was not
     REFUSED = "refused"  # a check of the project raised its error
@@ -28,7 +28,7 @@ APART = (By.CRASHED, By.TIME)  # noticed by any run, and no merit of the suite's
 
 @dataclass(frozen=True)
 class Outcome:
-    """Outcome of a mutant; `what` is the row, the error or the test."""
+    """Outcome of a mutant; `what` is the row, the error or the test that detected it."""
 
     id: str
     by: By
@@ -37,7 +37,7 @@ class Outcome:
 
 
 class Outcomes:
-    """The outcomes of the mutants of one `code`; each is stored before the next is started."""
+    """Outcomes of the mutants of one `code`; each is stored before the next mutant is started."""
 
     def __init__(self, store: Store, code: str) -> None:
         self.store, self.code = store, code
@@ -50,7 +50,10 @@ class Outcomes:
                 yield Outcome(**{**data, "by": By(data["by"])})
 
     def add(self, outcome: Outcome) -> None:
-        """Store an outcome; OSError if the disk is full."""
+        """Store an outcome.
+
+        Raises OSError if the disk is full.
+        """
         self.found[outcome.id] = outcome
         content = json.dumps(asdict(outcome), ensure_ascii=False).encode()
         self.store.store(KIND, self.code, {f"{self.code} {outcome.id}": content})

@@ -1,8 +1,8 @@
-"""A mutant put in the place of the running code, permanently for this process.
+"""Replacement of running code by a mutant, permanently for this process.
 
 The code object of a function is replaced; this affects all names of the function, methods and
 cached functions. A constant is set in every module that has it. Caches of functions of the project
-are cleared, but other results of the old code remain: a mutant needs a new process.
+are cleared, but other results of the old code remain. Therefore, each mutant needs a new process.
 """
 
 import ast
@@ -18,11 +18,14 @@ from verify.form.memoised import forget_memoised
 
 
 class NotPatchedError(RuntimeError):
-    """No living function has the code that the mutant changes."""
+    """No function in this process has the code that the mutant changes."""
 
 
 def patch(of: Source, changed: Changed) -> int:
-    """Replace the code in all functions that have it; returns their number. NotPatchedError."""
+    """Replace the code in all functions that have it; return their number.
+
+    Raises NotPatchedError if there is no such function.
+    """
     import_module(of.module)  # finite-element modules, which are imported only for solving
     forget_memoised()
     changed.place.put(changed.node)
@@ -59,7 +62,7 @@ def _patch_function(of: Source, name: str, owner: ast.FunctionDef, in_defaults: 
 
 
 def functions(path: str) -> Iterator[FunctionType]:
-    """All functions of one file in this process, including those in wrappers."""
+    """All functions of one file in this process, including wrapped functions."""
     for item in gc.get_objects():
         if type(item) is FunctionType and item.__code__.co_filename == path:
             yield item
@@ -101,5 +104,5 @@ def _set_constant(of: Source, name: str, owner: ast.stmt) -> int:
 
 
 def holding(name: str, value: object) -> list[ModuleType]:
-    """The modules that have this very object under this name."""
+    """Modules in which this object has this name."""
     return [m for m in list(sys.modules.values()) if getattr(m, "__dict__", {}).get(name) is value]

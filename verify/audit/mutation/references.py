@@ -1,7 +1,8 @@
-"""Number of rows that fail if references are wrong: a score for reports and the gate.
+"""Number of rows that fail if references are wrong: a score for reports, and the requirement.
 
-`references_moved` changes references where they are judged, `references_read` where the formulas
-return them. Here, all rows of all cases are tried by both methods in one pass over the levels.
+Module `references_moved` changes references where they are judged, module `references_read` where
+formulas return them. This module checks all rows of all cases by both methods in one pass over the
+levels.
 """
 
 from collections import Counter
@@ -34,14 +35,14 @@ Progress = Callable[[int, int, str], None]  # cases done, cases in all, the runn
 
 @dataclass(frozen=True)
 class Both:
-    """A row tried by both methods; `by_formula` None if no value of the formulas reaches it."""
+    """A row checked by both methods; `by_formula` is None if no formula value affects the row."""
 
     moved: Tried
     by_formula: Red | None = None
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes at which the row fails when judged, but not if its formula is wrong by as much."""
+        """Sizes at which the row fails for a changed reference, but not for a changed formula."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:
@@ -56,10 +57,10 @@ def measured(
     cases: Sequence[Case], folder: Path | None = None, *,
     show: Progress = lambda _done, _all, _name: None,
 ) -> dict[str, Any]:  # fmt: skip
-    """The score as JSON: shares of failing rows by perturbation and kind, survivors, listed rows.
+    """Score as a dictionary for JSON: failing rows by perturbation and kind, and listed rows.
 
-    `folder` is the cache of finite elements with all levels: InputError if one is missing. `show`
-    receives the progress.
+    `folder` is the cache of finite-element results; all levels must be stored. `show` receives the
+    progress. Raises InputError if a level is missing.
     """
     rows: list[Both] = []
     for k, case in enumerate(cases):
@@ -70,7 +71,7 @@ def measured(
 
 
 def both_ways(checks: Iterable[Check], context: Context) -> list[Both]:
-    """All rows of these checks, tried by both methods."""
+    """All rows of the checks, checked by both methods."""
     return [both for check in checks for both in _both(check, context)]
 
 
@@ -89,12 +90,12 @@ def _both(check: Check, context: Context) -> list[Both]:
 
 
 def _has_formula(one: Tried) -> bool:
-    """Whether a formula is one side of the row, so that the row should fail if it is wrong."""
+    """Whether a formula is one side of the row, so that an error of the formula must fail it."""
     return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
 def of_its_own(both: Both) -> str:
-    """Reason why a row fails by its judgement, for any value of its formula; "" if it does not."""
+    """Reason why the row cannot depend on a formula's value; empty if it can."""
     row = both.moved.row
     if row.kind is Kind.EXACT:
         return BALANCE
@@ -104,7 +105,7 @@ def of_its_own(both: Both) -> str:
 
 
 def score(rows: Sequence[Both]) -> dict[str, Any]:
-    """The score of the tried rows; the part for the gate is under "gate"."""
+    """Score of the checked rows; key "gate" contains the part for the requirement."""
     moved = [both.moved for both in rows]
     held = [one for one in moved if gate.held(one.row)]
     convergence = sum(is_convergence(one.row) for one in moved)
@@ -135,7 +136,7 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
 
 
 def _shares(rows: Sequence[Tried]) -> dict[str, Any]:
-    """The number of rows, and how many of them fail at each perturbation."""
+    """Number of rows, and numbers of rows that fail at each perturbation."""
     return {
         "rows": len(rows),
         "red": {_name(p): sum(p in one.red for one in rows) for p in PERTURBATIONS},
@@ -150,7 +151,7 @@ def _name(p: float) -> str:
 
 
 def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
-    """Held rows that pass at some perturbation of the reference, and their detection limit."""
+    """Rows that must fail but pass at a perturbation of the reference, with detection limits."""
     return [
         {
             "row": one.row.id, "kind": one.row.kind.value,
@@ -163,7 +164,7 @@ def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
 
 
 def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
-    """Rows to which the gate does not apply, with their detection limits, by reason."""
+    """Rows to which the requirement does not apply, with detection limits, by reason."""
     found: dict[str, list[list[Any]]] = {}
     for one in rows:
         if why := gate.listed_as(one.row):
@@ -172,7 +173,7 @@ def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
 
 
 def _by_formula(rows: Sequence[Both]) -> Mapping[str, Any]:
-    """Agreement of both methods, over rows of the gate that have a formula."""
+    """Agreement of both methods, over the rows that must fail and that have a formula."""
     asked = [both for both in rows if gate.held(both.moved.row) and _has_formula(both.moved)]
     reached = [both for both in asked if both.by_formula is not None]
     return {

@@ -1,14 +1,15 @@
-"""The reference of every row is changed on purpose, and the row is judged again: it should fail.
+"""Deliberate change of each row's reference before the row is judged again: it should fail.
 
-Every comparison is judged in `verify.judging.judge`: `moved` changes only the reference there,
-neither tolerance nor scale nor expected values. Stored finite elements are judged again; none are
-solved.
+All comparisons are judged in `verify.judging.judge`. The function `moved` changes only the
+reference there, neither tolerance nor scale nor expected values. Stored finite elements are judged
+again; none are solved.
 
-The reference r is multiplied by 1 + p; if it is zero, p times the scale of the row is added. If the
-scale is another magnitude than |r|, p times the scale is tried as well: a row with a scale need not
-detect a fraction of a small r, but the gate requires the stricter change, p of r. For an
-approximation, the formula is multiplied, because the row bounds its error; for a limit, the formula
-at all points, so that d becomes (1 + d)(1 + p) - 1. The reference of a balance is zero.
+The reference r is multiplied by 1 + p; if r is zero, p times the scale of the row is added. If the
+scale is another magnitude than |r|, p times the scale is tried as well. A row with a scale need not
+detect a fraction of a small r, but the requirement uses the stricter change, p of r. For an
+approximation, the formula is multiplied, because the row bounds its error. For a limit, the formula
+is multiplied at all points, so that d becomes (1 + d)(1 + p) - 1. The reference of a balance is
+zero.
 """
 
 from collections.abc import Iterator, Sequence
@@ -33,7 +34,7 @@ Red = frozenset[float]  # the perturbations that turn a row red
 
 @dataclass(frozen=True)
 class Tried:
-    """A row, and the perturbations of its reference, and of its scale, at which it fails."""
+    """A row, and the perturbations of its reference and of its scale at which it fails."""
 
     row: Row
     red: Red = frozenset()
@@ -41,12 +42,15 @@ class Tried:
 
     @property
     def compared(self) -> bool:
-        """Whether the row has a reference that can be moved."""
+        """Whether the row has a reference that can be changed."""
         return self.row.kind in COMPARED
 
 
 def of_paper(case: Case, folder: Path | None = None) -> Context:
-    """The default inputs with levels from the cache; InputError if one is missing."""
+    """Default inputs of a case with all levels from the cache.
+
+    Raises InputError if a level is missing.
+    """
     inputs = case.inputs()
     found = []
     for level in case.levels:
@@ -58,12 +62,12 @@ def of_paper(case: Case, folder: Path | None = None) -> Context:
 
 
 def is_convergence(row: Row) -> bool:
-    """Whether the row accompanies a comparison and has no reference."""
+    """Whether the row judges the convergence of a comparison and has no reference."""
     return row.kind is Kind.FACT and row.quantity.endswith(CONVERGENCE)
 
 
 def tried(check: Check, context: Context) -> list[Tried]:
-    """The rows of a check, each with the perturbations at which it fails."""
+    """Rows of a check, each with the perturbations at which it fails."""
     rows = check.rows(context)
     if not any(row.kind in COMPARED for row in rows):
         return [Tried(row) for row in rows]
@@ -88,13 +92,13 @@ def _scale_is_another(row: Row) -> bool:
 
 
 def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
-    """Names of a check's rows that fail if its references are changed by `p`."""
+    """Names of a check's rows that fail if the references are changed by `p`."""
     with moved(p, of_scale=of_scale):
         return red_names(check, context)
 
 
 def red_names(check: Check, context: Context) -> set[str]:
-    """Names of a check's rows that fail: all of them if it refuses to judge."""
+    """Names of a check's rows that fail; all rows if the check raises an error."""
     try:
         rows = check.rows(context)
     except (ValueError, ArithmeticError):  # errors of formulas for impossible values
@@ -104,7 +108,7 @@ def red_names(check: Check, context: Context) -> set[str]:
 
 @contextmanager
 def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Judging with every reference changed by `p` times the reference, or the scale."""
+    """Context in which every judged reference is changed by `p` times itself or its scale."""
     changed = _Moved(p, of_scale)
     kept = {name: getattr(judge, name) for name in SEAMS}
     try:
@@ -120,7 +124,7 @@ SEAMS = ("difference", "approximation", "exact", "fit_limit")  # of `verify.judg
 
 
 class _Moved:
-    """The functions of `judge` with a reference, which they first change by `p`."""
+    """Functions of `judge` with a reference, which they change by `p` before they judge."""
 
     def __init__(self, p: float, of_scale: bool) -> None:
         self.p, self.of_scale = p, of_scale

@@ -1,10 +1,10 @@
-"""The second, independent method: the value of a formula is changed before checks read it.
+"""Second, independent method: values of formulas are changed before checks read them.
 
-`references_moved` changes a reference only where it is judged. Here, a value of the formulas, one
-key at a time, is multiplied by 1 + p in the data of a check; all numbers that the check derives
-from it change as well: tolerance, scale, expected interval. The same rows should fail by both
-methods. A row that fails there and passes here hides an error of its formula; a row that no key
-makes fail computes its formula from the inputs.
+Module `references_moved` changes a reference only where it is judged. This module multiplies one
+value of the formulas at a time by 1 + p in the data of a check. All numbers that the check derives
+from the value change as well: tolerance, scale, expected interval. The same rows should fail by
+both methods. A row that fails by the first method only does not reveal an error of its formula. A
+row that does not fail for any key computes its formula from the inputs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -15,7 +15,7 @@ from verify.core.case import Check, Context, Values
 
 
 class Noted(Mapping[str, float]):
-    """Values that record which of them were read; reading all of them at once is also recorded."""
+    """Values that record which keys were read; reading all keys at once is recorded as well."""
 
     def __init__(self, values: Values) -> None:
         self.values_, self.read = values, dict[str, None]()
@@ -33,15 +33,16 @@ class Noted(Mapping[str, float]):
 
 @dataclass(frozen=True)
 class Read:
-    """The rows of a check that fail if one value of the formulas is changed.
+    """Rows of a check that fail if one value of the formulas is changed.
 
-    `red` are, for each key that is read and not zero, the names of failed rows by perturbation.
+    `red` contains, for each key that is read and not zero, the names of failed rows by
+    perturbation.
     """
 
     red: Mapping[str, Mapping[float, set[str]]]
 
     def of(self, quantity: str, key: str = "") -> Red:
-        """The perturbations of `key`, or of any, at which the row fails."""
+        """Perturbations of `key`, or of any key, at which the row fails."""
         keys = [key] if key else list(self.red)
         return frozenset(
             p for k in keys for p, names in self.red.get(k, {}).items() if quantity in names
@@ -49,7 +50,7 @@ class Read:
 
 
 def read(check: Check, context: Context) -> Read:
-    """Rows of a check with each value of the formulas that it reads changed, one at a time."""
+    """Failing rows of a check for a change of each value that the check reads, one at a time."""
     noted = Noted(context.analytic)
     check.rows(replace(context, analytic=noted))
     found = {}
@@ -65,5 +66,5 @@ def _red(check: Check, context: Context, key: str, p: float) -> set[str]:
 
 
 def own_key(check: Check) -> str:
-    """The key of the value that a check compares; "" if there is none."""
+    """Key of the value that a check compares; empty if there is none."""
     return str(getattr(check, "analytic", ""))

@@ -1,7 +1,7 @@
-"""Cases whose levels also use formulas: a mutant of such a formula changes both sides.
+"""Cases whose finite-element levels use formulas: a mutant of a formula also changes levels.
 
-Levels stored by unchanged code are not valid for such a mutant: the statuses of rows could differ
-from those of a new run. The key of the stored levels states the formulas that they use.
+Stored levels of unchanged code are not valid for such a mutant: the statuses of rows could differ
+from those of a new run. The key of stored levels contains the formulas that they use.
 """
 
 from collections.abc import Sequence
@@ -22,14 +22,14 @@ QUICK = 5.0  # s: the others are solved last, after the tests
 
 @cache
 def formulas_in(case: Case) -> frozenset[str]:
-    """The modules of formulas that a case's levels are made with."""
+    """Modules of formulas that the finite-element levels of a case use."""
     return frozenset(name for name in modules_of(case.reference) if name.startswith("analytic."))
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Cases whose stored levels are valid for a mutant of `module`, and cases to solve with it.
+    """Cases with valid stored levels for a mutant of `module`, and cases to solve with the mutant.
 
-    The latter are divided into fast and slow cases; cases that take too long are in none.
+    The latter are divided into fast and slow cases. Cases that take too long are not included.
     """
     stored = [bench for bench in benches if module not in formulas_in(bench.load.case)]
     moved = [
@@ -42,5 +42,5 @@ def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Benc
 
 
 def seconds(benches: Sequence[Bench]) -> float:
-    """Time of solving the cases."""
+    """Time [s] for solving the cases."""
     return sum(SOLVED[bench.load.case.id] for bench in benches)

@@ -1,4 +1,4 @@
-"""Selection of mutants: a seeded sample, the same for everyone, or all."""
+"""Selection of mutants: a seeded sample, equal on all machines, or all mutants."""
 
 import ast
 import hashlib
@@ -12,7 +12,7 @@ from verify.audit.mutation.sites import Changed, Source, mutants, owners, source
 def reached(
     modules: Iterable[str], operators: Mapping[str, Operator], functions: Collection[str]
 ) -> list[Changed]:
-    """All mutants of the modules' functions that are called, and of constants that these read."""
+    """Mutants of all called functions in the modules, and of constants that they read."""
     found: list[Changed] = []
     for module in modules:
         of = source(module)
@@ -25,17 +25,17 @@ def reached(
 
 
 def _is_read(constant: str, of: Source, called: Collection[str]) -> bool:
-    """Whether a constant is read by a called function of its module."""
+    """Whether a called function of the module reads the constant."""
     return is_constant(constant) and bool(readers(constant, of) & set(called))
 
 
 def is_constant(name: str) -> bool:
-    """Whether a module's constant is named, and no function or method."""
+    """Whether the name is that of a module constant, not of a function or method."""
     return name.lstrip("_").isupper()
 
 
 def readers(constant: str, of: Source) -> set[str]:
-    """The functions of a module that read one of its constants."""
+    """Names of the functions of a module that read one of its constants."""
     return {
         name for name, owner in owners(of.tree)
         if isinstance(owner, ast.FunctionDef)
@@ -44,10 +44,11 @@ def readers(constant: str, of: Source) -> set[str]:
 
 
 def sample(among: Sequence[Changed], size: int, seed: int) -> list[Changed]:
-    """Mutants of each operator in turn, in an order that does not depend on other code.
+    """Sample of mutants, taken from each operator in turn.
 
-    Rare faults are tried as often as frequent ones, as far as there are mutants; of several changes
-    at one place, only the first in this order is used.
+    The order does not depend on other code. Rare faults are selected as often as frequent ones, as
+    long as there are mutants. Of several changes at one place, only the first in this order is
+    selected.
     """
     waiting: dict[str, deque[Changed]] = defaultdict(deque)
     for one in sorted(among, key=lambda one: _rank(one, seed)):

@@ -1,7 +1,7 @@
-"""An engine of forked child processes, which have the loaded modules of the parent process.
+"""Engine of forked child processes, which contain the loaded modules of the parent process.
 
-A child process returns a JSON value through a pipe. It is ended if its time is over, if it uses too
-much memory, and if the parent is stopped.
+A child process returns a JSON value through a pipe. It is ended if it exceeds its time or memory
+limit, or if the parent process ends.
 """
 
 import contextlib
@@ -31,7 +31,7 @@ SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 @dataclass(frozen=True)
 class Task:
-    """A task for a child process with a time limit `limit` [s]; `key` identifies its result."""
+    """A task for a child process with the time limit `limit` [s]; `key` identifies its result."""
 
     key: Hashable
     work: Callable[[], Any]
@@ -40,7 +40,11 @@ class Task:
 
 @dataclass(frozen=True)
 class Answer:
-    """Result of a child process; `failure` is LATE after a time-out, otherwise error or signal."""
+    """Result of a child process.
+
+    `failure` is LATE after a time-out, otherwise an error or a signal; it is empty if there is a
+    value.
+    """
 
     key: Hashable
     value: Any
@@ -50,7 +54,7 @@ class Answer:
 
 @contextmanager
 def forks(jobs: int) -> Iterator[Engine]:
-    """An engine of `jobs` simultaneous child processes, one for each task; it ends them."""
+    """Engine of `jobs` simultaneous child processes, one for each task, which it ends at exit."""
     executor = Forks()
     try:
         yield Engine(executor, lambda: jobs, deadly=(), wait=executor.wait)
@@ -59,7 +63,7 @@ def forks(jobs: int) -> Iterator[Engine]:
 
 
 def perform(task: Task) -> Any:
-    """Task of a child process."""
+    """Do the work of a task; called in a child process."""
     return task.work()
 
 
@@ -73,14 +77,17 @@ class _Child:
 
 
 class Forks(Executor):
-    """Futures of the results of child processes, read in `wait`: a thread would be forked, too."""
+    """Executor whose futures get the results of child processes in `wait`.
+
+    It has no thread, because a thread would be forked, too.
+    """
 
     def __init__(self) -> None:
         self.selector = selectors.DefaultSelector()
         self.children: dict[int, _Child] = {}
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **_: Any) -> Future[Any]:
-        """Fork a child that calls `function` with its one argument, a Task."""
+        """Fork a child process that calls `function` with its only argument, a Task."""
         (task,) = args
         pipe, pid = _start(task, function)
         future: Future[Answer] = Future()
@@ -89,7 +96,10 @@ class Forks(Executor):
         return future
 
     def wait(self, futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-        """The futures of child processes that are finished or late, after some seconds at most."""
+        """Futures of child processes that have finished or exceeded their limit.
+
+        The function waits for `seconds` at most.
+        """
         for ready, _ in self.selector.select(timeout=seconds):
             if piece := os.read(ready.fd, 1 << 16):
                 self.children[ready.fd].read += piece
@@ -104,13 +114,16 @@ class Forks(Executor):
         return [future for future in futures if future.done()]
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:  # noqa: ARG002
-        """End all children."""
+        """End all child processes."""
         for pipe in list(self.children):
             self._conclude(pipe, LATE)
         self.selector.close()
 
     def _conclude(self, pipe: int, otherwise: str) -> None:
-        """End a child process; its result is its output, or `otherwise` if this is incomplete."""
+        """End a child process.
+
+        Its result is its output, or `otherwise` if the output is incomplete.
+        """
         child = self.children.pop(pipe)
         self.selector.unregister(pipe)
         os.close(pipe)
@@ -129,7 +142,7 @@ def _has_ended(pid: int) -> bool:
 
 
 def _rest(pipe: int) -> bytes:
-    """The content of a pipe, including data being written."""
+    """Content of a pipe, including data that are being written."""
     found, end = bytearray(), time.monotonic() + SPARE
     while time.monotonic() < end and select.select([pipe], [], [], GRACE)[0]:
         if not (piece := os.read(pipe, 1 << 16)):
@@ -148,7 +161,7 @@ def _end(pid: int) -> None:
 
 
 def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
-    """Fork a child process for the task; returns the end of its result pipe, and its number."""
+    """Fork a child process for the task; return the read end of its result pipe, and its number."""
     out, into = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()
@@ -161,7 +174,7 @@ def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
 
 
 def _outcome(task: Task, function: Callable[[Task], Any]) -> str:
-    """JSON of the result of the function for the task, or its error in words."""
+    """JSON text with the result of the function for the task, or with its error."""
     try:
         return json.dumps([function(task), ""])
     except Exception as error:
@@ -169,7 +182,7 @@ def _outcome(task: Task, function: Callable[[Task], Any]) -> str:
 
 
 def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
-    """Work of the child process; never returns."""
+    """Do the work of a child process; this function never returns."""
     status = 1
     try:
         os.setpgid(0, 0)  # including its child processes

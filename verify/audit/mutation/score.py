@@ -1,6 +1,7 @@
-"""The score: shares of mutants that are caught, survivors with their reasons; a record a group.
+"""Score: shares of detected mutants, undetected mutants with reasons; one record per group.
 
-It counts for the code that it was measured on; any change of a source makes it "not measured".
+The score is valid for the code on which it was measured. After any change of a source, it is
+reported as not measured.
 """
 
 import json
@@ -22,18 +23,18 @@ ARGUED = Path(__file__).parent / "argued.json"
 NAMES = ("formulas", "judging", "finite-elements")
 REFERENCES = "references"
 LEAST = 0.95  # of the mutants of formulas
-STALE = "not measured for this code: freewheel mutants does it"
+STALE = "not measured for the present code: run `freewheel mutants`"
 
 Score = dict[str, Any]
 
 
 def argued(path: Path = ARGUED) -> dict[str, str]:
-    """Reasons why mutants cannot be detected, by id."""
+    """Reasons why mutants cannot be detected, by the id of the mutant."""
     return dict(json.loads(path.read_text("utf-8")))
 
 
 def scored(group: Group, outcomes: Mapping[str, Outcome], seconds: float) -> Score:
-    """The score of a group all of whose chosen mutants have an outcome."""
+    """Score of a group in which all selected mutants have an outcome."""
     mine = [(one.mutant, outcomes[one.mutant.id]) for one in group.chosen]
     operators: dict[str, Counter[str]] = defaultdict(Counter)
     for mutant, outcome in mine:
@@ -50,13 +51,16 @@ def scored(group: Group, outcomes: Mapping[str, Outcome], seconds: float) -> Sco
 
 
 def keep(name: str, score: Score, code: str) -> None:
-    """Write a group's score with the code that it counts for; OSError."""
+    """Store the score of a group with the code for which it is valid.
+
+    Raises OSError if the record cannot be written.
+    """
     in_order = json.loads(json.dumps(score, sort_keys=True))  # a diff shows what changed
     RECORDS.keep(name, {"code": code}, in_order)
 
 
 def measured(code: Callable[[], str] = digest) -> Caught:
-    """The scores for the present code; of a group measured on other code only its name."""
+    """Scores for the present code; of groups measured on other code only the names."""
     made_by = {"code": code()}
     names = (REFERENCES, *NAMES)
     records = {name: RECORDS.current(name, made_by, partial(_readable, name)) for name in names}
@@ -71,7 +75,7 @@ def measured(code: Callable[[], str] = digest) -> Caught:
 
 
 def latest() -> Caught:
-    """The scores for the present code; without these, the stored scores of earlier code."""
+    """Scores for the present code or, if there are none, the stored scores of earlier code."""
     found = measured()
     if not found.missing:
         return found
@@ -85,7 +89,7 @@ def latest() -> Caught:
 
 
 def _stored(name: str) -> Record | None:
-    """The stored score of a group, for any code; None if there is no valid one."""
+    """Stored score of a group for any code; None if there is no valid record."""
     record = RECORDS.stored(name)
     try:
         return record and _readable(name, record)
@@ -94,13 +98,16 @@ def _stored(name: str) -> Record | None:
 
 
 def _readable(name: str, record: Record) -> Record:
-    """The record of the score of a group; LookupError, TypeError, ... if it is no score."""
+    """The record of a group's score.
+
+    Raises LookupError, TypeError, ValueError or AttributeError if it contains no valid score.
+    """
     caught({name: dict(record.content)})
     return record
 
 
 def caught(found: Mapping[str, Any]) -> Caught:
-    """Scores of some groups in words, by the groups' names."""
+    """Scores of groups as data for reports, from the stored scores by group."""
     reasons = argued()
     return Caught(
         groups=tuple(group_of(name, found[name]) for name in NAMES if name in found),
@@ -113,7 +120,7 @@ def caught(found: Mapping[str, Any]) -> Caught:
 
 
 def group_of(name: str, score: Mapping[str, Any]) -> MutantGroup:
-    """A group's counts."""
+    """Counts of a group."""
     counts: Counter[str] = Counter()
     for of_operator in score["operators"].values():
         counts.update(of_operator)
@@ -143,14 +150,14 @@ def _survivor(group: str, one: Sequence[Any], reasons: Mapping[str, str]) -> Sur
 
 
 def complaints(of: Caught) -> list[str]:
-    """Requirements of the gates that references or mutants of formulas do not meet."""
+    """Violated requirements for the references and for the mutants of formulas, one line each."""
     found = [
-        f"{group.name}: {group.caught} of {group.tried} mutants are caught, {LEAST:.0%} required"
+        f"{group.name}: {group.caught} of {group.tried} mutants are detected, {LEAST:.0%} required"
         for group in of.groups
         if group.name == "formulas" and group.caught < LEAST * group.tried
     ]
     bare = sum(one.group == "formulas" and not one.reason for one in of.survivors)
     if bare:
-        found.append(f"formulas: {bare} survivors without a reason in {ARGUED.name}")
+        found.append(f"formulas: {bare} undetected mutants without a reason in {ARGUED.name}")
     moved = of.references.get("gate", {}).get("failures", ())
     return [*found, *(f"references: {failure}" for failure in moved)]

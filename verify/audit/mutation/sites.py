@@ -28,7 +28,7 @@ TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 @dataclass(frozen=True)
 class Place:
-    """Position of a node: `owner.field`, or an entry of that list."""
+    """Position of a node in the syntax tree: a field of `owner`, or an entry of this field."""
 
     node: ast.AST
     owner: ast.AST
@@ -36,7 +36,7 @@ class Place:
     index: int | None
 
     def put(self, node: ast.AST) -> None:
-        """Have `node` in this place."""
+        """Put `node` in this place."""
         if self.index is None:
             setattr(self.owner, self.field, node)
         else:
@@ -45,7 +45,10 @@ class Place:
 
 @dataclass(frozen=True)
 class Mutant:
-    """A change of a function or of a constant of a module; `line` before and after the change."""
+    """A change of a function or of a constant of a module.
+
+    `before` and `after` are the changed code; `number` is the number of the line.
+    """
 
     id: str
     module: str
@@ -58,7 +61,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Changed:
-    """A mutant with the place of the change in its module's tree, and the new node."""
+    """A mutant with the place of the change in the syntax tree of its module, and the new node."""
 
     mutant: Mutant
     place: Place
@@ -67,7 +70,7 @@ class Changed:
 
 @dataclass(frozen=True)
 class Source:
-    """A module as text and tree."""
+    """A module as text and as syntax tree."""
 
     module: str
     path: Path
@@ -77,7 +80,7 @@ class Source:
 
 @cache
 def source(module: str) -> Source:
-    """The source of an importable module, without running it."""
+    """Source of an importable module; the module is not executed."""
     spec = find_spec(module)
     assert spec is not None
     assert spec.origin is not None
@@ -87,7 +90,7 @@ def source(module: str) -> Source:
 
 
 def mutants(of: Source, operators: Mapping[str, Operator]) -> list[Changed]:
-    """Every change of the module's functions, methods and plain constants, in their order."""
+    """All changes of the functions, methods and plain constants of a module, in their order."""
     attributes = frozenset(n.attr for n in ast.walk(of.tree) if isinstance(n, ast.Attribute))
     found: list[Changed] = []
     seen: Counter[str] = Counter()
@@ -103,7 +106,7 @@ def mutants(of: Source, operators: Mapping[str, Operator]) -> list[Changed]:
 
 
 def owners(tree: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
-    """Functions, methods and constants of a module by their names, "Ring.stress"."""
+    """Functions, methods and constants of a module with their names, such as "Ring.stress"."""
     yield from _defined(tree.body, "")
 
 
@@ -118,7 +121,7 @@ def _defined(body: list[ast.stmt], prefix: str) -> Iterator[tuple[str, ast.stmt]
 
 
 def constant_of(item: ast.stmt) -> str:
-    """Name of the constant that an assignment of a module defines; empty for other statements."""
+    """Name of the constant that a statement of a module defines; empty if it defines none."""
     target: ast.expr | None = None
     if isinstance(item, ast.Assign) and len(item.targets) == 1:
         target = item.targets[0]
@@ -135,7 +138,7 @@ def _names(owner: ast.stmt) -> frozenset[str]:
 
 
 def _places(owner: ast.AST) -> Iterator[Place]:
-    """All nodes below `owner` that count, in the order of the source."""
+    """All nodes below `owner` that may be changed, in the order of the source."""
     for field, value in ast.iter_fields(owner):
         if _left_out(owner, field):
             continue

@@ -1,4 +1,4 @@
-"""Mistakes that engineers make in formulas, in weak forms and in judging, as changes of nodes."""
+"""Typical mistakes in formulas, weak forms and judging, as changes of syntax-tree nodes."""
 
 import ast
 import re
@@ -41,7 +41,7 @@ STATES = {"PASS": "FAIL", "FAIL": "PASS", "SHOWN": "FAIL"}
 
 
 def poisson(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """1 for 1 - nu**2."""
+    """Replace 1 - nu**2 by 1."""
     if (
         isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub)
         and isinstance(node.left, ast.Constant) and node.left.value == 1
@@ -52,7 +52,7 @@ def poisson(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def diameter(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """2 r_i for r_i, D / 2 for D: a radius taken for a diameter."""
+    """Replace r_i by 2 r_i or D by D / 2, which confuses radius and diameter."""
     name = name_of(node)
     if not (isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load)):
         return
@@ -63,13 +63,13 @@ def diameter(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def assumption(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Plane stress for plane strain."""
+    """Replace plane strain by plane stress and vice versa."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value in ASSUMPTIONS:
         yield ast.Constant(ASSUMPTIONS[node.value])
 
 
 def alike(node: ast.AST, around: Around) -> Iterator[ast.AST]:
-    """r_o for r_i, if both are available."""
+    """Replace a name by a similar available name, such as r_i by r_o."""
     if not (isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load)):
         return
     known = around.names if isinstance(node, ast.Name) else around.attributes
@@ -94,7 +94,7 @@ def _others(name: str) -> Iterator[str]:
 
 
 def element(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Linear elements for quadratic elements, with the same quadrature and mesh."""
+    """Replace quadratic elements by linear elements with the same quadrature and mesh."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in LINEAR:
         changed = deepcopy(node)
         # the class by its library: the module need not import it
@@ -104,7 +104,7 @@ def element(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def contact_sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A gap or a pressure of the other sign."""
+    """Change the sign of a gap or a pressure."""
     read = isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load)
     if read and CONTACT.fullmatch(name_of(node)):
         assert isinstance(node, ast.expr)
@@ -112,13 +112,13 @@ def contact_sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def component(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A support along y instead of x."""
+    """Change the direction of a support, such as x to y."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value in COMPONENTS:
         yield ast.Constant(COMPONENTS[node.value])
 
 
 def quadrature(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """A quadrature rule with one point, or one order, less."""
+    """Reduce the points or the order of a quadrature rule by one."""
     if not isinstance(node, ast.Call):
         return
     if RULES.fullmatch(name_of(node.func)) and node.args and _rule(node.args[0]):
@@ -141,7 +141,7 @@ def _one_less(node: ast.expr) -> ast.expr:
 
 
 def state(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """PASS for FAIL."""
+    """Replace the status PASS by FAIL and vice versa."""
     if isinstance(node, ast.Attribute) and name_of(node.value) == "Status" and node.attr in STATES:
         changed = deepcopy(node)
         changed.attr = STATES[node.attr]

@@ -1,6 +1,7 @@
-"""The tests of the project, run in this process: which functions each calls, and whether one fails.
+"""Tests of the project, run in this process: functions that each test calls, first failure.
 
-Run it in a forked child process only: pytest changes the state of the process.
+The module must be used in a forked child process only, because pytest changes the state of the
+process.
 """
 
 import time
@@ -47,7 +48,7 @@ Traces = Mapping[str, tuple[float, frozenset[str]]]  # of tests: seconds and fun
 
 @dataclass(eq=False)  # pytest hashes its plugins
 class _Tracer:
-    """Records the duration and the called functions of each test."""
+    """pytest plugin that records the duration and the called functions of each test."""
 
     found: dict[str, tuple[float, list[str]]] = field(default_factory=dict)
     is_stopped: bool = False
@@ -67,7 +68,7 @@ class _Tracer:
 
 @dataclass(eq=False)  # pytest hashes its plugins
 class _Chosen:
-    """Runs the tests that are named, in their order, and remembers the first that fails."""
+    """pytest plugin that runs the given tests in their order and records the first failing test."""
 
     order: dict[str, int]
     failed: str = ""
@@ -94,22 +95,23 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Seconds and called functions of the tests of a file or folder, until PER_FILE is reached.
+    """Times [s] and called functions of the tests of a file or folder, until PER_FILE is reached.
 
-    RuntimeError if they do not run: otherwise, such a file would count as one without detection.
+    Raises RuntimeError if the tests cannot be run. Otherwise, such a file would count as a file
+    that detects nothing.
     """
     forget_memoised()
     tracer = _Tracer()
     status = pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
     if status not in RUN and not tracer.is_stopped:
-        raise RuntimeError(f"pytest ends with {status!r}")
+        raise RuntimeError(f"pytest ended with {status!r}")
     return tracer.found
 
 
 def first_failure(tests: Sequence[str]) -> str:
-    """The first failing test of these, in their order; empty if all pass.
+    """First failing test of `tests`, in their order; empty if all pass.
 
-    RuntimeError if they do not run, which is not a detection by the tests.
+    Raises RuntimeError if the tests cannot be run, which does not count as a detection.
     """
     settings.load_profile("mutants")
     chosen = _Chosen({name: n for n, name in enumerate(tests)})
@@ -121,7 +123,7 @@ def first_failure(tests: Sequence[str]) -> str:
 
 
 def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:
-    """Tests that reach one of these functions: first those that call it directly, by duration.
+    """Tests that reach one of the functions: tests that call it directly first, by duration.
 
     If the shared code of a file reaches the function, all short tests of the file are included.
     """
@@ -143,7 +145,7 @@ def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOS
 
 
 def files(kind: str) -> list[str]:
-    """Files and folders of tests, for formulas with the doctests."""
+    """Files and folders of tests of one kind; those of formulas include the doctests."""
     if kind == "formulas":
         return [*_files("tests/analytic"), *_folders("analytic")]
     return list(JUDGING) if kind == "judging" else [*_files("tests/fem"), *_files("tests/meshes")]

@@ -1,4 +1,4 @@
-"""Functions of the project that a task calls."""
+"""Recording of the project's functions that a task calls."""
 
 import sys
 from collections.abc import Callable
@@ -14,9 +14,10 @@ PACKAGES = ("analytic", "fem", "meshes", "verify")
 
 
 class Calls:
-    """A context that records which functions of the project this thread calls.
+    """Context that records which functions of the project this thread calls.
 
-    Code objects are stored by identity: their hash would take longer than many functions.
+    Code objects are stored by identity, because computing their hash would take longer than many
+    functions.
     """
 
     def __init__(self) -> None:
@@ -39,15 +40,16 @@ class Calls:
         sys.setprofile(self._before)
 
     def names(self) -> list[str]:
-        """Names of the functions, each once: "analytic.ring.lame:stresses".
+        """Names of the called functions, each once, such as "analytic.ring.lame:stresses".
 
-        A function inside another has the name of the outer one; methods are "module:Class.method".
+        A nested function has the name of the outer function. A method has the name
+        "module:Class.method".
         """
         return sorted({name for code in self._codes.values() if (name := name_of(code))})
 
 
 def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-    """Result of `work`, and the functions that it called, as `Calls` names them."""
+    """Result of `work`, and the names of the functions that it called, as in `Calls.names`."""
     forget_memoised()
     calls = Calls()
     with calls:
@@ -56,7 +58,7 @@ def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
 
 
 def name_of(code: CodeType) -> str:
-    """Module and function of the project's code; empty for any other."""
+    """Module and function of code of the project, as text; empty for any other code."""
     module = _module(code.co_filename)
     if not module or code.co_qualname.startswith("<"):
         return ""
@@ -65,7 +67,7 @@ def name_of(code: CodeType) -> str:
 
 @cache
 def _module(file: str) -> str:
-    """The name of a module of the project; empty for any other file."""
+    """Name of a module of the project; empty for any other file."""
     path = Path(file)
     if not path.is_relative_to(ROOT):
         return ""

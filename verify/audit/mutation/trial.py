@@ -1,4 +1,4 @@
-"""One mutant, in a forked child: the cases that call it are judged again."""
+"""Check of one mutant in a forked child process: cases that call its code are judged again."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,22 +17,22 @@ Verdict = list[str]  # kind of detection, and a description
 
 @dataclass(frozen=True)
 class Bench:
-    """A case that calls a mutant's code, and how it was before."""
+    """A case that calls the code of a mutant, with its record of unchanged code."""
 
     load: Load
     before: Noted
 
     def judged(self) -> Judged:
-        """Its rows with the living code."""
+        """Statuses of the case's rows, judged with the code now in this process."""
         return self.load.judged()
 
 
 def tried(
     changed: Changed, benches: Sequence[Bench], moved: Sequence[Bench] = ()
 ) -> Verdict:  # fmt: skip
-    """Put the mutant in place and judge the cases one by one until a row fails.
+    """Replace code by the mutant and judge the cases one by one until a row fails.
 
-    `moved` are cases whose levels also depend on the mutant: they are solved with it.
+    The levels of cases in `moved` also depend on the mutant; these cases are solved with it.
     """
     patch(source(changed.mutant.module), changed)
     for bench in benches:
@@ -45,7 +45,10 @@ def tried(
 
 
 def detected(judged: Judged, bench: Bench) -> Verdict | None:
-    """Detection by the case: failed rows first, then refused inputs, then any other error."""
+    """Detection by the case, or None.
+
+    Failed rows have priority over errors that the project raises, and these over other errors.
+    """
     case = bench.load.case.id
     if red := reddened(bench.before.states, judged.states):
         more = f" and {len(red) - 1} more" if len(red) > 1 else ""
@@ -58,7 +61,7 @@ def detected(judged: Judged, bench: Bench) -> Verdict | None:
 
 
 def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Verdict:
-    """Put a mutant of finite elements in place and solve cases until one detects it."""
+    """Replace code by a mutant of finite elements and solve cases until one detects it."""
     patch(source(changed.mutant.module), changed)
     for bench, levels in work:
         if verdict := _solved(bench, levels):
@@ -67,10 +70,10 @@ def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Ver
 
 
 def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
-    """Solve these levels of a case with the mutated code and judge it.
+    """Solve the given levels of a case with the changed code and judge the case.
 
-    Stored levels that are not solved again are shifted by the change of the first solved level,
-    because an error of the model changes every level by the same amount.
+    Levels that are not solved again are shifted by the change of the first solved level, because an
+    error of the model changes all levels by the same amount.
     """
     case, load = bench.load.case, bench.load
     anew: dict[int, FemResult] = {}
@@ -92,13 +95,13 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
 
 @dataclass(frozen=True)
 class Shift:
-    """Change of one level by a mutant, for the other levels: values, and arrays of equal shape."""
+    """Change of one level by a mutant, for other levels: values, and arrays of equal shape."""
 
     before: FemResult
     after: FemResult
 
     def of(self, stored: FemResult) -> FemResult:
-        """A stored level with the changes of this one."""
+        """A stored level with the changes of the solved level."""
         values = {
             key: value + self.after.values[key] - self.before.values[key]
             if key in self.after.values and key in self.before.values else value
@@ -115,7 +118,7 @@ class Shift:
 
 
 def tested(changed: Changed, tests: Sequence[str]) -> Verdict:
-    """Put the mutant in place and run these tests until one fails."""
+    """Replace code by the mutant and run the tests until one fails."""
     from verify.audit.mutation import suite  # pytest, which a user's environment may not have
 
     patch(source(changed.mutant.module), changed)

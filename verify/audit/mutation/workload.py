@@ -1,4 +1,4 @@
-"""Data that the cases judge: their levels from the cache, and the states of their rows."""
+"""Data for judging cases again: levels from the cache, and statuses of rows."""
 
 import traceback
 from collections.abc import Mapping, Sequence
@@ -16,7 +16,7 @@ States = Mapping[str, str]  # of rows, by their names
 
 @dataclass(frozen=True)
 class Judged:
-    """States of rows by their names, and the errors raised."""
+    """Statuses of rows by their names, and the errors that were raised."""
 
     states: dict[str, str] = field(default_factory=dict)
     errors: tuple[Exception, ...] = ()
@@ -24,7 +24,10 @@ class Judged:
 
 @dataclass(frozen=True)
 class Load:
-    """A case at the inputs of the paper with its levels, coarse to fine; values if known."""
+    """A case at the inputs of the paper with its levels from coarse to fine.
+
+    `values` are the values of the formulas; None if they are to be computed.
+    """
 
     case: Case
     inputs: Inputs
@@ -32,7 +35,7 @@ class Load:
     values: Values | None = None
 
     def judged(self) -> Judged:
-        """All rows judged again, except those of checks that raise."""
+        """Statuses of all rows, judged again; rows of checks that raise an error are missing."""
         try:
             values = self.case.analytic(self.inputs) if self.values is None else self.values
         except Exception as error:
@@ -48,12 +51,15 @@ class Load:
         return Judged(states, tuple(errors))
 
     def with_values(self) -> "Load":
-        """The same with the values of the formulas, for judging alone."""
+        """The object with the values of the formulas, so that only the judging is repeated."""
         return replace(self, values=self.case.analytic(self.inputs))
 
 
 def loads(cases: Sequence[Case], folder: Path) -> list[Load]:
-    """The cases with their levels; InputError if the cache has not all of them."""
+    """The cases with their levels.
+
+    Raises InputError if the cache does not contain all levels.
+    """
     return [_load(case, folder) for case in cases]
 
 
@@ -69,13 +75,13 @@ def _load(case: Case, folder: Path) -> Load:
 
 
 def reddened(before: States, after: States) -> list[str]:
-    """Rows that are red and were not."""
+    """Names of the rows that fail now and did not fail before."""
     fail = Status.FAIL.value
     return [name for name, state in after.items() if state == fail != before.get(name)]
 
 
 def refuses(error: BaseException) -> bool:
-    """Whether code of the project raised this on purpose: a rule that inputs violate, say."""
+    """Whether code of the project raised this error deliberately, as for invalid inputs."""
     if not isinstance(error, ValueError | ArithmeticError):
         return False
     frames = traceback.extract_tb(error.__traceback__)

@@ -1,1 +1,1 @@
-"""Whether every row has the same verdict on every machine: `freewheel portable`."""
+"""Check whether every row has the same verdict on every machine: `freewheel portable`."""

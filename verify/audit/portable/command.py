@@ -1,4 +1,4 @@
-"""`freewheel portable`: run the rows on emulated machines and compare them with this machine."""
+"""Command `freewheel portable`: solve on emulated machines and compare with this machine."""
 
 import os
 import shutil
@@ -24,7 +24,7 @@ MOST_SEEDS = 1000
 
 
 def run_list(seeds: int) -> int:
-    """Name the variants, and why some cannot be emulated here."""
+    """Print the emulated machines, and reasons why other machines cannot be emulated."""
     emulated = _machines((), seeds)
     for variant in emulated.variants:
         print(f"{variant.name:16} {variant.what}")
@@ -37,7 +37,10 @@ def run_portable(
     names: Sequence[str], *, only: Sequence[str], seeds: int, jobs: int, again: bool,
     out: Path | None,
 ) -> int:  # fmt: skip
-    """Run the variants, print and write the differences; 0 if every difference has a reason."""
+    """Run the emulated machines, print and write the differences.
+
+    Returns 0 if every difference has a reason.
+    """
     Where(jobs)  # raises an error for a wrong number of processes
     cases = tuple(find(name).id for name in dict.fromkeys(names)) or CASES.ids
     stated = reasons.read()
@@ -66,7 +69,7 @@ def summarized(
     work: Sequence[Work], emulated: Machines, failures: Mapping[str, str],
     stated: Sequence[reasons.Reason], *, is_full: bool,
 ) -> Summary:  # fmt: skip
-    """Every variant compared with the baseline, over the common cases."""
+    """Comparison of each emulated machine with the baseline, over the cases that both solved."""
     results = {one.name: one.results() for one in work}
     here = results[BASELINE]
     found: list[Difference] = []
@@ -89,19 +92,25 @@ def summarized(
 
 
 def _machines(only: Sequence[str], seeds: int) -> Machines:
-    """The requested variants that can be emulated; always with the baseline."""
+    """Requested machines that can be emulated, always including the baseline.
+
+    Raises InputError if an argument is wrong.
+    """
     if not 0 <= seeds <= MOST_SEEDS:
         raise InputError(f"--seeds must be 0 to {MOST_SEEDS}, got {seeds}")
     every = candidates(effective()["numpy"], seeds)
     known = [variant.name for variant in every]
     if unknown := [name for name in only if name not in known]:
-        raise InputError(f"--only {unknown[0]}: no such machine; known are {', '.join(known)}")
+        raise InputError(f"--only {unknown[0]}: unknown machine; known are {', '.join(known)}")
     chosen = [v for v in every if not only or v.name in only or v.name == BASELINE]
     return machines(chosen, probe, processor_flags())
 
 
 def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path) -> Work:
-    """The work of the process of a variant, with a separate cache: keys omit the processor."""
+    """Work of the process of an emulated machine, with a separate cache.
+
+    The cache is separate because its keys do not contain the processor.
+    """
     place = cache.default_folder()
     environment = variant.applied(os.environ)
     environment["FREEWHEEL_CACHE"] = str(place.with_name(f"{place.name}-machines") / variant.name)
@@ -113,7 +122,7 @@ def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: 
 
 
 def _machine(one: Work, results: Results, what: str) -> Machine:
-    """Summary of one variant."""
+    """Summary of one emulated machine."""
     cases = {name: results.cases[name] for name in one.cases if name in results.cases}
     return Machine(
         name=one.name, what=what, effective=results.effective, cases=len(cases),

@@ -1,6 +1,6 @@
-"""Differences between the rows of two machines; this module runs and writes nothing.
+"""Differences between the rows of two machines; this module does not solve or write anything.
 
-verify.audit.portable.moving defines the change of a row and its limit.
+Module verify.audit.portable.moving defines the change of a row and its limit.
 """
 
 import math
@@ -13,7 +13,7 @@ from verify.audit.portable.moving import LIMIT, Number, Record, is_other_toleran
 
 
 class Kind(StrEnum):
-    """What differs; all but the value are differences of the first kind."""
+    """Kind of a difference. All kinds except VALUE are differences of the first kind."""
 
     STATUS = "status"
     MISSING = "missing row"
@@ -25,7 +25,10 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """A row that differs in one variant; `move` is in tolerances, nan if no value changed."""
+    """A row that differs on one machine.
+
+    `move` is the change in units of the row's tolerance, nan if no value changed.
+    """
 
     kind: Kind
     row: str
@@ -40,9 +43,9 @@ class Difference:
 def differences(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """Rows of the variant `name` whose status or tolerance differs, or whose value moves too far.
+    """Rows of the machine `name` with another status or tolerance, or with a too large change.
 
-    Of rows that share an id only the last is compared, which is why they are reported.
+    If several rows have one id, only the last one is compared; therefore, such rows are reported.
     """
     known = {row.id: row for row in baseline}
     found = {row.id: row for row in variant}
@@ -57,7 +60,7 @@ def differences(
 def moves(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """The change of every row that both have, however small."""
+    """Changes of all rows that both machines have, of any size."""
     known, found = ({row.id: row for row in rows} for rows in (baseline, variant))
     return [_moved(was, now, name, perturbed=perturbed) for was, now in _pairs(known, found)]
 
@@ -77,7 +80,7 @@ def _only_there(row: Record, name: str) -> Difference:
 def _duplicates(
     baseline: Sequence[Record], variant: Sequence[Record], name: str
 ) -> Iterator[Difference]:
-    """Ids that several rows of one machine have."""
+    """Differences for ids that several rows of one machine have."""
     here, there = (Counter(row.id for row in rows) for rows in (baseline, variant))
     for row in {row.id: row for row in (*variant, *baseline)}.values():
         if max(here[row.id], there[row.id]) > 1:
@@ -120,7 +123,7 @@ def _moved(was: Record, now: Record, name: str, *, perturbed: bool) -> Differenc
 def _order(
     before: Sequence[str], after: Sequence[str], known: Mapping[str, Record], name: str
 ) -> list[Difference]:
-    """The first row at another position, among the rows that both have."""
+    """The first row at another position, among the rows that both machines have."""
     common = [i for i in after if i in known]
     for was, now in zip((i for i in before if i in set(after)), common, strict=True):
         if was != now:
@@ -135,7 +138,7 @@ def _verdict(row: Record) -> str:
 
 
 def _numbers(row: Record) -> str:
-    """The numbers of a row in one line: "formula 1.25, reference 1.26, difference -0.01"."""
+    """Numbers of a row as text: "formula 1.25, reference 1.26, difference -0.01"."""
     all_numbers = {**row.values, "difference": row.difference}
     return ", ".join(f"{n} {_number(v)}" for n, v in all_numbers.items() if v is not None)
 

@@ -1,7 +1,7 @@
-"""Causes of rounding errors in this process: BLAS kernels, threads, instruction sets.
+"""Settings of this process that affect rounding errors: BLAS, threads, instruction sets.
 
-An environment variable that selects another processor may have no effect: OpenBLAS uses the nearest
-kernels that it contains. Only the settings in effect identify a machine.
+An environment variable that selects another processor may have no effect, because OpenBLAS uses the
+nearest kernels that it contains. Therefore, only the settings in effect identify a machine.
 """
 
 import json
@@ -22,10 +22,10 @@ NUMBA = "NUMBA_CPU_NAME"
 
 
 def effective() -> dict[str, Any]:
-    """The record of this process, as JSON.
+    """Settings in effect in this process, as a dictionary for JSON.
 
-    `blas` is the core type of the kernels of each library with BLAS, `threads` the number of
-    threads of each, `numpy` the instruction sets that numpy selects at run time, `numba` the
+    `blas` is the core type of the kernels of each BLAS library, and `threads` its number of
+    threads. `numpy` lists the instruction sets that numpy selects at run time. `numba` is the
     processor for which numba compiles.
     """
     libraries = {_owner(one): one for one in threadpool_info() if one["user_api"] == "blas"}
@@ -39,7 +39,10 @@ def effective() -> dict[str, Any]:
 
 
 def probe(environment: Mapping[str, str]) -> dict[str, Any]:
-    """The record of a process with this environment; OSError if it ends without one."""
+    """Settings in effect in a process with the given environment.
+
+    Raises OSError if the process ends without reporting them.
+    """
     command = [sys.executable, "-m", "verify.audit.portable.effective"]
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter and this module
@@ -56,7 +59,7 @@ def probe(environment: Mapping[str, str]) -> dict[str, Any]:
 
 
 def processor_flags(path: Path | None = None) -> frozenset[str]:
-    """Instruction sets of the first processor as Linux names them; empty if unknown."""
+    """Instruction sets of the first processor, as named by Linux; empty if unknown."""
     try:
         text = (path or CPU_INFO).read_text("utf-8")
     except OSError:
@@ -66,7 +69,7 @@ def processor_flags(path: Path | None = None) -> frozenset[str]:
 
 
 def _owner(library: Mapping[str, Any]) -> str:
-    """The package whose wheel contains the library, otherwise the name of its file."""
+    """Name of the package that contains the library, otherwise the name of its file."""
     path = Path(library["filepath"])
     folder = path.parent.name
     return folder.removesuffix(".libs") if folder.endswith(".libs") else path.name

@@ -1,11 +1,12 @@
-"""Change of a row between two machines, and its allowed value.
+"""Change of a row between two machines, and its permissible value.
 
-A change is measured in tolerances of the row on this machine. For a fact, the tolerance is its
-margin, the permissible change until the verdict changes. For a row without a tolerance, it is 1e-5
-of its scale, so that the limit of one tenth is 1e-6 of the scale. Perturbed inputs change both
-sides of a row together: then, its difference is compared, and changes of its values beyond 1e-6 of
-the scale. A different tolerance would hide changes that it permits; it is therefore a difference as
-well.
+A change is measured in units of the row's tolerance on this machine. For a fact, the tolerance is
+its margin: the permissible change until the verdict changes. For a row without a tolerance, it is
+1e-5 of its scale, so that the limit of one tenth is 1e-6 of the scale.
+
+Perturbed inputs change both sides of a row together. In this case, the difference is compared, and
+changes of the values beyond 1e-6 of the scale are reported. A different tolerance would permit
+larger changes; therefore, it is reported as well.
 """
 
 import math
@@ -24,7 +25,7 @@ Number = float | None
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """Compared values of one row; dimensional numbers are in its unit."""
+    """Compared values of one row; dimensional numbers have the unit of the row."""
 
     id: str
     kind: str
@@ -48,7 +49,10 @@ def record(row: Row) -> Record:
 
 
 def move(was: Record, now: Record, *, perturbed: bool) -> float:
-    """Change of a row, in tolerances; infinite if a number exists or is finite only once."""
+    """Change of a row in units of its tolerance.
+
+    The change is infinite if a number exists, or is finite, on one machine only.
+    """
     allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
     values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
     parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]
@@ -64,13 +68,16 @@ def _allowed(row: Record) -> float:
 
 
 def _tolerance(row: Record) -> float:
-    """The tolerance; zero if there is none, or if no number can exceed it."""
+    """Tolerance of the row; zero if there is none, or if no number can exceed it."""
     U = row.tolerance
     return U if U is not None and math.isfinite(U) and U > 0 else 0.0
 
 
 def is_other_tolerance(was: Record, now: Record) -> bool:
-    """Whether the tolerance exists only once or differs by a factor; for a fact, by its share."""
+    """Whether the tolerance exists on one machine only, or differs by more than a factor of 2.
+
+    For a fact, a difference below a share of its margin is permissible.
+    """
     small, large = sorted((_tolerance(was), _tolerance(now)))
     if was.kind == FACT and large - small <= LIMIT * _allowed(was):
         return False
@@ -90,7 +97,7 @@ def _ratio(change: float, allowed: float) -> float:
 
 
 def _scale(row: Record) -> float:
-    """The scale of the row, otherwise its largest number."""
+    """Scale of the row; without a scale, its largest number."""
     if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
         return row.scale
     numbers = (0.0, *row.values.values(), row.difference)

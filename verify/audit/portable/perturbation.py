@@ -1,7 +1,7 @@
-"""Inputs of the papers perturbed in their thirteenth digit: a substitute for another machine.
+"""Perturbation of the default inputs in their thirteenth digit, as a substitute for a machine.
 
-The default inputs of the case are changed. Therefore, formulas, finite elements and all other code
-use the same numbers, and these are treated as the inputs of the paper: every row is judged.
+Because the default inputs of a case are changed, formulas, finite elements and all other code use
+the same numbers. These are treated as the inputs of the paper, so that every row is judged.
 """
 
 import zlib
@@ -19,10 +19,10 @@ SIZE = 1e-13  # standard deviation of the relative change of an input
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result for the default inputs of one model.
+    """Result of perturbing the default inputs of one model.
 
-    `fixed` are numbers that a rule of the model determines; they are not changed. `rejected` is the
-    rule that the perturbed values violate together; then, no value is changed.
+    `fixed` lists numbers that a rule of the model determines; they are not changed. `rejected` is
+    the rule that the perturbed values violate together; in this case, no value is changed.
     """
 
     fixed: tuple[str, ...] = ()
@@ -30,16 +30,16 @@ class Outcome:
 
 
 def perturb_defaults(models: Iterable[type[Inputs]], seed: int) -> dict[type[Inputs], Outcome]:
-    """Perturb the defaults of the models for the rest of this process."""
+    """Perturb the default inputs of the models for the rest of this process."""
     return {model: _perturb(model, seed) for model in dict.fromkeys(models)}
 
 
 def perturbed(
     inputs: Inputs, seed: int, fixed: Collection[str] = (), place: str = ""
 ) -> dict[str, Any]:
-    """The values of the inputs, each number times 1 + 1e-13 N(0, 1), including entries of tables.
+    """Values of the inputs, each number multiplied by 1 + 1e-13 N(0, 1), also in tables.
 
-    Whole numbers, words, omitted inputs and the places in `fixed` ("segments[3].length") are not
+    Integers, words, omitted inputs and the places in `fixed` ("segments[3].length") are not
     changed. The factor depends only on the seed and on the place.
     """
     return {
@@ -61,12 +61,12 @@ def _perturbed(value: Any, seed: int, fixed: Collection[str], place: str) -> Any
 
 
 def _normal(seed: int, place: str) -> float:
-    """A number of the standard normal distribution, the same on every machine."""
+    """Random number with standard normal distribution, equal on all machines."""
     return float(np.random.default_rng([seed, zlib.crc32(place.encode())]).standard_normal())
 
 
 def _perturb(model: type[Inputs], seed: int) -> Outcome:
-    """Perturb the defaults of one model, except those that its rules determine."""
+    """Perturb the default inputs of one model, except those that its rules determine."""
     fixed: list[str] = []
     while True:
         try:
@@ -84,7 +84,7 @@ def _perturb(model: type[Inputs], seed: int) -> Outcome:
 
 
 def _place(error: ValidationError) -> str:
-    """The single number that violates a rule, as "segments[3].length"; empty if there is none."""
+    """Place of the single number that violates a rule, as "segments[3].length"; or empty."""
     fault: Any = error.errors(include_url=False)[0]
     reason = (fault.get("ctx") or {}).get("error")
     if isinstance(reason, EntryError):

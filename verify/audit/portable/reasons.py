@@ -1,4 +1,4 @@
-"""Reasons why values of rows may differ between machines: one entry per pattern."""
+"""Reasons why values of rows may differ between machines: one entry per pattern of rows."""
 
 import re
 import tomllib
@@ -20,7 +20,7 @@ RowKind = Literal["identity", "asymptotic", "approximation", "trend", "fact", "e
 
 
 class Reason(BaseModel):
-    """One entry of reasons.toml: rows (* stands for any letters), kind of change, and reason."""
+    """One entry of reasons.toml: rows (* stands for any letters), kind of row, and reason."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -29,7 +29,7 @@ class Reason(BaseModel):
     kind: RowKind | None = None
 
     def covers(self, difference: Difference) -> bool:
-        """Whether the entry applies to this difference; it never does to one of the first kind."""
+        """Whether the entry applies to a difference, which must be a difference of values."""
         pattern = ".*".join(map(re.escape, self.rows.split("*")))
         return (
             difference.kind is Kind.VALUE
@@ -39,7 +39,10 @@ class Reason(BaseModel):
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none without a file; InputError states the first error in one line."""
+    """All entries of the file; empty without a file.
+
+    Raises InputError, which states the first error in one line, if the file is wrong.
+    """
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))
@@ -51,14 +54,14 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
         raise InputError(f"{path}: {unknown[0]}: unknown key; the only key is moves")
     entries = data.get("moves", [])
     if not isinstance(entries, list):
-        raise InputError(f"{path}: moves: needs tables [[moves]]")
+        raise InputError(f"{path}: moves must be a list of tables [[moves]]")
     return tuple(_reason(entry, number, path) for number, entry in enumerate(entries, start=1))
 
 
 def explained(
     found: Sequence[Difference], reasons: Sequence[Reason]
 ) -> tuple[list[Difference], list[Reason]]:
-    """The differences with their reasons, if stated, and the reasons without a difference."""
+    """Differences with their stated reasons, and the reasons to which no difference belongs."""
     result = [
         replace(one, reason=next((r.why for r in reasons if r.covers(one)), "")) for one in found
     ]

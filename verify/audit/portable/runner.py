@@ -1,4 +1,4 @@
-"""The variants' processes: some side by side, each with its environment, cache and folder."""
+"""Processes of the emulated machines, some in parallel, with separate environment and cache."""
 
 import subprocess
 import sys
@@ -17,7 +17,7 @@ GUESS = 15.0  # s per case on one processor, if no time was measured
 
 @dataclass(frozen=True, kw_only=True)
 class Work:
-    """Work of one process: the cases of a variant, its environment, and the folder of its log."""
+    """Work of one process: cases of a machine, its environment, and the folder of its log."""
 
     place: Place
     folder: Path
@@ -27,11 +27,11 @@ class Work:
 
     @property
     def name(self) -> str:
-        """The variant's."""
+        """Name of the emulated machine."""
         return self.place.variant
 
     def results(self) -> Results:
-        """Stored results."""
+        """Stored results of the machine."""
         return self.place.results()
 
     def is_done(self) -> bool:
@@ -40,9 +40,9 @@ class Work:
 
 
 def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
-    """Run the missing variants; returns the exit statuses of failed processes by name.
+    """Run the machines with missing results; return the failures of processes by name.
 
-    All processes end if it is interrupted; the next run uses what they have stored.
+    If the run is interrupted, all processes end. The next run uses the stored results.
     """
     waiting = [one for one in work if not one.is_done()]
     running: dict[str, tuple[Work, subprocess.Popen[bytes]]] = {}
@@ -68,7 +68,7 @@ def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
 
 
 class Progress:
-    """Number of finished cases of all variants, and the remaining time."""
+    """Progress: number of finished cases of all machines, and remaining time."""
 
     def __init__(self, work: Sequence[Work], processes: int) -> None:
         self.processes = processes
@@ -111,7 +111,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _ending(one: Work, status: int) -> str:
-    """Exit of a process, with the last line of its log."""
+    """Text with the exit status of a process and the last line of its log."""
     how = f"signal {-status}" if status < 0 else f"exit status {status}"
     lines = (one.folder / LOG).read_text("utf-8", errors="replace").split("\n")
     last = next((line.strip() for line in reversed(lines) if line.strip()), "")

@@ -1,4 +1,4 @@
-"""Results of the variants in the store, valid for unchanged code and machine."""
+"""Stored results of the emulated machines, valid for unchanged code and machine."""
 
 import hashlib
 import json
@@ -24,10 +24,10 @@ LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
 
 @dataclass(frozen=True, kw_only=True)
 class CaseRecord:
-    """The rows of one case on one machine, and their seconds.
+    """Rows of one case on one machine, and the time [s].
 
-    `fixed` are inputs that could not be perturbed, `rejected` is the reason if none could be,
-    `errors` is the number of errors inside the case.
+    `fixed` lists inputs that could not be perturbed. `rejected` is the reason if no input could be
+    perturbed. `errors` is the number of errors in the case.
     """
 
     rows: tuple[Record, ...]
@@ -39,7 +39,7 @@ class CaseRecord:
 
 @dataclass
 class Results:
-    """Results of one variant: its cases, and the settings in effect on its machine."""
+    """Results of one emulated machine: its cases, and the settings in effect."""
 
     cases: dict[str, CaseRecord] = field(default_factory=dict)
     effective: Mapping[str, Any] = field(default_factory=dict)
@@ -47,14 +47,17 @@ class Results:
 
 @dataclass(frozen=True)
 class Place:
-    """Place where the results of a variant are stored: by the key of its code and machine."""
+    """Place of the stored results of a machine: store, name, and key of code and machine."""
 
     store: Store
     variant: str
     key: str
 
     def results(self) -> Results:
-        """Stored results of this key; OSError if the store cannot be read."""
+        """Stored results with this key.
+
+        Raises OSError if the store cannot be read.
+        """
         found: dict[str, Any] = {}
         for name, content in self.store.all(KIND, self.variant).items():
             part = name.removeprefix(f"{self.variant} {self.key} ")
@@ -66,14 +69,17 @@ class Place:
         return Results(found, machine)
 
     def keep(self, part: str, data: Any) -> None:
-        """Store one part: the record of a case by its id, or MACHINE; OSError."""
+        """Store one part: the record of a case under its id, or the settings under MACHINE.
+
+        Raises OSError if the record cannot be written.
+        """
         plain = asdict(data) if isinstance(data, CaseRecord) else data
         content = json.dumps(plain, ensure_ascii=False).encode()
         self.store.store(KIND, self.variant, {f"{self.variant} {self.key} {part}": content})
 
 
 def key_of(effective: Mapping[str, Any], seed: int | None) -> str:
-    """Hexadecimal name of a variant's results: code, data, libraries, machine and seed."""
+    """Hexadecimal key of a machine's results, from code, data, libraries, settings and seed."""
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]
     parts = [_code(), *libraries, json.dumps(effective, sort_keys=True), str(seed)]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]

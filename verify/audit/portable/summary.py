@@ -16,7 +16,7 @@ LARGEST = 15
 
 @dataclass(frozen=True, kw_only=True)
 class Machine:
-    """A variant that was run: its settings in effect, and remarks of its cases on inputs."""
+    """An emulated machine that was run: settings in effect, and remarks on inputs."""
 
     name: str
     what: str
@@ -30,7 +30,10 @@ class Machine:
 
 @dataclass(frozen=True, kw_only=True)
 class Summary:
-    """All machines and the rows that differ; `moves` has the largest move of each row, in order."""
+    """Summary of all machines and of the rows that differ.
+
+    `moves` contains the largest change of each row, in descending order.
+    """
 
     machines: tuple[Machine, ...]
     not_emulated: Mapping[str, str]
@@ -41,23 +44,23 @@ class Summary:
 
     @property
     def first_kind(self) -> tuple[Difference, ...]:
-        """Rows whose status differs, that only one machine has, or with equal names."""
+        """Differences of status, missing or additional rows, duplicate ids, and order."""
         return tuple(d for d in self.differences if d.kind is not Kind.VALUE)
 
     @property
     def unexplained(self) -> tuple[Difference, ...]:
-        """Rows whose value moves too far or whose tolerance differs, without a stated reason."""
+        """Differences of values or tolerances without a stated reason."""
         return tuple(d for d in self.differences if d.kind is Kind.VALUE and not d.reason)
 
     @property
     def is_portable(self) -> bool:
-        """Whether every variant was run completely and no row differs without a reason."""
+        """Whether all machines were run completely and every difference has a reason."""
         broken = any(machine.rejected for machine in self.machines)
         return not (self.failures or broken or self.first_kind or self.unexplained)
 
 
 def largest(moves: Sequence[Difference]) -> tuple[Difference, ...]:
-    """The largest move of each row over the variants, the rows that moved most first."""
+    """Largest change of each row over the machines, in descending order."""
     worst: dict[str, Difference] = {}
     for one in moves:
         if one.row not in worst or one.move > worst[one.row].move:
@@ -66,7 +69,10 @@ def largest(moves: Sequence[Difference]) -> tuple[Difference, ...]:
 
 
 def lines(summary: Summary) -> Iterator[str]:
-    """The summary for a terminal; a row that differs in several variants has one line."""
+    """Lines of the summary for a terminal.
+
+    A row with the same difference on several machines has one line.
+    """
     for machine in summary.machines:
         yield (f"{machine.name}: {machine.rows} rows of {machine.cases} cases, "
                f"{machine.seconds:.0f} s; {_effective(machine.effective)}")  # fmt: skip
@@ -77,19 +83,22 @@ def lines(summary: Summary) -> Iterator[str]:
     yield from (f"failed: {name}: {how}" for name, how in summary.failures.items())
     for text, names in _grouped((_line(d), d.variant) for d in _worst_first(summary.differences)):
         yield f"{text} in {names}"
-    yield from (f"reason not used: {rows}" for rows in summary.unused)
+    yield from (f"unused reason: {rows}" for rows in summary.unused)
     if summary.moves:
-        yield "largest moves, in tolerances of the row:"
+        yield "largest changes, in units of the row's tolerance:"
     yield from (f"  {d.move:9.2g}  {d.row}  ({d.variant})" for d in summary.moves)
     first, unexplained = ({d.row for d in part} for part in (summary.first_kind,
                                                              summary.unexplained))  # fmt: skip
     yield (f"{len(summary.machines)} machines: {len(first)} rows whose status differs, "
-           f"{len(unexplained)} whose value moves by more than a tenth of the tolerance, "
+           f"{len(unexplained)} whose value changes by more than a tenth of the tolerance, "
            "or whose tolerance differs, without a reason")  # fmt: skip
 
 
 def write(summary: Summary, folder: Path) -> None:
-    """Write portable.json and portable.md into the folder; OSError if that fails."""
+    """Write portable.json and portable.md into the folder.
+
+    Raises OSError if a file cannot be written.
+    """
     data = {"portable": summary.is_portable} | asdict(summary)
     text = json.dumps(_finite(data), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
     write_whole(folder / "portable.json", lambda file: file.write(text.encode("utf-8")))
@@ -98,24 +107,24 @@ def write(summary: Summary, folder: Path) -> None:
 
 
 def _markdown(summary: Summary) -> Iterator[str]:
-    yield "# The same verdicts on every machine\n"
-    yield "| machine | what differs | in effect | cases | rows | seconds |"
+    yield "# Verdicts on different machines\n"
+    yield "| machine | difference from this machine | settings in effect | cases | rows | seconds |"
     yield "|---|---|---|---|---|---|"
     for m in summary.machines:
         in_effect = _effective(m.effective)
         yield f"| {m.name} | {m.what} | {in_effect} | {m.cases} | {m.rows} | {m.seconds:.0f} |"
     yield "\n## Messages\n"
     yield from (f"- {line.strip()}" for line in lines(summary) if not line.startswith("   "))
-    yield "\n## What moved most\n"
-    yield "| row | machine | move in tolerances | here | there |\n|---|---|---|---|---|"
+    yield "\n## Largest changes\n"
+    yield "| row | machine | change / tolerance | here | there |\n|---|---|---|---|---|"
     for d in summary.moves:
         yield f"| {d.row} | {d.variant} | {d.move:.2g} | {d.was} | {d.now} |"
 
 
 def _line(one: Difference) -> str:
-    """A difference in words, the same for all variants with the same difference."""
+    """Text of a difference, equal for all machines with the same difference."""
     if one.kind is Kind.VALUE:
-        does = "has another tolerance" if one.move <= LIMIT else "moves"
+        does = "has another tolerance" if one.move <= LIMIT else "changes"
         words = f": {one.reason}" if one.reason else " without a reason"
         return f"{one.kind.value}: {one.row} {does}{words}"
     was, now = (text.partition(" (")[0] or "no row" for text in (one.was, one.now))
@@ -123,12 +132,12 @@ def _line(one: Difference) -> str:
 
 
 def _worst_first(found: Sequence[Difference]) -> list[Difference]:
-    """First kind before second, then by size."""
+    """Differences sorted: differences of the first kind first, then by size."""
     return sorted(found, key=lambda d: (d.kind is Kind.VALUE, bool(d.reason), -d.move))
 
 
 def _grouped(pairs: Any) -> Iterator[tuple[str, str]]:
-    """Each text once, with the names that it came with."""
+    """Each text once, with all names that belong to it."""
     groups: dict[str, list[str]] = {}
     for text, name in pairs:
         groups.setdefault(text, []).append(name)
@@ -136,7 +145,7 @@ def _grouped(pairs: Any) -> Iterator[tuple[str, str]]:
 
 
 def _effective(effective: Mapping[str, Any]) -> str:
-    """Settings in effect in one line: "BLAS numpy Haswell, scipy Haswell, 1 thread, ..."."""
+    """Settings in effect as text: "BLAS numpy Haswell, scipy Haswell, 1 thread, ..."."""
     blas = ", ".join(f"{name} {core}" for name, core in sorted(effective.get("blas", {}).items()))
     threads = max(effective.get("threads", {}).values(), default=1)
     extensions = " ".join(effective.get("numpy", ())) or "none"
@@ -145,7 +154,7 @@ def _effective(effective: Mapping[str, Any]) -> str:
 
 
 def _finite(value: Any) -> Any:
-    """The same with numbers that JSON does not have as text."""
+    """`value` with numbers that are not finite as text, because JSON does not have them."""
     if isinstance(value, float) and not math.isfinite(value):
         return str(value)
     if isinstance(value, Mapping):

@@ -1,4 +1,4 @@
-"""The emulated machines: the present one, and variants that differ in one respect each."""
+"""Emulated machines: this machine, and variants that differ from it in one respect each."""
 
 import os
 from collections.abc import Callable, Mapping, Sequence
@@ -32,13 +32,13 @@ class Variant:
     flag: str = ""  # instruction set that the processor must have
 
     def applied(self, environment: Mapping[str, str]) -> dict[str, str]:
-        """The environment of its processes: one BLAS thread, and the difference."""
+        """Environment of the machine's processes: one BLAS thread, and the different variables."""
         return {**environment, **dict.fromkeys(THREADS, "1"), **self.environment}
 
 
 @dataclass(frozen=True)
 class Machines:
-    """The variants to run, settings in effect in each, and why others are not emulated."""
+    """Machines to run, settings in effect on each, and reasons why others are not emulated."""
 
     variants: tuple[Variant, ...]
     effective: Mapping[str, Mapping[str, Any]]
@@ -46,7 +46,7 @@ class Machines:
 
 
 def candidates(found: Sequence[str], seeds: int = SEEDS) -> tuple[Variant, ...]:
-    """All variants; `found` are the instruction sets that numpy selects on this machine."""
+    """All machines; `found` lists the instruction sets that numpy selects on this machine."""
     return (
         Variant(BASELINE, "this machine, one BLAS thread"),
         Variant("threads-2", "two BLAS threads", dict.fromkeys(THREADS, "2")),
@@ -71,10 +71,10 @@ def machines(
     flags: frozenset[str],
     environment: Mapping[str, str] | None = None,
 ) -> Machines:
-    """Variants that can be emulated here, by the settings that `probe` finds in effect.
+    """Machines that can be emulated here, by the settings that `probe` finds in effect.
 
     `variants` begins with the baseline. `flags` are the instruction sets of the processor. A
-    variant with the same settings in effect as an earlier one is not run again.
+    machine with the same settings in effect as an earlier one is not run again.
     """
     around = os.environ if environment is None else environment
     chosen: list[Variant] = []
@@ -104,10 +104,10 @@ def machines(
 
 
 def _missing(variant: Variant, flags: frozenset[str], environment: Mapping[str, str]) -> str:
-    """Reason why the variant cannot be emulated, before any start; empty if it can."""
+    """Reason, known before a start, why the machine cannot be emulated; empty if it can."""
     for name in variant.environment:
         if name not in THREADS and environment.get(name):
-            return f"the environment fixes {name}={environment[name]}"
+            return f"the environment already sets {name}={environment[name]}"
     if variant.environment.get(DISABLED, "all") == "":
         return "numpy selects no instruction set at run time here"
     if variant.flag and variant.flag not in flags:

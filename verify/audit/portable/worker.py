@@ -1,8 +1,8 @@
-"""One emulated machine: solves and judges cases and writes their rows, case by case.
+"""Process of one emulated machine: solves and judges cases, and stores their rows.
 
-`python -m verify.audit.portable.worker FOLDER VARIANT KEY [--seed N] CASE...` runs in
-the environment of its variant and writes to the store in FOLDER. It ends when its standard input
-closes: with the process that began it.
+`python -m verify.audit.portable.worker FOLDER VARIANT KEY [--seed N] CASE...` is started in the
+environment of the machine and writes to the store in FOLDER. The process ends when its standard
+input closes, which happens when the parent process ends.
 """
 
 import argparse
@@ -26,7 +26,7 @@ from verify.jobs.scheduler import run
 
 
 def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
-    """Store the record of each case that has none."""
+    """Solve each case without a record, and store its record."""
     stored = place.results()
     if not stored.effective:
         place.keep(MACHINE, effective())
@@ -40,7 +40,7 @@ def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
 
 
 def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
-    """One case solved with its default inputs, in this process and with its cache."""
+    """Record of one case, solved with its default inputs in this process, with its cache."""
     start = time.perf_counter()
     job = Job(case, case.inputs(), drawn=False)
     (result,) = run([job], cache_folder=cache.default_folder())
@@ -52,7 +52,7 @@ def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Run the command line; 0 for any judgement of the rows."""
+    """Run the command line; return 0 for any verdicts of the rows."""
     parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
     parser.add_argument("folder", type=Path)
     parser.add_argument("variant")

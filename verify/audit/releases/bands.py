@@ -1,4 +1,4 @@
-"""Demands, bands, figures and scales of a row that let more pass, or less, than in a release."""
+"""Requirements, bands, figures and scales of a row that are looser or stricter than before."""
 
 import math
 from collections import Counter
@@ -16,7 +16,7 @@ Accepted = Sequence[tuple[str, float]]
 
 
 def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Demands and bands that let more pass, and a scale or words of acceptance that differ."""
+    """Changes to looser requirements and bands, and changes of scale or acceptance figures."""
     for one in figures(was, now):
         if one.is_loosened:
             old, new = _shares(one)
@@ -29,7 +29,7 @@ def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Demands and bands that let less pass."""
+    """Changes to stricter requirements and bands."""
     for one in figures(was, now):
         if one.is_tightened:
             old, new = _shares(one)
@@ -42,7 +42,7 @@ def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Reference value of requirements and bands: if it is larger, more results pass."""
+    """Change of the scale of requirements and bands; a larger scale accepts more results."""
     if was.unit != now.unit:  # reported as a change of kind
         return
     if was.scale is None or now.scale is None:
@@ -58,7 +58,7 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Acceptance figures in words, paired by word; all figures if the words differ."""
+    """Changes of acceptance figures in words, paired by word; of all figures if words differ."""
     if [word for word, _ in was] == [word for word, _ in now]:
         for old, new in zip(was, now, strict=True):
             if _is_looser(old, new):
@@ -86,19 +86,22 @@ def _told(accepted: Accepted) -> str:
 
 
 def number(value: float | None, unit: str, digits: int = 10) -> str:
-    """A number with its unit."""
+    """A number with its unit, as text."""
     if value is None:
         return NOTHING
     return f"{value:.{digits}g}" + (f" {unit}" if unit != "1" else "")
 
 
 def share(value: float | None, digits: int = 4) -> str:
-    """A relative number in per cent."""
+    """A relative number in per cent, as text."""
     return NOTHING if value is None else f"{100 * value:.{digits}g} %"
 
 
 def _shares(one: Figure) -> tuple[str, str]:
-    """A figure in both runs; a stated figure has as many digits as needed to distinguish both."""
+    """A figure in both runs as text.
+
+    A stated figure has as many digits as are required to distinguish the runs.
+    """
     most = RECORDED_DIGITS + 1 if one.stated else 4
     for digits in range(4, most + 1):
         told = share(one.was, digits), share(one.now, digits)
@@ -108,9 +111,9 @@ def _shares(one: Figure) -> tuple[str, str]:
 
 
 def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) -> tuple[str, str]:
-    """Both ends in both runs in per cent, with as many digits as needed to distinguish both.
+    """The ends of an interval in both runs, in per cent, as text.
 
-    Digits are at least 1e-4 of the width.
+    The number of digits distinguishes both runs. The last digit is at most 1e-4 of the width.
     """
     for more in range(RECORDED_DIGITS):
         told = _range(was, more), _range(now, more)

@@ -1,4 +1,4 @@
-"""Comparison of the run with the newest release, and its lines on the terminal."""
+"""Comparison of a run with the newest release, and its lines on the terminal."""
 
 from collections.abc import Sequence
 
@@ -12,28 +12,28 @@ MOST = 12  # lines of changes; the report lists all
 
 
 def since(results: Sequence[CaseResult]) -> Drift | None:
-    """Changes since the newest release; None before the first.
+    """Changes since the newest release; None if there is no release.
 
-    InputError if a file of releases or of reasons cannot be read.
+    Raises InputError if a file of releases or of reasons cannot be read.
     """
     release = newest()
     return None if release is None else drift(release, results, read())
 
 
 def lines(found: Drift) -> list[str]:
-    """One line if nothing changed; otherwise, loosened requirements first, then others."""
+    """Lines for the terminal: loosened requirements first; one line if nothing changed."""
     head = f"since {found.release}: {summary(found)}"
     red = [f"{WITHOUT}: {line(c)}" for c in found.unexplained]
     explained = [f"  {line(c)}" for c in found.changes if c.loosened and c.reason]
     other = [f"  {line(c)}" for c in found.changes if not c.loosened]
     if len(other) > MOST:
         other = [*other[:MOST], f"  and {len(other) - MOST} more, see the report"]
-    unused = [f"  a reason that nothing asks for: {text}" for text in found.unused]
+    unused = [f"  unused reason: {text}" for text in found.unused]
     return [head, *red, *explained, *other, *unused]
 
 
 def summary(found: Drift) -> str:
-    """The counts in words: "1672 rows compared, nothing moved"."""
+    """Text of the counts: "1672 rows compared, no changes"."""
     loosened = sum(c.loosened for c in found.changes)
     counts = [
         (len(found.changes) - loosened, "{} changed"),
@@ -42,11 +42,11 @@ def summary(found: Drift) -> str:
         (found.tightened, "{} tightened"),
     ]
     told = [words.format(n) for n, words in counts if n]
-    return ", ".join([f"{found.compared} rows compared", *(told or ["nothing moved"])])
+    return ", ".join([f"{found.compared} rows compared", *(told or ["no changes"])])
 
 
 def line(change: Change) -> str:
-    """One change in words, with its reason if stated."""
+    """Text of one change, with its reason if stated."""
     size = f" ({change.size})" if change.size else ""
     why = f"; {change.reason}" if change.reason else ""
     return f"{change.row}: {change.aspect} {change.was} -> {change.now}{size}{why}"

@@ -1,11 +1,13 @@
 """Changes since a release: stated numbers exactly, computed numbers beyond numerical errors.
 
-Kinds, statuses, requirements, stated bands and figures are reported if they differ at all; computed
-numbers, if they change by more than the numerical error of the row and 10 % of its band
-(verify.audit.releases.thresholds). A loosened requirement or band, a larger scale of either, and a
-row that is missing or judges less, need a stated reason (verify.audit.releases.reasons); otherwise,
-the run fails. Numbers that are printed with equal digits are not a change; stated numbers are
-printed with all digits that differ.
+Kinds, statuses, requirements, stated bands and figures are reported if they differ at all. Computed
+numbers are reported if they change by more than the numerical error of the row and 10 % of its band
+(verify.audit.releases.thresholds).
+
+A stated reason (verify.audit.releases.reasons) is required for a loosened requirement or band, for
+a larger scale of either, and for a row that is missing or judges less. Without a reason, the run
+fails. Numbers that are printed with equal digits are not a change. Stated numbers are printed with
+all digits that differ.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -20,7 +22,7 @@ from verify.core.results import CaseResult, Change, Drift, Status
 
 
 def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Reason]) -> Drift:
-    """Differences of the rows of `results` from those of the release.
+    """Differences between the rows of `results` and those of the release.
 
     Cases that were not run, and rows that were skipped, are not compared.
     """
@@ -57,7 +59,7 @@ def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Rea
 
 
 def _visible(changes: Iterable[Change]) -> list[Change]:
-    """Without changes that are printed with equal digits before and after."""
+    """Changes, except those that are printed with equal digits before and after."""
     return [c for c in changes if c.was != c.now]
 
 
@@ -67,7 +69,7 @@ def _gone(
     renamed: Collection[str],
     whole: Collection[str],
 ) -> list[Change]:
-    """Rows that a case no longer has; those that were judged need a reason."""
+    """Changes for rows that a case no longer has; a reason is required for judged rows."""
     return [
         Change(row=i, aspect="gone", was=row.status, now="none", loosened=STRENGTH[row.status] > 0)
         for i, row in before.items()
@@ -81,7 +83,7 @@ def _new(
     renamed: Mapping[str, str],
     run: Collection[str],
 ) -> list[Change]:
-    """Number of rows of each case that the release lacks."""
+    """Changes for the number of rows of each case that the release does not contain."""
     found = [case_of(i) for i in judged if i not in before and i not in renamed]
     return [
         Change(row=case, aspect="new", was="none", now=f"{n} row{'s' * (n > 1)}")
@@ -96,7 +98,7 @@ def _unused(
     release: Release,
     whole: Collection[str],
 ) -> tuple[str, ...]:
-    """Reasons since the release for rows of cases that ran, to which no change belongs."""
+    """Reasons since the release, for rows of the cases in this run, to which no change belongs."""
     return tuple(
         f"{reason.rows}: {reason.aspect}: {reason.what}"
         for reason in reasons

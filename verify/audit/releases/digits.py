@@ -1,10 +1,11 @@
-"""Whether a stored number was stated by a person or computed, by its digits.
+"""Distinction between stated and computed stored numbers by their digits.
 
 Stated figures have one or two significant digits; computed figures have all nine digits that are
 stored. A number with up to four digits is considered stated, and must be repeated exactly. One in
-ten thousand computed numbers has so few digits and is treated in the same manner. Ends of intervals
-and acceptance figures are stored directly, not as a quotient; they are considered stated if they
-have up to six digits, which happens for one in a thousand computed numbers.
+ten thousand computed numbers has so few digits and is treated in the same manner.
+
+Ends of intervals and acceptance figures are stored directly, not as a quotient. They are considered
+stated if they have up to six digits, which happens for one in a thousand computed numbers.
 """
 
 import math
@@ -15,7 +16,7 @@ RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
 
 
 def is_stated(value: float | None, rounding: float = 0.0) -> bool:
-    """Whether a number that is not zero has no more digits than a person writes.
+    """Whether a non-zero number has no more digits than a person writes.
 
     >>> is_stated(0.025), is_stated(3.59745921e-07)
     (True, False)
@@ -27,7 +28,7 @@ def is_stated(value: float | None, rounding: float = 0.0) -> bool:
 
 
 def is_literal(value: float | None) -> bool:
-    """Whether a number that is stored in its given form is stated; zero is.
+    """Whether a number that is stored as written is stated; zero counts as stated.
 
     >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
     (True, True, False)

@@ -1,4 +1,4 @@
-"""Reasons for relaxed requirements or bands: stated beside the releases, one for each change."""
+"""Reasons for loosened requirements or bands: one entry for each change."""
 
 import re
 import tomllib
@@ -35,14 +35,17 @@ class Reason(BaseModel):
     since: Words
 
     def covers(self, change: Change, release: str) -> bool:
-        """Whether it is about this change since this release."""
+        """Whether the entry applies to this change since this release."""
         pattern = ".*".join(map(re.escape, self.rows.split("*")))
         named = re.fullmatch(pattern, change.row) is not None
         return named and self.aspect == change.aspect and self.since == release
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none without a file; InputError states the first error in one line."""
+    """All entries of the file; empty without a file.
+
+    Raises InputError, which states the first error in one line, if the file is wrong.
+    """
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))
@@ -51,10 +54,10 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {error}") from error
     if unknown := [key for key in data if key != "changes"]:
-        raise InputError(f"{path}: {unknown[0]}: unknown key; known is changes")
+        raise InputError(f"{path}: {unknown[0]}: unknown key; the only key is changes")
     entries = data.get("changes", [])
     if not isinstance(entries, list):
-        raise InputError(f"{path}: changes: needs tables [[changes]]")
+        raise InputError(f"{path}: changes must be a list of tables [[changes]]")
     return tuple(_reason(entry, n, path) for n, entry in enumerate(entries, start=1))
 
 
@@ -69,5 +72,5 @@ def _reason(entry: object, number: int, path: Path) -> Reason:
 
 
 def stated(change: Change, reasons: Sequence[Reason], release: str) -> str:
-    """The reason for a change, "" if none is stated."""
+    """Reason for a change; empty if none is stated."""
     return next((r.why for r in reasons if r.covers(change, release)), "")

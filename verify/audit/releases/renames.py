@@ -1,4 +1,4 @@
-"""Rows with another name than in a release: by the list of names, otherwise by their numbers."""
+"""Rows with another name than in a release, from the list of names or by equal numbers."""
 
 import math
 import re
@@ -18,7 +18,11 @@ Numbers = Sequence[float | None]
 def renamed_rows(
     before: Mapping[str, Kept], now: Mapping[str, Kept], whole: Collection[str]
 ) -> dict[str, str]:
-    """Old ids by the new one: listed, or of the same case, kind, unit and values if one fits."""
+    """Old ids of renamed rows by the new id.
+
+    Listed names have priority. Otherwise, a row is renamed if exactly one row with the same case,
+    kind, unit and values fits.
+    """
     gone = [i for i in before if i not in now and case_of(i) in whole]
     found = {
         new: old for old in gone
@@ -37,7 +41,7 @@ def renamed_rows(
 
 
 def _may_be(old: str, new: str, was: Kept, now: Kept) -> bool:
-    """Whether two rows are of one case, kind and unit."""
+    """Whether two rows have the same case, kind and unit."""
     is_order = [name.endswith(CONVERGENCE) for name in (old, new)]
     return (
         case_of(old) == case_of(new)
@@ -47,14 +51,14 @@ def _may_be(old: str, new: str, was: Kept, now: Kept) -> bool:
 
 
 def _same_run(was: Kept, now: Kept) -> bool:
-    """Whether all numbers are equal, as on the same processor."""
+    """Whether all numbers are equal, as in runs on the same processor."""
     return _repeats(
         *([x.analytic, x.reference, x.difference, x.u_num] for x in (was, now)), tol=SAME_RUN
     )
 
 
 def _same_value(was: Kept, now: Kept) -> bool:
-    """Whether the compared values repeat, or of a fact the margin, as on any processor."""
+    """Whether the compared values, or the margin of a fact, are equal, as on any processor."""
     values = [[x.analytic, x.reference] for x in (was, now)]
     if any(v is not None for v in values[0]):
         return _repeats(*values, tol=SOLVE_TOL)
@@ -70,7 +74,11 @@ def _repeats(was: Numbers, now: Numbers, *, tol: float) -> bool:
 
 
 def name_change(old: str, new: str) -> Change:
-    """A new name; if it states another figure, the row may claim less."""
+    """Change of a name.
+
+    If the new name states another figure, the change counts as loosened, because the row may claim
+    less.
+    """
     figures = [re.findall(r"\d+(?:\.\d+)?(?= ?%)", name) for name in (old, new)]
     return Change(
         row=new, aspect="name", was=old.partition("/")[2], now=new.partition("/")[2],
@@ -79,5 +87,5 @@ def name_change(old: str, new: str) -> Change:
 
 
 def case_of(row_id: str) -> str:
-    """The case in a row's id."""
+    """Case in the id of a row."""
     return row_id.partition("/")[0]

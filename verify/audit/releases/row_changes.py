@@ -20,7 +20,7 @@ CONVERGENCE = ": convergence"  # these rows judge an order, which may scatter
 
 
 def row_changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """All aspects of one row that differ."""
+    """All changes of one row."""
     if was.status != now.status:
         yield Change(
             row=row_id, aspect="status", was=was.status, now=now.status,
@@ -39,7 +39,7 @@ def row_changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _of_red(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes of a row that fails in one run, in which any number may be missing."""
+    """Changes of a row that fails in one of the runs, in which any number may be missing."""
     if (was.kind, was.unit) == (now.kind, now.unit):
         yield from (c for c in _values(row_id, was, now) if NOTHING not in (c.was, c.now))
     is_red = now.status == Status.FAIL
@@ -48,7 +48,7 @@ def _of_red(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _values(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes of formula, finite elements, or the margin of a statement."""
+    """Changes of the formula, of finite elements, or of the margin of a fact."""
     if row_id.endswith(CONVERGENCE):
         return
     error, limit = numerical_error(was, now), value_limit(was, now)
@@ -68,7 +68,7 @@ def _moved(
     error: float,
     limit: float,
 ) -> Iterator[Change]:
-    """A value that changed by more than `limit` [unit] and round-off, or exists in one run only."""
+    """Change of a value beyond `limit` [unit] and round-off, or of a value in one run only."""
     was, now = values
     if was is None and now is None:
         return
@@ -91,7 +91,7 @@ def _size(change: float, scale: float, error: float) -> str:
 
 
 def _less_sensitive(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Detection limit, or uncertainty, if it increased to a multiple and by 10 % of the band."""
+    """Change of the detection limit or uncertainty beyond a factor and 10 % of the band."""
     if row_id.endswith(CONVERGENCE):
         return
     for aspect, read in (("detects", _detected), ("uncertainty", _uncertainty)):
@@ -110,7 +110,7 @@ def _detected(row: Kept) -> float | None:
 
 
 def _uncertainty(row: Kept) -> float | None:
-    """The expanded uncertainty over the scale; for a fact, that of its margin."""
+    """Expanded uncertainty relative to the scale; for a fact, the uncertainty of its margin."""
     return row.tolerance if row.kind == "fact" else _numerical(row)
 
 

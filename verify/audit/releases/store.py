@@ -1,4 +1,4 @@
-"""The judged rows of a release as a small file of the project, one for each version."""
+"""Judged rows of a release, stored as one small file for each version."""
 
 import gzip
 import json
@@ -30,11 +30,11 @@ _FIGURE = re.compile(r"(\d+(?:\.\d+)?) ?% (accepted|asked|required)|(accepted): 
 
 @dataclass(frozen=True, kw_only=True)
 class Kept:
-    """Stored values of a row. Dimensional numbers are in `unit`, as in `verify.core.results.Row`.
+    """Stored values of a row; dimensional numbers are in `unit`.
 
-    `reference` is the value with which the formula is compared, by finite elements or the partner.
-    `figures` are the acceptance figures [%] in the words of a fact, by "accepted" or "required";
-    `accepted` is the limit of the size of a difference, over the scale of the row.
+    `reference` is the value with which the formula is compared, by finite elements or by the
+    partner. `figures` are the acceptance figures [%] in the text of a fact, each with "accepted" or
+    "required". `accepted` is the limit of a difference, relative to the scale of the row.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class Kept:
 
     @property
     def bound(self) -> float | None:
-        """Permissible residual of a balance over its scale."""
+        """Permissible residual of a balance, relative to its scale."""
         if self.kind != "exact" or self.tolerance is None or not self.scale:
             return None
         return self.tolerance / self.scale
@@ -63,7 +63,7 @@ class Kept:
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """A version with the day and commit of its run, and its rows by their ids."""
+    """A release: version, date and commit of its run, and its rows by id."""
 
     version: str
     date: str
@@ -88,7 +88,10 @@ def kept(row: Row) -> Kept:
 
 
 def _accepted(row: Row) -> float | None:
-    """Permissible size if a figure stated beforehand limits it: the tolerance excludes its U."""
+    """Permissible difference, relative to the scale, if a figure stated beforehand limits it.
+
+    The tolerance of the row does not contain the uncertainty, which is added.
+    """
     stated = row.kind is Kind.IDENTITY and row.grid is None and row.interval_source
     if not stated or row.tolerance is None or row.u_num is None or not row.scale:
         return None
@@ -100,7 +103,7 @@ def _short(value: float | None, digits: int = ENOUGH) -> float | None:
 
 
 def _figures(words: str) -> tuple[tuple[str, float], ...]:
-    """Acceptance figures in words: "0.2% accepted", "accepted: 1%", "2% required"."""
+    """Acceptance figures in a text: "0.2% accepted", "accepted: 1%", "2% required"."""
     return tuple(
         (EARLIER.get(word, word), float(match[1] or match[4]))
         for match in _FIGURE.finditer(words) for word in (match[2] or match[3],)
@@ -108,18 +111,18 @@ def _figures(words: str) -> tuple[tuple[str, float], ...]:
 
 
 def version(root: Path = ROOT) -> str:
-    """The project's version, which pyproject.toml states."""
+    """Version of the project in pyproject.toml."""
     found: str = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]["version"]
     return found
 
 
 def path_of(name: str, folder: Path | None = None) -> Path:
-    """Path of a stored release."""
+    """Path of the file of a release."""
     return (folder or FOLDER) / f"{name}{ENDING}"
 
 
 def store(rows: Sequence[Row], name: str, commit: str, folder: Path | None = None) -> Path:
-    """Write a release, with identical bytes for the same run and day; returns its file."""
+    """Write a release and return its file; the bytes are identical for the same run and day."""
     by_case: dict[str, dict[str, Any]] = {}
     for row in rows:
         by_case.setdefault(row.case, {})[row.quantity] = _line(kept(row))
@@ -135,7 +138,7 @@ def store(rows: Sequence[Row], name: str, commit: str, folder: Path | None = Non
 
 
 def _line(one: Kept) -> list[Any]:
-    """The columns of a row; empty columns at the end are omitted."""
+    """Values of a row in the order of the columns, without empty columns at the end."""
     line = [getattr(one, field.name) for field in fields(Kept)]
     while line[-1] is None or line[-1] == ():
         line.pop()
@@ -143,12 +146,15 @@ def _line(one: Kept) -> list[Any]:
 
 
 def load(path: Path) -> Release:
-    """A release from its file; InputError if the file is not a release."""
+    """Release from its file.
+
+    Raises InputError if the file is not a release.
+    """
     try:
         data = json.loads(gzip.decompress(path.read_bytes()))
         names = data["columns"]
         if data["format"] != FORMAT or set(names) - {field.name for field in fields(Kept)}:
-            raise InputError(f"{path}: has another format than the present version")
+            raise InputError(f"{path} has another format than that of the present version")
         rows = {
             f"{case}/{quantity}": _kept(dict(zip(names, line, strict=False)))
             for case, lines in data["rows"].items()
@@ -158,7 +164,7 @@ def load(path: Path) -> Release:
     except InputError:
         raise
     except (OSError, ValueError, LookupError, TypeError, AttributeError, EOFError) as error:
-        raise InputError(f"{path}: is no release: {error}") from error
+        raise InputError(f"{path} is not a release file: {error}") from error
 
 
 def _kept(line: dict[str, Any]) -> Kept:
@@ -169,7 +175,7 @@ def _kept(line: dict[str, Any]) -> Kept:
 
 
 def newest(folder: Path | None = None) -> Release | None:
-    """The release with the highest version; None without a release."""
+    """Release with the highest version; None if there is no release."""
     found = {
         _order(name): path
         for path in (folder or FOLDER).glob(f"*{ENDING}")
@@ -179,7 +185,7 @@ def newest(folder: Path | None = None) -> Release | None:
 
 
 def is_later(name: str, than: str) -> bool:
-    """Whether a name is that of a version, and of a later one.
+    """Whether `name` is a version, and a later version than `than`.
 
     >>> is_later("0.10.0", "0.9.1"), is_later("0.9.1", "0.9.1"), is_later("next", "0.9.1")
     (True, False, False)

@@ -1,15 +1,16 @@
 """Permissible change of a number since a release.
 
-A stated number is identical on every processor: any difference is reported. These are the
-requirement, and an acceptance figure, bound, printed digit, or end or width of an interval that is
-a literal in the source. The last digits of a computed number (a value, a bound from a condition
-number, an interval from a series) depend on the processor, and more digits if equations are badly
-conditioned: a difference is reported if it exceeds the numerical error of the row in both runs and
-10 % of the band of the row.
+A stated number is identical on every processor: any difference is reported. Stated numbers are
+requirements, and acceptance figures, bounds, printed digits, and ends or widths of intervals that
+are literals in the source.
 
-A record does not state to which of these kinds a number belongs, but its digits show it (module
-digits). It is sufficient that the number is stated in one of the runs: if an estimate is replaced
-by a literal, or a literal by an estimate, the source has changed.
+The last digits of a computed number (a value, a bound from a condition number, an interval from a
+series) depend on the processor; more digits do if equations are badly conditioned. A difference is
+reported if it exceeds the numerical error of the row in both runs and 10 % of the band of the row.
+
+A record does not state to which kind a number belongs, but its digits show it (module digits). It
+is sufficient that the number is stated in one of the runs: if an estimate is replaced by a literal,
+or a literal by an estimate, the source has changed.
 """
 
 import math
@@ -28,10 +29,10 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 
 @dataclass(frozen=True)
 class Figure:
-    """A number in both runs, relative to the scale of the row; if it is larger, more results pass.
+    """A number in both runs, relative to the scale of the row; a larger number accepts more.
 
-    A difference is reported beyond `limit`; a figure that no longer exists is considered loosened.
-    A `stated` figure is printed with all digits that differ.
+    A difference is reported if it exceeds `limit`. A figure that no longer exists is considered
+    loosened. A `stated` figure is printed with all digits that differ.
     """
 
     aspect: str
@@ -42,12 +43,12 @@ class Figure:
 
     @property
     def is_loosened(self) -> bool:
-        """Whether the value has increased or no longer exists."""
+        """Whether the figure has increased or no longer exists."""
         return self.was is not None and (self.now is None or self.now - self.was > self.limit)
 
     @property
     def is_tightened(self) -> bool:
-        """Whether it has become smaller."""
+        """Whether the figure has decreased."""
         if self.was is None or self.now is None:
             return False
         return self.was - self.now > self.limit
@@ -78,10 +79,10 @@ def _figure(
 def is_wider(
     old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
 ) -> bool:
-    """Whether an interval permits more than the old one at either end, or by its stated width.
+    """Whether an interval permits more than before at either end, or by its stated width.
 
-    `error` is the numerical error of the row, relative like the interval. The centre of an interval
-    with a stated width may be computed.
+    `error` is the numerical error of the row, with the same scale as the interval. The centre of an
+    interval with a stated width may be computed.
     """
     if old is None or new is None:
         return old is not None
@@ -106,7 +107,7 @@ def _either_literal(was: float | None, now: float | None) -> bool:
 def numerical_error(was: Kept, now: Kept) -> float:
     """Expanded numerical error of both runs [unit]; for a balance, its bound.
 
-    The tolerance of a fact is the uncertainty of its margin; that of a limit is its band.
+    The tolerance of a fact is the uncertainty of its margin; the tolerance of a limit is its band.
     """
     if was.kind in ("exact", "fact"):
         return math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
@@ -114,23 +115,27 @@ def numerical_error(was: Kept, now: Kept) -> float:
 
 
 def relative_error(was: Kept, now: Kept) -> float:
-    """The expanded numerical error of both runs over the scale; zero if none is known."""
+    """Expanded numerical error of both runs relative to the scale; zero if unknown."""
     if was.u_num is None or now.u_num is None:
         return 0.0
     return _relative(numerical_error(was, now), was.scale) or 0.0
 
 
 def half_width(row: Kept) -> float | None:
-    """Half of the permissible range of a row over its scale: interval, figure or tolerance."""
+    """Half of the permissible range of a row, relative to its scale.
+
+    The range is that of the interval, of the acceptance figure or of the tolerance.
+    """
     if row.interval is not None:
         return (row.interval[1] - row.interval[0]) / 2
     return row.accepted if row.accepted is not None else _relative(row.tolerance, row.scale)
 
 
 def value_limit(was: Kept, now: Kept) -> float:
-    """Allowed change of a formula or finite-element value [unit].
+    """Permissible change of a formula or finite-element value [unit].
 
-    The numerical error of both runs, or 10 % of the narrower band. Zero if a row has neither.
+    This is the numerical error of both runs or 10 % of the narrower band, whichever is larger. It
+    is zero if a row has neither.
     """
     if was.kind == "fact":
         return margin_limit(was, now)
@@ -139,21 +144,25 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of the scale [unit]: numerical error of both runs, or 10 % of it."""
+    """Permissible change of the scale [unit]: numerical error of both runs, or 10 %."""
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 
 
 def margin_limit(was: Kept, now: Kept) -> float:
-    """Allowed change of a statement's margin [unit]: the band is the margin at the release."""
+    """Permissible change of the margin of a fact [unit].
+
+    This is its numerical error or 10 % of the margin at the release, whichever is larger.
+    """
     error = math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
     return max(error, BAND_SHARE * abs(was.difference or 0.0))
 
 
 def sensitivity_limit(row: Kept) -> float:
-    """Allowed increase of a detection limit or an uncertainty, over the scale.
+    """Permissible increase of a detection limit or an uncertainty, relative to the scale.
 
-    10 % of the band; of an identity, whose tolerance is its uncertainty, 10 % of the demand.
+    This is 10 % of the band. For an identity, whose tolerance is its uncertainty, it is 10 % of the
+    required sensitivity.
     """
     if row.kind == "fact":
         return 0.0
