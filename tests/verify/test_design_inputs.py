@@ -59,7 +59,7 @@ WRONG = [
     (spring, {"width_factor": 1.2}, "width_factor = 1.2 must not exceed 1/(1 - ν²) = 1.0989"),
     (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range must be "first : last : number"'),
     (spring, {"b": []}, "inputs.b: the list must contain at least one value"),
-    (spring, {"n": "4 : 9 : 3"}, "contains fractions, must be whole numbers"),
+    (spring, {"n": "4 : 9 : 3"}, "must give whole numbers only"),
     (
         spring,
         {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"},
@@ -70,8 +70,8 @@ WRONG = [
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range must be "low : high"'),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, the maximum is 12"),
     (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: must not exceed half of the smallest drop"),
-    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: changes K_2 by 0.422, must be less than"),
-    (crown, {"t_y": "5 mm"}, "t_y < l/2 is required, or no crown is left, got t_y = 5 mm"),
+    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: K_2 tolerance 0.422 must be less than"),
+    (crown, {"t_y": "5 mm"}, "t_y must be less than l/2, got t_y = 5 mm"),
 ]
 
 

@@ -104,7 +104,7 @@ def traced(path: str) -> dict[str, tuple[float, list[str]]]:
     tracer = _Tracer()
     status = pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
     if status not in RUN and not tracer.is_stopped:
-        raise RuntimeError(f"pytest ended with {status!r}")
+        raise RuntimeError(f"pytest could not run the tests: {status!r}")
     return tracer.found
 
 
@@ -119,7 +119,7 @@ def first_failure(tests: Sequence[str]) -> str:
     status = pytest.main([*OPTIONS, *files], plugins=[chosen])
     if chosen.failed or status == pytest.ExitCode.OK:
         return chosen.failed
-    raise RuntimeError(f"pytest ends with {status!r}")
+    raise RuntimeError(f"pytest could not run the tests: {status!r}")
 
 
 def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:

@@ -54,7 +54,7 @@ def probe(environment: Mapping[str, str]) -> dict[str, Any]:
         last = (error.stderr.strip() or f"exit status {error.returncode}").splitlines()[-1]
         raise OSError(last) from error
     except (subprocess.TimeoutExpired, ValueError) as error:
-        raise OSError("the process does not report its libraries") from error
+        raise OSError("the process did not report its libraries") from error
     return found
 
 

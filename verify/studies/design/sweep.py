@@ -68,7 +68,7 @@ class Sweep:
             raise InputError(f"{where}: the ends of a range must ascend, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
-            raise InputError(f"{where}: {raw[:60]!r} contains fractions, must be whole numbers")
+            raise InputError(f"{where}: {raw[:60]!r} must give whole numbers only")
         return [float(v) for v in values]
 
     def _one(self, raw: Any, where: str) -> float:

@@ -57,7 +57,7 @@ class Wishes(EngagementInputs):
     def _fits_length(self) -> "Wishes":
         if not 2 * self.t_y < self.l:
             raise ValueError(
-                f"t_y < l/2 is required, or no crown is left, got t_y = {self.t_y * 1e3:g} mm, "
+                f"t_y must be less than l/2, got t_y = {self.t_y * 1e3:g} mm, "
                 f"l = {self.l * 1e3:g} mm"
             )
         return self
@@ -167,6 +167,6 @@ def _refuse_wide(task: Task, where: str) -> None:
         )
     if not task.t_K2 < task.low[1]:
         raise InputError(
-            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: changes K_2 by {task.t_K2:.3g}, "
+            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: K_2 tolerance {task.t_K2:.3g} "
             f"must be less than the lower end of K_2_range, {task.low[1]:g}"
         )

@@ -134,7 +134,7 @@ def engagements(answer: list[One] | str | Lost) -> list[One]:
     Raises NoLockError if an engagement does not lock, and ArithmeticError if it was not computed.
     """
     if isinstance(answer, Lost):
-        raise ArithmeticError(f"the computation of an engagement was lost: {answer.reason}")
+        raise ArithmeticError(f"the computation of an engagement failed: {answer.reason}")
     if isinstance(answer, str):
         raise NoLockError(answer)
     return answer

@@ -124,7 +124,9 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     except NoLockError as error:
         raise InputError(f"{where}: inputs: {unable(task) or error}") from error
     except ArithmeticError as error:
-        raise InputError(f"{where}: no crown can be chosen, not solved: {error}") from error
+        raise InputError(
+            f"{where}: no crown can be chosen, engagements not solved: {error}"
+        ) from error
 
 
 def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outcome:
