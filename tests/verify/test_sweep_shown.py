@@ -58,13 +58,15 @@ def test_a_grid_states_where_the_formula_holds_and_what_breaks_it():
     ]
     lines = read(tables.validity_csv(of))
     assert lines[1] == {
-        "row": "stiffness", "largest error [%]": "8", "its U_error [%]": "0.2", "limit [%]": "5",
+        "row": "stiffness", "largest error [%]": "8",
+        "U_error of largest error [%]": "0.2", "limit [%]": "5",
         "points": "16", "inside": "8", "outside": "6", "undecided": "2", "unsolved": "0",
-        "points of the box": "8", "a from [mm]": "1", "a to [mm]": "4", "n from": "2", "n to": "3",
-        "broken first by": "a", "unit": "mm", "last inside": "4", "first that isn't": "5",
-        "verdict there": "undecided", "error bar passes at": "4.8", "why": "",
+        "points in the box": "8", "a from [mm]": "1", "a to [mm]": "4", "n from": "2", "n to": "3",
+        "limit first exceeded by": "a", "unit": "mm", "last inside": "4", "first not inside": "5",
+        "verdict at first not inside": "undecided",
+        "error bar reaches limit at": "4.8", "reason if unsolved": "",
     }  # fmt: skip
-    assert [line["broken first by"] for line in lines] == ["a", "a", ""]
+    assert [line["limit first exceeded by"] for line in lines] == ["a", "a", ""]
     found = as_json(of)["rows"][0]["validity"][1]
     assert found["box"]["n"] == {"low": 2, "high": 3, "whole": True}
     assert found["base"] == {"a": 4, "n": 3}
@@ -140,7 +142,10 @@ def test_a_sample_has_its_scatter_and_its_indices_the_largest_first():
         for name in ("a", "b")
     ]
     assert float(lines[0]["mean"]) == pytest.approx(2.1, rel=1e-5)  # 2 N/mm and 5 %
-    assert (lines[2]["S1"], lines[2]["why none"]) == ("", "the quantity does not vary")
+    assert (lines[2]["S1"], lines[2]["reason without indices"]) == (
+        "",
+        "the quantity does not vary",
+    )
     of_a = lines[4]
     assert float(of_a["mean"]) == pytest.approx(5, abs=0.01)
     assert float(of_a["standard deviation"]) == pytest.approx(np.sqrt(10 / 3), rel=0.01)

@@ -58,7 +58,7 @@ def torques(task: Task) -> str:
     return ", ".join(f"{T:g}" for T in task.torques[:-1]) + f" and {task.torques[-1]:g} N m"
 
 
-HEAD_CROWN = ("now", "best", "range", f"within {100 * FLAT:g} %: alone", "with others")
+HEAD_CROWN = ("present", "optimum", "range", f"within {100 * FLAT:g} %: alone", "combined")
 
 
 def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
@@ -100,7 +100,7 @@ def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
     """Two lines of column heads for the table of torques."""
     tolerance = not outcome.search.single
     return [
-        ("T", "N_max", "N_max/Q", "now", "no crown", "best there", "at", "", "", "chosen",
+        ("T", "N_max", "N_max/Q", "present", "no crown", "optimum at T", "at", "", "", "chosen",
          *(("within its",) if tolerance else ()), "excess"),
         ("N m", "N", "", "", "", "in tolerance" if tolerance else "", "K_1", "K_2", "z_m", "",
          *(("tolerance",) if tolerance else ()), ""),
@@ -182,8 +182,8 @@ def compared(outcome: Outcome) -> list[str]:
     if outcome.search.single:
         return []
     return [
-        "columns now, no crown and chosen: nominal dimensions; best there and excess: worst case "
-        "within the tolerance; compare now with chosen, not with best there"
+        "present, no crown and chosen: nominal dimensions; optimum at T and excess: worst case "
+        "within the tolerance; compare present with chosen, not with optimum at T"
     ]
 
 

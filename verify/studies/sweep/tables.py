@@ -90,9 +90,10 @@ def validity_csv(found: Outcome) -> str:
     plan = found.solved.plan
     ends = [with_unit(f"{a.name} {end}", a.unit) for a in plan.axes for end in ("from", "to")]
     heads = [
-        "row", "largest error [%]", "its U_error [%]", "limit [%]", "points",
-        *NAMES.values(), "points of the box", *ends, "broken first by",
-        "unit", "last inside", "first that isn't", "verdict there", "error bar passes at", "why",
+        "row", "largest error [%]", "U_error of largest error [%]", "limit [%]", "points",
+        *NAMES.values(), "points in the box", *ends, "limit first exceeded by",
+        "unit", "last inside", "first not inside", "verdict at first not inside",
+        "error bar reaches limit at", "reason if unsolved",
     ]  # fmt: skip
     return _written(
         heads,
@@ -123,7 +124,8 @@ def sensitivity_csv(found: Outcome) -> str:
     heads = [
         "row", "quantity", "unit", "points", "mean", "standard deviation", "2.5 %", "50 %",
         "97.5 %", "share of noise in the variance", "input", "rows of the sample",
-        *(f"{index}{end}" for index in ("S1", "ST") for end in ("", " low", " high")), "why none",
+        *(f"{index}{end}" for index in ("S1", "ST") for end in ("", " low", " high")),
+        "reason without indices",
     ]  # fmt: skip
     plan = found.solved.plan
     return _written(
