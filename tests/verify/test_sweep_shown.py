@@ -197,7 +197,7 @@ def test_equal_limits_are_one_line():
         ("a=1:4mm:4", 0.3, 0.3, "  within 2, 5 and 10 %: nowhere, 4 undecided"),
         ("a=1:4mm:4", NAN, 0, "  within 2, 5 and 10 %: no point is solved"),
         ("a=1:4mm:4", [NAN, NAN, 0, 0], 0,
-         "    no answer beyond a = 3 mm: 2 mm is not solved (does not converge)"),
+         "    no result beyond a = 3 mm: 2 mm is not solved (does not converge)"),
         ("a=4:5mm:2 b=2:3mm:2", [0, 0, 0, 0.3], 0,
          "    no single input exceeds the limit, only several inputs together do"),
     ):  # fmt: skip

@@ -119,7 +119,7 @@ def warnings(outcome: Outcome) -> list[str]:
     if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
         found.append(
             f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
-            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail clamped at arc"
+            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, free head, tail clamped at arc"
         )
     if outcome.verified:
         v = outcome.verified[outcome.chosen or 0]

@@ -21,5 +21,5 @@ WITHOUT_FORMULA = {
     "wang2023:yield-strength": "a property of a material that the paper does not name",
     "wang2023:rule-length-thickness-max": "a rule, which the paper's spring violates",
     "wang2023:rule-displacement-ratio-max": "a rule, which the paper's tests violate",
-    "huang2022:unbalance-1-node": "a number of a node, contradicted by the text",
+    "huang2022:unbalance-1-node": "a node number that the text contradicts",
 }

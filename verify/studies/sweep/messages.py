@@ -54,7 +54,7 @@ def _broken(by: Break) -> str:
     if by.verdict == UNSOLVED:  # no statement about the formula
         what = "refused" if by.why.startswith(REFUSED) else "not solved"
         return (
-            f"no answer beyond {axis.symbol} = {valued(axis, by.last)}: "
+            f"no result beyond {axis.symbol} = {valued(axis, by.last)}: "
             f"{valued(axis, by.first)} is {what} ({bare(by.why)})"
         )
     side = f"first exceeded for {axis.symbol} {'above' if by.up else 'below'}"
