@@ -1,1 +1,1 @@
-"""Writes the results of the verification: pages and tables."""
+"""Writing of the results of a verification run: pages, figures and tables."""

@@ -1,4 +1,4 @@
-"""The verdicts of one case, and what to use instead of a formula."""
+"""Verdicts of one case, with the recommended alternative to each formula."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is 
 
 
 def advised(verdicts: Sequence[FormulaVerdict]) -> tuple[FormulaVerdict, ...]:
-    """The verdicts; a printed form without another advice refers to its corrected form."""
+    """Verdicts in which a printed form without other advice refers to its corrected form."""
     corrected = {(v.paper, v.name): v for v in verdicts if v.form is Form.CORRECTED}
     return tuple(_advised(v, corrected.get((v.paper, v.name))) for v in verdicts)
 
@@ -28,7 +28,7 @@ def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVe
 
 
 def _of_corrected(one: FormulaVerdict) -> str:
-    """The corrected form if it may be used, and the recommended alternative."""
+    """Text of the recommended alternative: the corrected form if usable, and other advice."""
     form = "" if one.verdict in REFUSED else f"{CORRECTED}{_quality(one)}"
     return "; or ".join(filter(None, (form, one.instead)))
 
@@ -45,13 +45,16 @@ def _quality(one: FormulaVerdict) -> str:
 def of_case(
     verdicts: Sequence[FormulaVerdict], case: str, rows: Sequence[Row]
 ) -> list[FormulaVerdict]:
-    """The verdicts that rest on a case, with the largest error of the rows of this case."""
+    """Verdicts whose evidence includes a case, with the largest error of the rows of this case."""
     known = {row.id: row for row in rows}
     return [_at_case(v, known) for v in verdicts if case in v.cases]
 
 
 def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
-    """Formula with the error of these rows: against the part if a row has it, else the model."""
+    """Verdict with the error of the given rows.
+
+    The error relative to the part is used if a row has it, otherwise the error relative to a model.
+    """
     part = _errors(one.rows if one.is_of_part else (), rows)
     found = part or _errors(one.rows + one.model_rows, rows)
     if one.error is None or not found:
@@ -63,7 +66,7 @@ def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
 
 
 def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float, str]]:
-    """Error, bar and id of each row that has both."""
+    """Error, error bar and id of each row that has both."""
     return [
         (row.difference / row.scale, row.tolerance / row.scale, row.id)
         for row in map(rows.get, names)

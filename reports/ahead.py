@@ -1,4 +1,4 @@
-"""Figures and pictures of cases, drawn while other cases are solved."""
+"""Drawing of figures and pictures of cases while other cases are solved."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,10 +14,10 @@ from verify.core.results import CaseResult
 
 
 class Ahead:
-    """A context with a thread that draws the figures and pictures of cases as these are judged.
+    """Context with a thread that draws the figures and pictures of judged cases.
 
-    Pictures are written to the store. A picture that fails here is drawn again, and its failure
-    reported, when the report is written. `hint` is the advice if pyvista is missing. `first` is
+    Pictures are written to the store. A picture that fails here is drawn again when the report is
+    written; its failure is then reported. `hint` is the advice if pyvista is missing. `first` is
     other work for the report; it starts after the first case, when every core solves.
     """
 
@@ -36,7 +36,7 @@ class Ahead:
             self._thread.join()
 
     def add(self, case: CaseResult) -> None:
-        """Have a case drawn."""
+        """Add a case whose figures and pictures are to be drawn."""
         self._cases.put(case)
 
     def _work(self) -> None:

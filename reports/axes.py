@@ -1,4 +1,4 @@
-"""A plotting box with its axes, about 400 units wide and legible on a phone."""
+"""Plotting area with axes, about 400 units wide and legible on a phone."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -17,7 +17,10 @@ UNSEEN = 0.05  # pixels: invisible deviation of a line
 
 @dataclass
 class Axes:
-    """A plotting box (left, top, right, bottom) with the ranges of x and y; collects `body`."""
+    """A plotting area (left, top, right, bottom) with the ranges of x and y.
+
+    The SVG elements are collected in `body`.
+    """
 
     box: tuple[float, float, float, float]
     x: tuple[float, float]
@@ -28,15 +31,15 @@ class Axes:
     x_log: bool = False
 
     def X(self, value: float) -> float:
-        """Abscissa of x in the image."""
+        """Abscissa of the value x in the image."""
         return _between(value, self.x, (self.box[0], self.box[2]), self.log or self.x_log)
 
     def Y(self, value: float) -> float:
-        """Ordinate of y in the image."""
+        """Ordinate of the value y in the image."""
         return _between(value, self.y, (self.box[3], self.box[1]), self.log or self.y_log)
 
     def grid(self, values: Sequence[float], name: Callable[[float], str | Markup]) -> None:
-        """Horizontal lines with their numbers."""
+        """Add horizontal grid lines with their numbers."""
         left, _, right, _ = self.box
         for v in values:
             self.body += [
@@ -45,7 +48,7 @@ class Axes:
             ]
 
     def base(self, values: Sequence[float], name: Callable[[float], str | Markup]) -> None:
-        """The horizontal axis with its numbers."""
+        """Add the horizontal axis with its numbers."""
         left, _, right, bottom = self.box
         self.body.append(svg.line(left, bottom, right, bottom, "axis"))
         for v in values:
@@ -55,27 +58,27 @@ class Axes:
             ]
 
     def titles(self, x: str, y: str) -> None:
-        """Titles of both axes."""
+        """Add the titles of both axes."""
         left, top, right, bottom = self.box
         self.body += [svg.text(left - 40, top - 10, y, "label")] if y else []
         self.body += [svg.text(right, bottom + 31, x, "label", "end")] if x else []
 
     def curve(self, x: Array, y: Array, css: str) -> None:
-        """A line through points, without those that change nothing visible."""
+        """Add a line through points, without points that have no visible effect."""
         self.body.append(svg.polyline(self._line(x, y), css))
 
     def ribbon(self, x: Array, low: Array, high: Array, css: str) -> None:
-        """The area between two curves."""
+        """Add the area between two curves."""
         up, down = self._line(x, high), self._line(x, low)
         self.body.append(svg.polyline([*up, *down[::-1]], css, closed=True))
 
     def _line(self, x: Array, y: Array) -> Array:
-        """Points in the image, as many as the shape of the line needs."""
+        """Points in the image, reduced to those that the shape of the line requires."""
         points = np.array([(self.X(a), self.Y(b)) for a, b in zip(x, y, strict=True)])
         return simplified(points, UNSEEN) if len(points) > 2 else points
 
     def dots(self, x: Array, y: Array, css: str, r: float = 2.6, shape: int = 0) -> None:
-        """Points, as dots or another of the shapes of marks."""
+        """Add marks at points, as dots or in another shape."""
         self.body += [
             svg.marker(self.X(a), self.Y(b), r, css, shape) for a, b in zip(x, y, strict=True)
         ]

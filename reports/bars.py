@@ -16,7 +16,7 @@ NAME, WORDS = 24, 20  # the longest lines of a name, and of the words beyond a b
 
 
 def bars(b: Bars) -> Markup:
-    """Bars below each other; text is beyond the end of its bar, wrapped if it is long."""
+    """SVG of horizontal bars; the text of a bar is beyond its end, wrapped if it is long."""
     values = [value for _, value, _ in b.items]
     names = [textwrap.wrap(name, NAME) for name, _, _ in b.items]
     words = [textwrap.wrap(said, WORDS) for _, _, said in b.items]
@@ -41,11 +41,11 @@ def bars(b: Bars) -> Markup:
 
 
 def _room(texts: list[list[str]]) -> float:
-    """Width of the longest line."""
+    """Width of the longest line of text."""
     return LETTER * max((len(line) for lines in texts for line in lines), default=0)
 
 
 def _lines(x: float, y: float, lines: list[str], anchor: str) -> list[Markup]:
-    """Lines of text centred on y."""
+    """SVG of lines of text, vertically centred at y."""
     first = y + 4 - LINE * (len(lines) - 1) / 2
     return [svg.text(x, first + LINE * k, line, "tick", anchor) for k, line in enumerate(lines)]

@@ -1,4 +1,4 @@
-"""Files that an earlier run wrote into a folder, and which of them are still valid."""
+"""Files that an earlier run wrote into a folder, and their validity."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -10,9 +10,10 @@ FILE = ".written.json"
 
 
 class Before:
-    """The parts of a report in a folder: files with the same origin, identified by its digest.
+    """Parts of a report in a folder that are still valid.
 
-    A part is valid as long as none of its files has changed.
+    A part consists of files with the same origin, which is identified by its digest. A part is
+    valid as long as none of its files has changed.
     """
 
     def __init__(self, folder: Path, digests: Mapping[str, str]) -> None:
@@ -28,11 +29,11 @@ class Before:
 
     @property
     def files(self) -> set[str]:
-        """The files that need not be written."""
+        """Files that need not be written again."""
         return {name for part in self._kept.values() for name in part["files"]}
 
     def about(self, part: str) -> Any:
-        """Note that was stored with a part."""
+        """Data that were stored with a part."""
         return self._kept[part]["about"]
 
     def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:
@@ -60,6 +61,6 @@ class Before:
             return False
 
     def _state(self, name: str) -> list[int]:
-        """Size and time of a file."""
+        """Size and modification time of a file."""
         found = (self._folder / name).stat()
         return [found.st_size, found.st_mtime_ns]

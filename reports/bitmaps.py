@@ -1,4 +1,7 @@
-"""Rendered pixels to a small WebP: a palette without loss, or a fine quality if it is smaller."""
+"""Conversion of rendered pixels into a small WebP image.
+
+The image has a palette without loss, or a high quality with loss if this is smaller.
+"""
 
 import io
 
@@ -15,7 +18,7 @@ INSIDE, RIM = 207, 48  # colours of a palette for opaque and half transparent pi
 
 
 def webp(rgba: NDArray[np.uint8]) -> bytes:
-    """WebP of few colours, of RGBA pixels (FINER height, FINER width, 4) averaged over FINER^2."""
+    """WebP image of RGBA pixels (FINER height, FINER width, 4), averaged over FINER^2 pixels."""
     image = Image.fromarray(np.ascontiguousarray(rgba), "RGBA")
     small = image.convert("RGBa").reduce(FINER).convert("RGBA")  # colours weighted by their alpha
     pixels = np.asarray(small)
@@ -45,7 +48,7 @@ def _coded(image: Image.Image, **options: int) -> bytes:
 
 
 def flaw(data: bytes, width: int, height: int) -> str:
-    """Reason why the image cannot be a picture of a body, or an empty string."""
+    """Reason why the image cannot be a picture of a body; "" if it can."""
     try:
         with Image.open(io.BytesIO(data)) as image:
             pixels = np.asarray(image.convert("RGBA"))

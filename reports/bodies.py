@@ -1,4 +1,4 @@
-"""Data of a picture: points, displacements and values of cells, mirrored."""
+"""Data of a picture: points, displacements and values of cells, with mirror images."""
 
 from dataclasses import dataclass, replace
 
@@ -16,9 +16,10 @@ ON_PLANE = 1e-9  # of the body's size
 
 @dataclass(frozen=True, kw_only=True)
 class Body:
-    """`points` and `displacement` (n, 3) [model's length], `cells` (m, corners).
+    """A body to draw: `points` and `displacement` (n, 3) [model's length], `cells` (m, corners).
 
-    `values` are (m,), one a cell, or (m, 4), one a corner and bilinear between them.
+    `values` are (m,), one for each cell, or (m, 4), one for each corner with bilinear
+    interpolation.
     """
 
     points: Array
@@ -28,12 +29,12 @@ class Body:
 
     @property
     def size(self) -> float:
-        """The largest extent."""
+        """Largest extent of the body."""
         return float(np.ptp(self.points, axis=0).max())
 
 
 def body(field: Field, picture: Picture) -> Body:
-    """The field for the picture, values in the unit of the picture.
+    """Body for the picture of a field, with values in the unit of the picture.
 
     Reflection negates a coordinate: "x" adds the mirror image at the plane x = 0. Normal stresses
     and other scalars keep their sign. A shear stress (column 2 of the four columns xx, yy, xy, zz)
@@ -44,7 +45,7 @@ def body(field: Field, picture: Picture) -> Body:
     Raises
     ------
     ValueError
-        for a field without cells, data that the field does not have or that are not finite.
+        If the field has no cells, if it does not have the data, or if these are not finite.
     """
     if not len(field.cells):
         raise ValueError(f"field {field.name!r} has no cells to draw")
@@ -58,14 +59,19 @@ def body(field: Field, picture: Picture) -> Body:
         shown = _valued(shown, field, picture, used)
     for array in (shown.points, shown.displacement, shown.values):
         if array is not None and not np.isfinite(array).all():
-            raise ValueError(f"field {field.name!r}: {picture.data or 'points'} are not all finite")
+            raise ValueError(
+                f"field {field.name!r}: all values of {picture.data or 'points'} must be finite"
+            )
     for axis in picture.mirror:
         shown = _with_image(shown, AXES.index(axis), _sign(field, picture, axis))
     return shown
 
 
 def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
-    """One value per cell, or one a corner of plane quadrilaterals; lines are cut into pieces."""
+    """The body with one value per cell, or one per corner of plane quadrilaterals.
+
+    Lines are cut into pieces.
+    """
     name = picture.data
     if name in field.cell_data:
         return replace(shown, values=_column(field.cell_data[name], picture))
@@ -81,7 +87,7 @@ def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
 
 
 def _column(data: Array, picture: Picture) -> Array:
-    """The selected component, or the magnitude of a vector."""
+    """Selected component of data, or the magnitude of a vector."""
     if data.ndim == 2 and picture.component is not None:
         data = data[:, picture.component]
     elif data.ndim == 2:
@@ -90,7 +96,7 @@ def _column(data: Array, picture: Picture) -> Array:
 
 
 def _in_pieces(shown: Body, at_points: Array) -> Body:
-    """Lines cut so short that the linear data along them looks continuous."""
+    """The body with lines cut so short that linear data along them looks continuous."""
     start, end = shown.cells.T
     length = np.linalg.norm(shown.points[end] - shown.points[start], axis=1)
     pieces = np.maximum(np.ceil(length / (PIECE * shown.size)), 1).astype(np.int64)
@@ -111,7 +117,7 @@ def _in_pieces(shown: Body, at_points: Array) -> Body:
 
 
 def _sign(field: Field, picture: Picture, axis: str) -> float:
-    """Factor of a value in the image behind the plane of this axis."""
+    """Factor of a value in the mirror image at the plane normal to this axis."""
     data = field.cell_data.get(picture.data, field.point_data.get(picture.data))
     if data is None or data.ndim != 2 or picture.component is None:
         return 1.0
@@ -121,7 +127,7 @@ def _sign(field: Field, picture: Picture, axis: str) -> float:
 
 
 def _with_image(shown: Body, axis: int, sign: float) -> Body:
-    """The body and its image, joined at the plane."""
+    """The body with its mirror image, joined at the plane of symmetry."""
     flip = np.ones(3)
     flip[axis] = -1
     count = len(shown.points)
@@ -137,6 +143,6 @@ def _with_image(shown: Body, axis: int, sign: float) -> Body:
 
 
 def _solid(values: Array) -> NDArray[np.float64]:
-    """Plane points and vectors with a zero third component."""
+    """Plane points or vectors with a third component of zero."""
     missing = 3 - values.shape[1]
     return np.pad(np.asarray(values, dtype=np.float64), ((0, 0), (0, missing)))

@@ -1,4 +1,4 @@
-"""Error budgets: causes of the difference of formula and finite elements, drawn and in words."""
+"""Error budgets: figures and texts about the causes of differences."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ TOTAL, REMAINDER = "difference", "remainder"
 
 @dataclass(frozen=True)
 class Bar:
-    """A bar of a waterfall from `start` to `end` with the half-width `u` about its end [%]."""
+    """A bar of a waterfall chart from `start` to `end`, with half-width `u` at its end [%]."""
 
     name: str
     start: float
@@ -33,13 +33,13 @@ class Bar:
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MOST = 10  # rows side by side
-UNKNOWN = "no cause is known whose rerun would"
+UNKNOWN = "no cause is known that would explain the difference"
 UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
 
 def percent(value: float | None, u: float | None = None) -> str:
-    """A relative number in per cent, signed, and its half-width: "−24.8 ± 3·10⁻⁵ %"."""
+    """Text of a relative number in per cent with its half-width, such as "−24.8 ± 3·10⁻⁵ %"."""
     if value is None:
         return "–"
     sign = {True: MINUS, False: "+"}[value < 0] if value else ""
@@ -48,7 +48,7 @@ def percent(value: float | None, u: float | None = None) -> str:
 
 
 def _digits(size: float, digits: int) -> str:
-    """A number that is not negative: zero, with `digits`, or a digit and a power of ten."""
+    """Text of a non-negative number: zero, with `digits`, or one digit and a power of ten."""
     if not size:
         return "0"
     if size >= SMALL:
@@ -59,12 +59,12 @@ def _digits(size: float, digits: int) -> str:
 
 
 def counted(row: RowBudget) -> list[BudgetPart]:
-    """The parts that are subtracted from the difference."""
+    """Parts that are subtracted from the difference."""
     return [p for p in row.parts if p.contribution is not None and not p.shared]
 
 
 def steps(row: RowBudget) -> list[Bar]:
-    """From the difference, part by part, to the remainder."""
+    """Bars of the waterfall chart: difference, parts, remainder."""
     at = 100 * row.total
     found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
     for part in counted(row):
@@ -79,13 +79,13 @@ def steps(row: RowBudget) -> list[Bar]:
 
 
 def _label(part: BudgetPart, row: RowBudget) -> str:
-    """The cause; if a cause has several parts, the name of each."""
+    """Name of a bar: the cause; if the cause has several parts, the name of the part."""
     alike = sum(other.cause == part.cause for other in counted(row))
     return part.cause if alike == 1 else part.what.partition(":")[0]
 
 
 def waterfall(row: RowBudget) -> Markup:
-    """Waterfall chart: each part starts from the end of the part above."""
+    """Waterfall chart of a row: each part starts from the end of the part above it."""
     found = steps(row)
     reach = [(bar.start, bar.end - bar.u, bar.end + bar.u) for bar in found]
     low, high = (f(0.0, *(f(*r) for r in reach)) for f in (min, max))
@@ -124,22 +124,24 @@ def _drawn(axes: Axes, i: int, bar: Bar, line: float, *, last: bool) -> list[Mar
 
 
 def headline(one: CaseBudget) -> RowBudget | None:
-    """The row that is drawn."""
+    """Row that is drawn as a waterfall chart; None if there is none."""
     return next((row for row in one.rows if row.headline), None)
 
 
 def lines(row: RowBudget) -> list[tuple[str, str, str]]:
-    """Cause, the changed quantity of the rerun, and the contribution, in words."""
+    """Lines of text about a row: cause, changed quantity of the computation, contribution."""
     found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
         ("together", f"{' and '.join(joint.causes)} removed together",
-         f"{percent(joint.value)} beyond the sum of both" if joint.value is not None
+         f"{percent(joint.value)} more than the sum of both" if joint.value is not None
          else joint.note)
         for joint in row.joints
     ]  # fmt: skip
     left = percent(row.remainder, row.u)
-    found.append((REMAINDER, "not explained by a rerun: the formula itself", left))
+    found.append(
+        (REMAINDER, "part that no computation explains: error of the formula itself", left)
+    )
     beside = [(p.cause, f"{p.what} (shared assumption, not subtracted)", _number(p))
               for p in row.parts if p.shared]  # fmt: skip
     return [*found, *beside]
@@ -158,7 +160,7 @@ def _number(part: BudgetPart) -> str:
 
 @dataclass(frozen=True)
 class Compact:
-    """Rows side by side: `header` are causes; `of` rows there are in all."""
+    """Table of several rows: the causes are the `header`; `of` is the number of all such rows."""
 
     header: Sequence[str]
     rows: Sequence[tuple[RowBudget, Sequence[str]]]
@@ -166,7 +168,7 @@ class Compact:
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """Approximations except the one drawn, at most MOST with the largest remainders."""
+    """Table of the approximations except the drawn row: the MOST with the largest remainders."""
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None
@@ -178,7 +180,7 @@ def compact(one: CaseBudget) -> Compact | None:
 
 
 def _head(part: BudgetPart) -> str:
-    """The column of a part."""
+    """Column of a part in the table."""
     return "numerical" if part.cause in NUMERICAL else part.cause
 
 
@@ -188,30 +190,30 @@ def _sum(row: RowBudget, head: str) -> str:
 
 
 def identities(one: CaseBudget) -> str:
-    """One sentence on the rows whose formula and finite elements solve the same problem."""
+    """Sentence about the rows whose formula and finite elements solve the same problem."""
     rows = [row for row in one.rows if row.kind is Kind.IDENTITY]
     if not rows:
         return ""
     inside = sum(row.within is True for row in rows)
     worst = max(rows, key=lambda row: abs(row.remainder))
     return (
-        f"{inside} of {len(rows)} identities: the mesh, iteration and the rows' tolerance explain "
-        f"all of the difference; largest remainder {percent(worst.remainder, worst.u)} of "
+        f"For {inside} of {len(rows)} identities, mesh, iteration and tolerance of the row explain "
+        f"the whole difference; the largest remainder is {percent(worst.remainder, worst.u)} of "
         f"{percent(worst.total, worst.U)} ({worst.quantity})."
     )
 
 
 def outside(one: CaseBudget) -> list[RowBudget]:
-    """Identities whose remainder nothing explains."""
+    """Identities whose remainder is not explained by the known causes."""
     return [row for row in one.rows if row.within is False]
 
 
 def left(one: CaseBudget) -> str:
-    """One sentence on the rows whose difference the reruns do not explain, by reason."""
+    """Sentence about the rows whose difference the computations do not explain, by reason."""
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
     said = [
         f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
         f"({why or UNKNOWN})"
         for why in reasons
     ]
-    return f"Not decomposed: {'; '.join(said)}." if said else ""
+    return f"The differences of these rows are not decomposed: {'; '.join(said)}." if said else ""

@@ -1,4 +1,4 @@
-"""All error budgets as a table for other programs: a line for each part of each row."""
+"""Table (CSV) of all error budgets for other programs: one line for each part of each row."""
 
 import csv
 import io
@@ -15,7 +15,7 @@ HEADER = (
 
 
 def budget_csv(budgets: Iterable[CaseBudget]) -> str:
-    """One line a part, the difference first and the remainder last; as rows.csv is written."""
+    """CSV text of error budgets; for each row the difference, its parts, and the remainder."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     table.writerow(HEADER)

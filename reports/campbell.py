@@ -1,4 +1,4 @@
-"""Campbell diagram: natural frequencies over the speed, and the intersecting excitation lines."""
+"""Campbell diagram: natural frequencies over the speed, with excitation lines."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ WHIRLS = {1: ("forward", "line", 0), -1: ("backward", "dashes", 2), 0: ("neither
 
 
 def campbell(c: Campbell) -> Markup:
-    """Branches in the style of their whirl, named at their ends; dots mark excitation."""
+    """SVG of the diagram; dots mark intersections of branches and excitation lines."""
     rays = [name for name, _ in c.excitations]
     room = LETTER * max(map(len, [*c.names, *rays]), default=0) + LEADER + 8
     speeds = np.asarray(c.speeds, dtype=float)
@@ -50,7 +50,10 @@ def campbell(c: Campbell) -> Markup:
 
 
 def _rays(axes: Axes, c: Campbell) -> list[tuple[float, float, str]]:
-    """Lines through the origin; names are above the plot or, for those returned, to the right."""
+    """Draw excitation lines through the origin; returns names that must be placed to the right.
+
+    All other names are placed above the plot.
+    """
     right, above = [], []
     for name, slope in c.excitations:
         low, end = max(axes.x[0], 0.0), axes.x[1]
@@ -74,7 +77,7 @@ def _rays(axes: Axes, c: Campbell) -> list[tuple[float, float, str]]:
 
 
 def _branch(axes: Axes, x: Array, y: Array, whirl: int) -> tuple[float, float] | None:
-    """Draw the branch as far as it is known and in the plot; returns its last point."""
+    """Draw a branch as far as it is known and within the plot; returns its last point."""
     css = style(_shown(whirl))
     inside = np.isfinite(y) & (y >= axes.y[0]) & (y <= axes.y[1])
     steps = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
@@ -92,7 +95,7 @@ def _shown(whirl: int) -> Curve:
 
 
 def _names(axes: Axes, ends: Sequence[tuple[float, float, str]]) -> None:
-    """Names right of the plot, without overlap, each with a line from its end."""
+    """Add names to the right of the plot, without overlap, each with a line to its branch."""
     order = sorted(ends, key=lambda end: end[1])
     right = axes.box[2]
     heights = spread([y for _, y, _ in order], [APART] * len(order), (TOP, BOTTOM))
@@ -105,7 +108,7 @@ def _names(axes: Axes, ends: Sequence[tuple[float, float, str]]) -> None:
 
 
 def _critical(axes: Axes, c: Campbell) -> None:
-    """Dots at intersections of excitation lines and branches, labelled in free space."""
+    """Add dots at intersections of excitation lines and branches, labelled in free space."""
     seen = [
         (axes.X(x), axes.Y(y), name) for x, y, name in c.critical
         if axes.x[0] <= x <= axes.x[1] and axes.y[0] <= y <= axes.y[1]
@@ -121,7 +124,7 @@ def _critical(axes: Axes, c: Campbell) -> None:
 
 
 def _key(axes: Axes, c: Campbell) -> int:
-    """Key below the plot, for the marks that occur."""
+    """Add a key below the plot for the marks that occur; returns its number of lines."""
     named: list[Curve | Band] = [_shown(w) for w in WHIRLS if w in c.whirl]
     none = np.empty(0)
     if c.range is not None:

@@ -1,4 +1,4 @@
-"""Fault detection: shares of mutants that are detected, survivors, references changed."""
+"""Fault detection: shares of detected mutants, undetected mutants, changed references."""
 
 import math
 from collections import Counter
@@ -9,9 +9,9 @@ from typing import Any
 from verify.core.results import Caught, Survivor
 
 NAMES = {
-    "formulas": "Formulas: a sign, a factor, a power, an argument changed",
-    "judging": "Judging: the same in the code that judges rows",
-    "finite-elements": "Finite elements: the same in weak forms, contact and meshes",
+    "formulas": "Formulas: a changed sign, factor, power or argument",
+    "judging": "Judging: the same changes in the code that judges rows",
+    "finite-elements": "Finite elements: the same changes in weak forms, contact and meshes",
 }
 SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
@@ -22,7 +22,7 @@ PRINTED = "a wider demand: printed as "
 
 @dataclass(frozen=True)
 class Moved:
-    """Rows of one kind whose references were changed: their number, and how many failed."""
+    """Rows of one kind whose references were changed: number of rows, and number of failed rows."""
 
     kind: str
     rows: int
@@ -30,12 +30,12 @@ class Moved:
 
 
 def share(count: int, total: int) -> str:
-    """A share in per cent; empty for an empty group."""
+    """Text of a share in per cent; empty for an empty group."""
     return f"{100 * count / total:.1f}\u202f%" if total else ""
 
 
 def interval(count: int, total: int) -> str:
-    """Confidence interval of the share of all mutants at 95 % (Wilson) by a sample."""
+    """Text of the 95 % confidence interval (Wilson) of the share of all mutants, from a sample."""
     if not total:
         return ""
     z, p = 1.96, count / total
@@ -45,7 +45,7 @@ def interval(count: int, total: int) -> str:
 
 
 def stale(caught: Caught) -> str:
-    """Mutants not measured for this code, in words, and those measured for earlier code."""
+    """Sentences about mutants that were not measured for this code, or only for earlier code."""
     known = {group.name for group in caught.groups}
     if caught.references:
         known.add("references")
@@ -58,7 +58,7 @@ def stale(caught: Caught) -> str:
 
 
 def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
-    """The perturbations of references by name, and a line for each kind of row and for all."""
+    """Names of the changes of references, and a line for each kind of row and for all rows."""
     data = caught.references
     if not data:
         return [], []
@@ -75,7 +75,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
 
 
 def green(caught: Caught) -> list[str]:
-    """Rows that pass under some perturbation, in words."""
+    """Texts about rows that pass although their references were changed."""
     return [
         f"{one['row']} at {', '.join(one['green at'])}"
         for one in caught.references.get("survivors", ())
@@ -83,7 +83,7 @@ def green(caught: Caught) -> list[str]:
 
 
 def only_listed(caught: Caught) -> list[tuple[str, int]]:
-    """Reasons why rows are not required to fail, and their numbers, the largest first."""
+    """Reasons why rows are not required to fail, with their numbers, the largest number first."""
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
@@ -94,7 +94,7 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
 
 
 def in_words(caught: Caught) -> list[str]:
-    """Rows that the shares leave out: not required to fail, not reached, or failing always."""
+    """Sentences on rows outside the shares: not required to fail, not reached, failing always."""
     data = caught.references
     if not data:
         return []
@@ -103,16 +103,16 @@ def in_words(caught: Caught) -> list[str]:
     return [
         f"{listed['rows']} of {data['rows']} rows are not required to fail at ±1 %: "
         f"{listed['share']:.1%}, or {listed['share without convergence']:.1%} without the "
-        f"{data['convergence']} rows of convergence.",
+        f"{data['convergence']} convergence rows.",
         f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
-        f"rows with a formula depend on it, {moved['rows'] - moved['reached']} do not; "
+        f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "
         f"{len(moved['hidden'])} pass in spite of the change.",
         f"Rows that fail whatever the value of a formula, counted separately: {always}.",
     ]
 
 
 def survivors(caught: Caught) -> list[tuple[str, list[Survivor]]]:
-    """Survivors of each group; survivors without a reason come first."""
+    """Undetected mutants of each group; those without a reason come first."""
     return [
         (SHORT[group.name], found)
         for group in caught.groups

@@ -1,11 +1,11 @@
-"""Templates compiled once in a process, for every page that is made of them."""
+"""Cache of compiled templates, which are compiled once in a process."""
 
 import jinja2
 from jinja2.bccache import Bucket
 
 
 class Compiled(jinja2.BytecodeCache):
-    """Code of templates in memory, by name and place; jinja2 compares their text."""
+    """Code of templates in memory, by name and path; jinja2 compares the texts of the templates."""
 
     def __init__(self) -> None:
         self._code: dict[str, bytes] = {}

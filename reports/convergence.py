@@ -1,4 +1,4 @@
-"""Convergence of the rows of a case, over mesh size."""
+"""Convergence plot of the rows of a case over the mesh size."""
 
 import math
 from collections.abc import Sequence
@@ -15,10 +15,11 @@ LABEL = 36.0  # width of a mesh size's label
 
 
 def convergence(rows: Sequence[Row]) -> Markup:
-    """Distance to the finest value (errors, where an order is judged) over mesh size, log-log.
+    """SVG of the distance from the finest value over the mesh size, with logarithmic axes.
 
-    One colour an order of theory, so that parallel lines of one colour are the message; rows
-    whose levels show no order (noise, oscillation) would only cross them and are left out.
+    For rows with a judged order, the error is drawn. Each theoretical order has one colour, so that
+    lines of one colour should be parallel. Rows whose levels have no order (noise, oscillation) are
+    omitted.
     """
     series = [(row, s) for row in rows if (s := distances(row)) and has_order(row)]
     if not series:
@@ -52,12 +53,12 @@ def convergence(rows: Sequence[Row]) -> Markup:
 
 
 def on_meshes(rows: Sequence[Row]) -> bool:
-    """Whether any of the rows is of finite elements; others refine steps or slices."""
+    """Whether any of the rows is of finite elements; other methods refine steps or slices."""
     return any(is_finite_elements(row) for row in rows)
 
 
 def _apart(h: Sequence[float], axes: Axes) -> list[float]:
-    """Mesh sizes, from the coarsest, whose labels do not run into each other."""
+    """Mesh sizes, from the coarsest, whose labels do not overlap."""
     kept: list[float] = []
     for value in sorted(h, reverse=True):
         if not kept or axes.X(kept[-1]) - axes.X(value) > LABEL:
@@ -68,7 +69,7 @@ def _apart(h: Sequence[float], axes: Axes) -> list[float]:
 def _legend(
     axes: Axes, orders: list[float], series: Sequence[tuple[Row, list[tuple[float, float]]]]
 ) -> list[Markup]:
-    """Name of each colour beside the coarse end of its lines."""
+    """Labels of the colours at the coarse ends of the lines."""
     ends = []
     for i, order in enumerate(orders):
         mine = [s for row, s in series if (row.formal_order or 0.0) == order]
@@ -85,17 +86,17 @@ def _legend(
 
 
 def _colour(order: float) -> int:
-    """One colour an order, the same in every plot."""
+    """Colour of an order, the same in every plot."""
     return {4.0: 0, 3.0: 1, 2.0: 2, 1.0: 3}.get(order, 4)
 
 
 def has_order(row: Row) -> bool:
-    """Whether the row's levels show an order of convergence."""
+    """Whether the levels of the row have an order of convergence."""
     return row.order != "round-off" and (row.grid is None or row.grid.order is not None)
 
 
 def distances(row: Row) -> list[tuple[float, float]]:
-    """Mesh size and relative distance of each level but the last, or the stored errors."""
+    """Pairs of mesh size and relative distance from the finest value, or the stored errors."""
     if len(row.levels) < 3:
         return []
     if row.kind is Kind.ASYMPTOTIC or (row.kind is Kind.TREND and row.fem != row.order):

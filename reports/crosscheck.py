@@ -1,4 +1,4 @@
-"""Comparisons with second solvers: grouped for the page and the PDF."""
+"""Comparisons with second solvers, grouped for the page and the PDF."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,28 +25,28 @@ class Problem:
 
     @property
     def by(self) -> str:
-        """The solver in brackets; empty for a case without a second solver."""
+        """Name of the solver in brackets; empty for a case without a second solver."""
         return f" ({self.head.solver})" if self.head.solver else ""
 
     @property
     def is_brief(self) -> bool:
-        """Whether only the largest difference is stated: there are several, and all agree."""
+        """Whether only the largest difference is printed, because several comparisons all agree."""
         return len(self.lines) > SEVERAL and all(c.state is CrossState.AGREES for c in self.lines)
 
     @property
     def largest(self) -> Crosscheck:
-        """The comparison with the largest difference."""
+        """Comparison with the largest difference."""
         return _largest(self.lines)
 
     @property
     def why(self) -> str:
-        """Causes of differences, each one once."""
+        """Causes of the differences, each stated once."""
         return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
 
 
 @dataclass(frozen=True)
 class Solver:
-    """All comparisons with a solver, and the one with the largest difference."""
+    """All comparisons with a solver."""
 
     name: str
     lines: Sequence[Crosscheck]
@@ -65,7 +65,7 @@ def _largest(lines: Sequence[Crosscheck]) -> Crosscheck:
 
 
 def solvers(checks: Sequence[Crosscheck]) -> list[Solver]:
-    """The solvers that have results, in the order of their first one."""
+    """Solvers that have results, in the order of their first result."""
     found: dict[str, list[Crosscheck]] = {}
     for check in checks:
         if check.state not in WITHOUT_NUMBERS:
@@ -74,13 +74,13 @@ def solvers(checks: Sequence[Crosscheck]) -> list[Solver]:
 
 
 def of_cases(report: Report) -> tuple[Crosscheck, ...]:
-    """Comparisons of the cases of the report, to whose places it links."""
+    """Comparisons of the cases of the report, to which the report can link."""
     here = {case.id for case in report.cases}
     return tuple(check for check in report.crosschecks if check.case in here)
 
 
 def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
-    """Comparisons by problem, in their order."""
+    """Comparisons grouped by problem, in their order."""
     found: dict[str, list[Crosscheck]] = {}
     for check in checks:
         found.setdefault(check.problem, []).append(check)
@@ -88,7 +88,7 @@ def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
 
 
 def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
-    """Problems without numbers, by why there are none."""
+    """Problems without numbers, grouped by the reason."""
     found: dict[str, list[Problem]] = {}
     for problem in problems(checks):
         if problem.missing:
@@ -112,7 +112,7 @@ def counts_in_words(checks: Sequence[Crosscheck]) -> str:
 
 
 def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
-    """Comparisons with second solvers for the PDF's template."""
+    """Data of the comparisons for the template of the PDF."""
     return [
         {
             "case": p.head.case, "what": runs(p.head.what),
@@ -129,7 +129,7 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
 
 
 def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
-    """Problems without numbers in the PDF: a sentence for each reason."""
+    """Sentences about problems without numbers for the PDF, one for each reason."""
     return [
         [*prose(why[:1].upper() + why[1:]), ": ", *_joined(found), "."]
         for why, found in left_out(checks)

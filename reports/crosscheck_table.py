@@ -1,4 +1,4 @@
-"""All comparisons with second solvers as a table for other programs."""
+"""Table (CSV) of all comparisons with second solvers, for other programs."""
 
 import csv
 import io
@@ -12,9 +12,9 @@ LEFT_OUT = ("seconds",)
 
 
 def crosscheck_csv(checks: Sequence[Crosscheck]) -> str:
-    """One line each, as rows.csv is written; differences are relative.
+    """CSV text with one line for each comparison; differences are relative.
 
-    Seconds are the project's and the other solver's.
+    The two times are those of the project and of the second solver [s].
     """
     names = [f.name for f in fields(Crosscheck) if f.name not in LEFT_OUT]
     file = io.StringIO()

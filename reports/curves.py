@@ -1,7 +1,7 @@
-"""Plot of several curves on the same axes, each named in a key below.
+"""Plot of several curves on common axes, with a key below.
 
-Each colour has a pattern of strokes and marks, so that curves are distinguished in black and white
-print and without colour vision.
+Each colour has a pattern of strokes and marks, so that curves can be distinguished in black and
+white print and without colour vision.
 """
 
 import math
@@ -22,7 +22,7 @@ FEW = 1.5  # decades; shorter axes get marks between the powers of ten
 
 
 def curves(c: Curves) -> Markup:
-    """Lines, dashes and marks in the colours of their group, clipped to the axes.
+    """SVG of lines, dashes and marks in the colours of their groups, clipped to the axes.
 
     Points that are not finite are omitted, and so are curves without finite points.
     """
@@ -50,7 +50,7 @@ def curves(c: Curves) -> Markup:
 
 
 def _kept(c: Curves, *lines: Array) -> list[Array]:
-    """Points of x and of one or two y that can be drawn."""
+    """Points of x and of one or two y arrays that can be drawn."""
     arrays = [np.asarray(line, dtype=float) for line in lines]
     finite = np.all([np.isfinite(a) for a in arrays], axis=0)
     if c.y_log:
@@ -81,7 +81,7 @@ def _axes(c: Curves, x: list[Array], y: list[Array]) -> Axes:
 
 
 def _decades(axes: Axes) -> None:
-    """Lines at powers of ten, or at 1, 2 and 5 of each if there are few."""
+    """Add grid lines at powers of ten; if there are few, at 1, 2 and 5 times each power."""
     low, high = (math.log10(v) for v in axes.y)
     whole = range(math.floor(low), math.ceil(high) + 1)
     if high - low < FEW:
@@ -94,9 +94,9 @@ def _decades(axes: Axes) -> None:
 
 
 def key(axes: Axes, named: Sequence[Curve | Band], top: float = KEY) -> int:
-    """Draw names with their swatches, as many a line as fit; returns the number of lines.
+    """Draw names with their swatches, as many per line as fit; returns the number of lines.
 
-    A curve without a name belongs to the one before it.
+    A curve without a name belongs to the curve before it.
     """
     left, row = 12.0, 0
     for curve in named:
@@ -113,7 +113,7 @@ def key(axes: Axes, named: Sequence[Curve | Band], top: float = KEY) -> int:
 
 
 def _swatch(curve: Curve | Band, left: float, y: float) -> Markup:
-    """Sample of a curve or a band before its name in the key."""
+    """Sample of a curve or a band, drawn before its name in the key."""
     if isinstance(curve, Band):
         css = f"area s{curve.colour}" if curve.colour >= 0 else "band"
         return svg.rectangle(left, y - 5, SWATCH, 10, css)

@@ -1,4 +1,4 @@
-"""Plot of a quantity over a plane in colours, with its axes and a colour bar."""
+"""Plot of a quantity over a plane in colours, with axes and a colour bar."""
 
 import base64
 from hashlib import sha256
@@ -19,7 +19,7 @@ BAR, BAR_TOP, THICK = 180.0, 282.0, 9.0
 
 
 def density(d: Density) -> Markup:
-    """The plane from its first to its last column and row; nothing if z is NaN."""
+    """SVG of the plane; no colour where z is NaN."""
     axes = Axes((LEFT, TOP, RIGHT, BOTTOM), _ends(d.x), _ends(d.y))
     colours = _scale(d)
     data = base64.b64encode(webp(_pixels(d, colours))).decode()
@@ -40,7 +40,7 @@ def density(d: Density) -> Markup:
 
 
 def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
-    """A mark in the plane; its name is on the side with more room."""
+    """SVG of a mark in the plane; its name is on the side with more space."""
     u, v, centre = axes.X(x), axes.Y(y), (LEFT + RIGHT) / 2
     beside, anchor = (u - 10, "end") if u > centre else (u + 10, "start")
     height = v + 14 if v < (TOP + BOTTOM) / 2 else v - 6
@@ -57,7 +57,7 @@ def _scale(d: Density) -> Scale:
 
 
 def _pixels(d: Density, colours: Scale) -> NDArray[np.uint8]:
-    """RGBA of the plane, straight between its columns and rows, the first row at the bottom."""
+    """RGBA pixels of the plane by linear interpolation, with the first row at the bottom."""
     across = np.linspace(0, len(d.x) - 1, FINER * round(RIGHT - LEFT))
     up = np.linspace(len(d.y) - 1, 0, FINER * round(BOTTOM - TOP))
     rows = np.array([np.interp(across, np.arange(len(d.x)), row) for row in d.z])
@@ -69,7 +69,7 @@ def _pixels(d: Density, colours: Scale) -> NDArray[np.uint8]:
 
 
 def _bar(colours: Scale, name: str, label: str) -> list[Markup]:
-    """Colour bar with round numbers below and its title beside it."""
+    """SVG of a colour bar with round numbers below it and its title beside it."""
     last = len(colours.stops) - 1
     stops = Markup("").join(
         Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)

@@ -1,4 +1,4 @@
-"""The page of a design task: self-contained, without scripts."""
+"""Page of a design task: a single file without scripts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Picture = Figure | Bars | Region | Parallel
 
 @dataclass(frozen=True, kw_only=True)
 class Tile:
-    """A number that the page opens with; `css` colours it ("" or a status such as is-pass)."""
+    """A number at the top of the page; `css` is "" or a status such as is-pass."""
 
     number: str
     words: str
@@ -27,10 +27,11 @@ class Tile:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignPage:
-    """Content of the page, in words and numbers; `failure` has one line per failed criterion.
+    """Content of the page of a design task.
 
-    `subject` is the designed object, in one word, and `of` in a few words; `front` is the table of
-    results, named `front_name`, and `checks` are the tables of the criteria.
+    `failure` has one line per failed criterion. `subject` is the designed object in one word, and
+    `of` in a few words. `front` is the table of results with the name `front_name`, and `checks`
+    are the tables of the criteria.
     """
 
     name: str
@@ -70,7 +71,7 @@ def page(design: DesignPage) -> str:
 
 
 def plot(figure: Picture) -> Markup:
-    """The drawing of a figure."""
+    """SVG of a figure."""
     match figure:
         case Bars():
             return bars(figure)

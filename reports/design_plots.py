@@ -1,4 +1,4 @@
-"""Pictures of a design search: rejected springs by limit, the feasible region, the front."""
+"""Figures of a design search: rejected candidates by limit, feasible region, Pareto front."""
 
 from dataclasses import dataclass
 
@@ -17,7 +17,10 @@ MANY = 3  # limits violated, or more
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """Number of `total` candidates that violate each limit; names, limits and counts in order."""
+    """Bar chart of the number of `total` candidates that violate each limit.
+
+    `names` and `counts` are in the same order.
+    """
 
     title: str
     names: tuple[str, ...]
@@ -28,9 +31,9 @@ class Bars:
 
 @dataclass(frozen=True, kw_only=True)
 class Region:
-    """Number of violated limits over two parameters; -1 if no strip can be bent (k, m).
+    """Map of the number of violated limits (k, m) over two parameters; -1 if no strip can be bent.
 
-    `columns` and `rows` [in the units of the labels] rise; `mark` is a (row, column).
+    `columns` and `rows` [in the units of the labels] are ascending; `mark` is a pair (row, column).
     """
 
     title: str
@@ -46,10 +49,10 @@ class Region:
 
 @dataclass(frozen=True, kw_only=True)
 class Parallel:
-    """Lines (k, m) over m axes from 0, the best, at the top to 1; `chosen` counts the lines.
+    """Plot of lines (k, m) over m axes; 0 at the top is the best value, 1 the worst.
 
-    `ends` are the best and the worst value on every axis; finite elements confirm
-    the `kept` lines.
+    `ends` are the best and the worst value of every axis. `chosen` is the number of the selected
+    line. `kept` marks the lines that finite elements confirm.
     """
 
     title: str
@@ -62,7 +65,7 @@ class Parallel:
 
 
 def bars(b: Bars) -> Markup:
-    """A bar a limit, its share of all candidates."""
+    """SVG with one bar per limit, relative to all candidates."""
     left, right, high = 118.0, WIDTH - 62.0, 24.0
     body = []
     for k, (name, count) in enumerate(zip(b.names, b.counts, strict=True)):
@@ -76,7 +79,7 @@ def bars(b: Bars) -> Markup:
 
 
 def region(g: Region) -> Markup:
-    """Cells by the number of limits that they violate, with the chosen one marked."""
+    """SVG of cells coloured by the number of violated limits; the selected one is marked."""
     rows, columns = g.violated.shape
     left, right = 52.0, 8.0
     width = (WIDTH - left - right) / columns
@@ -101,7 +104,12 @@ def region(g: Region) -> Markup:
         words = svg.plain(g.columns[j])
         body.append(svg.text(left + width * (j + 0.5), bottom + 15, words, "tick", "middle"))
     body.append(svg.text(WIDTH - right, bottom + 31, g.x_label, "label", "end"))
-    named = [("m0", "feasible"), ("m1", "one limit violated"), ("m2", "two"), ("m3", "more")]
+    named = [
+        ("m0", "feasible"),
+        ("m1", "one limit violated"),
+        ("m2", "two limits"),
+        ("m3", "more limits"),
+    ]
     if (g.violated < 0).any():
         named.append(("none", "no spring"))
     body += _key([*named, ("at", g.mark_name)], bottom + 52)
@@ -126,7 +134,7 @@ def _key(named: list[tuple[str, str]], top: float) -> list[Markup]:
 
 
 def parallel(p: Parallel) -> Markup:
-    """A line a spring across the axes; the best end of each axis is at the top."""
+    """SVG with one line per spring across the axes; the best end of each axis is at the top."""
     top, bottom, left, right = 46.0, 236.0, 44.0, WIDTH - 44.0
     x = np.linspace(left, right, len(p.axes))
     body = []

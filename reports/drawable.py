@@ -1,4 +1,4 @@
-"""Whether a figure has anything to draw, and the text in its place if it has not."""
+"""Check whether a figure has anything to draw, and the text drawn otherwise."""
 
 from collections.abc import Iterable
 
@@ -62,7 +62,7 @@ def drawable(figure: Figure) -> bool:
 
 
 def _some_points(figure: Curves) -> bool:
-    """Whether any curve or band has a point, on a logarithmic axis a positive one."""
+    """Whether any curve or band has a point (a positive one on a logarithmic axis)."""
     least, first = (0.0 if log else -np.inf for log in (figure.y_log, figure.x_log))
     lines = [(c.x, [c.y]) for c in figure.curves]
     lines += [(b.x, [b.lower, b.upper]) for b in figure.bands]
@@ -77,8 +77,8 @@ def _some_points(figure: Curves) -> bool:
 
 
 def nothing(title: str) -> Markup:
-    """Drawing in place of a figure without points."""
-    said = "nothing to draw with these inputs"
+    """SVG in place of a figure without points."""
+    said = "no values to draw with these inputs"
     words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, said, "tick", "middle")
     return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")
 

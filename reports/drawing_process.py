@@ -1,4 +1,4 @@
-"""The process in which pyvista draws: it starts with the first scenes and draws until closed."""
+"""Process in which pyvista draws; it starts with the first scenes and runs until closed."""
 
 import select
 import signal
@@ -19,7 +19,7 @@ NO_PICTURE = "no picture"
 
 
 class DrawingProcess:
-    """A context. A process that fails after some scenes is replaced for the remaining scenes."""
+    """Context with the process; a process that fails after some scenes is replaced."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
@@ -32,7 +32,7 @@ class DrawingProcess:
         self._end()
 
     def draw(self, scenes: Sequence[Scene], seconds: float) -> tuple[list[bytes], str]:
-        """WebPs, empty if there is none, and the failures of the process."""
+        """WebP images of the scenes (empty for a missing image), and the reason of a failure."""
         if self._broken:
             return [b""] * len(scenes), self._broken
         with tempfile.TemporaryDirectory(prefix="pictures-") as name:
@@ -53,7 +53,7 @@ class DrawingProcess:
         return images, trouble or NO_PICTURE
 
     def _failure(self, folder: str, seconds: float) -> str:
-        """Cause of the failure of the process, in a few words; "" if it reports success."""
+        """Reason of a failure of the process in a few words; "" if it reports success."""
         try:
             process = self._process or self._start()
         except OSError as error:
@@ -63,7 +63,7 @@ class DrawingProcess:
         with suppress(BrokenPipeError):  # the output is complete if the process has ended
             process.stdin.write(f"{folder}\n".encode())
         if not select.select([process.stdout], [], [], seconds)[0]:
-            return f"not done after {seconds:g} s"
+            return f"not finished after {seconds:g} s"
         if process.stdout.readline():
             return ""
         code = process.wait()

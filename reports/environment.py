@@ -1,4 +1,4 @@
-"""The templates of the pages, and their filters."""
+"""Environment of the page templates, with their filters."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -50,14 +50,14 @@ LONG_LIST = 18  # inputs; longer lists have two columns
 
 @dataclass(frozen=True)
 class Cause:
-    """Rows of one case that failed, or were not run, for one reason."""
+    """Rows of one case that failed, or were not run, for the same reason."""
 
     reason: str
     rows: Sequence[Row]
 
 
 def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
-    """Failures, listed once for each cause."""
+    """Failed rows grouped by case and reason."""
     found: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         if row.status is status:
@@ -66,7 +66,10 @@ def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
 
 
 def columns(table: Table) -> list[list[tuple[str, bool]]]:
-    """Cells as text and whether they are numbers, each column with one number of decimals."""
+    """Cells of a table as text, each with whether it is a number.
+
+    One number of decimals per column.
+    """
     shown = []
     for column in zip(*table.rows, strict=True):
         numbers = [formats.number(x) for x in column if isinstance(x, float)]
@@ -81,7 +84,7 @@ def columns(table: Table) -> list[list[tuple[str, bool]]]:
 
 
 def environment(equations: Equations) -> jinja2.Environment:
-    """The templates of the pages, whose formulas `equations` places."""
+    """Environment of the page templates; `equations` collects the formulas of the pages."""
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined, bytecode_cache=COMPILED,
@@ -134,7 +137,7 @@ def environment(equations: Equations) -> jinja2.Environment:
 
 
 def printed(row: Row, kind: str) -> Markup:
-    """Printed entries of one `kind` of the papers."""
+    """Printed values of one `kind` for a row, as text."""
     return formats.prose(", ".join(p.printed for p in row.published if p.kind == kind))
 
 

@@ -1,4 +1,4 @@
-"""Equations of a page as SVG: typst draws all at once, and the page contains each glyph once."""
+"""Equations of a page as SVG; typst draws all at once, and a page contains each glyph once."""
 
 import json
 import re
@@ -20,19 +20,19 @@ _PLACE = re.compile(r"<!--equation (\d+)-->")
 
 
 class Equations:
-    """The equations of one page: collected by `maths`, drawn by `placed`."""
+    """Equations of one page: `maths` collects them, `placed` inserts their drawings."""
 
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
         self._glyphs = Glyphs()
 
     def maths(self, tex: str) -> Markup:
-        """The place of an equation in a page."""
+        """Placeholder of an equation in a page."""
         number = self._numbers.setdefault(tex, len(self._numbers))
         return Markup(f"<!--equation {number}-->")  # noqa: S704 - a number
 
     def placed(self, pages: Sequence[str]) -> list[str]:
-        """Pages with their equations in the colour of the text, read aloud as their source.
+        """Pages with the drawings of their equations; screen readers read the TeX source.
 
         Each page contains the glyphs that it uses.
         """
@@ -42,7 +42,7 @@ class Equations:
         ]
 
     def _drawn(self) -> list[str]:
-        """Every equation, in the order of the requests; its source if it cannot be drawn."""
+        """SVG of every equation in the order of the requests; its source if it cannot be drawn."""
         trees = [_tree_or_none(tex) for tex in self._numbers]
         pages = iter(_pages([found for found in trees if found]))
         return [
@@ -66,9 +66,9 @@ class Equations:
         )
 
     def _shapes(self, parts: Iterable[ET.Element], outlines: dict[str, str]) -> str:
-        """Rules of fractions and roots, and glyphs, each in its place [pt].
+        """SVG of rules (of fractions and roots) and of glyphs at their positions [pt].
 
-        Glyphs on one line have its height once.
+        Glyphs on one line share one height.
         """
         drawn, glyphs = "", []
         for part in parts:
@@ -90,9 +90,10 @@ class Equations:
 
 
 def _run(uses: Sequence[ET.Element], outlines: Mapping[str, str]) -> str:
-    """The outline of glyphs of one part, from the first, in steps of 1/`FINE` pt.
+    """Outline of a run of glyphs, starting at the first, in steps of 1/`FINE` pt.
 
-    They stand side by side, as in "mm", or one above the other, as the pieces of a large bracket.
+    The glyphs are side by side, as in "mm", or one above the other, as the pieces of a large
+    bracket.
     """
     places = [(float(use.attrib["x"]), float(use.attrib["y"])) for use in uses]
     (left, low), *_ = places
@@ -110,7 +111,7 @@ def _tree_or_none(tex: str) -> Node | None:
 
 
 def _pages(trees: Sequence[Node]) -> list[bytes]:
-    """A drawing of each tree; none if typst is missing or fails, as for the PDF."""
+    """SVG pages with a drawing of each tree; empty if typst is missing or fails."""
     if not trees:
         return []
     try:
@@ -133,7 +134,7 @@ def _tight(path: str) -> str:
 
 
 def _in_steps(outline: str, right: float, up: float) -> str:
-    """An outline moved [pt], in whole steps of 1/`FINE` pt, which are short."""
+    """An outline shifted by a distance [pt], in integer steps of 1/`FINE` pt."""
     moved = outline.replace("M 0 0", f"M {right:f} {up:f}", 1)
     return _joined(_NUMBER.sub(lambda number: str(round(FINE * float(number[0]))), moved))
 

@@ -1,4 +1,4 @@
-"""Names of errata in words, from their keys in the ledgers."""
+"""Readable names of errata, derived from their keys in the ledgers."""
 
 import re
 
@@ -8,7 +8,7 @@ KINDS = {"eq": "Eq", "eqs": "Eq", "fig": "Fig", "sec": "Sec", "table": "Table"}
 
 
 def erratum_name(key: str) -> str:
-    """Place and subject of an erratum; the ledger has its places in full.
+    """Name of an erratum with its place and subject.
 
     >>> erratum_name("eq-9-axial-force-per-roller"), erratum_name("eq-3-4-5-first-index")
     ('Eq. 9: axial force per roller', 'Eqs. 3, 4, 5: first index')

@@ -1,4 +1,4 @@
-"""Cells of a grid in an image: filled by class, hatched, crossed, and lines of equal error."""
+"""Drawing of a grid of cells: filled by class, hatched, crossed, with lines of equal error."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,7 +17,10 @@ MOST = 6000  # pieces of a line of equal error: more is no line but noise
 
 @dataclass(frozen=True)
 class Cells:
-    """A grid of `columns` times `rows` cells in a box (left, top, right, bottom), row 0 lowest."""
+    """A grid of `columns` times `rows` cells in a box (left, top, right, bottom).
+
+    Row 0 is lowest.
+    """
 
     box: tuple[float, float, float, float]
     columns: int
@@ -34,7 +37,7 @@ class Cells:
         return (self.box[3] - self.box[1]) / self.rows
 
     def X(self, i: float) -> float:
-        """Abscissa of the left edge of column i; i + 1/2 is its middle."""
+        """Abscissa of the left edge of column i; i + 1/2 is its centre."""
         return self.box[0] + self.wide * i
 
     def Y(self, j: float) -> float:
@@ -42,7 +45,7 @@ class Cells:
         return self.box[3] - self.high * j
 
     def filled(self, member: NDArray[np.bool_], style: str) -> Markup:
-        """The cells (columns, rows) that are members, as one path of runs along rows."""
+        """SVG of the filled cells of `member` (columns, rows), as one path of runs along rows."""
         d = [
             f"M{svg.short(self.X(i))},{svg.short(self.Y(j + 1))}H{svg.short(self.X(i + n))}"
             f"V{svg.short(self.Y(j))}H{svg.short(self.X(i))}z"
@@ -51,11 +54,11 @@ class Cells:
         return Markup('<path class="{}" d="{}"/>').format(style, "".join(d)) if d else Markup("")
 
     def hatched(self, member: NDArray[np.bool_]) -> Markup:
-        """Strokes across the cells that are members."""
+        """SVG of strokes across the cells of `member`."""
         return self._strokes(member, "hatch", both=False)
 
     def crossed(self, member: NDArray[np.bool_]) -> Markup:
-        """A small cross in each cell that is a member."""
+        """SVG of a small cross in each cell of `member`."""
         return self._strokes(member, "none", both=True)
 
     def _strokes(self, member: NDArray[np.bool_], style: str, *, both: bool) -> Markup:
@@ -74,7 +77,7 @@ class Cells:
         return Markup('<path class="{}" d="{}"/>').format(style, "".join(d)) if d else Markup("")
 
     def line(self, field: Array, level: float, style: str) -> Markup:
-        """Contour at which a field (columns, rows), given in mid-cell, has the value `level`."""
+        """SVG of the contour at which a field (columns, rows) at cell centres equals `level`."""
         pieces = isoline(field, level) + 0.5
         if not 0 < len(pieces) <= MOST:
             return Markup("")
@@ -87,10 +90,10 @@ class Cells:
 
 
 def isoline(field: Array, level: float) -> Array:
-    """Straight pieces (k, 2, 2) along which a field passes a level, in indices of its points.
+    """Straight pieces (k, 2, 2) of the contour of a field at a level, in indices of its points.
 
-    Linear in the four triangles between the corners of a square and its middle, which has their
-    mean value; no line if a corner is not finite.
+    The field is interpolated linearly in the four triangles between the corners of a square and its
+    centre, which has their mean value. There is no contour if a corner is not finite.
     """
     z = np.asarray(field, dtype=float) - level
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -115,7 +118,10 @@ def isoline(field: Array, level: float) -> Array:
 
 
 def _through(sides: list[tuple[Array, Array, Array, Array]]) -> list[Array]:
-    """Pieces between two of a triangle's sides, each from a point and value to another."""
+    """Pieces of the contour between two sides of a triangle.
+
+    Each side is given by two points with their values.
+    """
     crossed, places = [], []
     for a, u, b, v in sides:
         with np.errstate(invalid="ignore", divide="ignore"):

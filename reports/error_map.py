@@ -16,7 +16,7 @@ HUNDRED = 0.995  # larger errors are reported as such: a number of per cent adds
 
 
 def error_map(m: Map) -> Markup:
-    """Cells with the signed error in per cent; the boundary of each limit's region is drawn."""
+    """SVG of cells with the signed error in per cent and the boundaries between the limits."""
     error = np.asarray(m.error, dtype=float)
     rows, columns = error.shape
     width = (WIDTH - LEFT - RIGHT) / columns
@@ -47,7 +47,7 @@ def error_map(m: Map) -> Markup:
 
 
 def percent(error: float) -> str:
-    """A signed error in per cent, two digits."""
+    """Text of a signed error in per cent with two digits."""
     if abs(error) >= HUNDRED:
         return f"{'>' if error > 0 else '<' + svg.MINUS}99"
     hundredths = 100 * error
@@ -57,7 +57,7 @@ def percent(error: float) -> str:
 
 
 def _steps(error: Array, classes: NDArray[np.int64], width: float, bottom: float) -> list[Markup]:
-    """Lines between neighbouring cells of different classes."""
+    """SVG of lines between neighbouring cells of different classes."""
     rows, columns = error.shape
     shown = np.where(np.isfinite(error), classes, -1)
     found = []
@@ -71,7 +71,7 @@ def _steps(error: Array, classes: NDArray[np.int64], width: float, bottom: float
 
 
 def _key(m: Map, top: float) -> tuple[list[Markup], int]:
-    """Explanation of shades and dots, as many per line as fit; and the number of lines."""
+    """SVG of the key of shades and dots, as many per line as fit, and the number of lines."""
     named = [(f"m{min(i, SHADES)}", f"within {limit:.0%}") for i, limit in enumerate(m.limits)]
     named.append((f"m{SHADES}", f"beyond {m.limits[-1]:.0%}"))
     if not np.all(np.isfinite(m.error)):

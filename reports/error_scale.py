@@ -1,7 +1,8 @@
-"""Colours of a formula's signed error: by its smallest limit, the same in every map.
+"""Colours of a formula's signed error by its smallest limit, the same in every map.
 
-Orange: the formula is above finite elements; blue: below; a larger error has a darker colour.
-Errors below a quarter of the first limit have no colour, because rounding is no pattern.
+Orange means that the formula exceeds finite elements; blue means that it is below them. A larger
+error has a darker colour. Errors below a quarter of the first limit have no colour, because their
+pattern is only rounding.
 """
 
 from collections.abc import Sequence
@@ -29,21 +30,21 @@ def edges(limits: Sequence[float]) -> tuple[float, ...]:
 
 
 def classes(error: Array, limits: Sequence[float]) -> NDArray[np.int64]:
-    """The class of each error, with its sign; UNSOLVED without an error."""
+    """Signed class of each error; UNSOLVED if there is no error."""
     size = np.minimum(np.searchsorted(edges(limits), np.abs(error), side="left"), DEEPEST)
     signed = np.where(error < 0, -size, size)
     return np.where(np.isfinite(error), signed, UNSOLVED).astype(np.int64)
 
 
 def css(number: int) -> str:
-    """The style of a class."""
+    """CSS class of an error class."""
     if number == UNSOLVED:
         return "unsolved"
     return f"{'over' if number > 0 else 'under'}{abs(number)}" if number else "exact"
 
 
 def scale(left: float, top: float, width: float, limits: Sequence[float]) -> list[Markup]:
-    """All colours side by side, with the limits below."""
+    """SVG of all colours side by side, with the limits below."""
     ends = edges(limits)
     step = width / (2 * len(ends) + 1)
     drawn = []

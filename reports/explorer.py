@@ -1,4 +1,4 @@
-"""The validity explorer: stored points as data of its script, and their places on its page."""
+"""Validity explorer: stored points as data of its script, and their places on its page."""
 
 import json
 import math
@@ -28,19 +28,19 @@ DECIMALS = 7  # of errors, which are relative; the page has them as whole number
 
 @dataclass(frozen=True)
 class OfCase:
-    """The stored studies of a case."""
+    """Stored studies of a case."""
 
     case: CaseResult
     studies: tuple[StoredStudy, ...]
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """The formulas compared, each once."""
+        """Names of the compared formulas, each once."""
         return tuple(dict.fromkeys(f.quantity for s in self.studies for f in s.formulas))
 
 
 def of_cases(report: Report) -> list[OfCase]:
-    """The cases that have stored studies, in the order of the run."""
+    """Cases that have stored studies, in the order of the run."""
     found = {
         case.id: tuple(s for s in report.studies if s.case == case.id) for case in report.cases
     }
@@ -48,7 +48,7 @@ def of_cases(report: Report) -> list[OfCase]:
 
 
 def places(report: Report, anchors: Mapping[str, str]) -> dict[str, str]:
-    """Places of the tables of a case and of its formulas on the page; by case and by row."""
+    """Places on the page for the tables of each case and of its formulas, by case and by row."""
     found = {}
     for one in of_cases(report):
         found[one.case.id] = f"explore-{one.case.id}"
@@ -100,14 +100,14 @@ def _axis(axis: StudyAxis) -> dict[str, Any]:
 
 
 def unit(of: StudyAxis | ScaleInput) -> str:
-    """The unit of an input, nothing for a plain number."""
+    """Unit of an input; empty for a plain number."""
     return "" if of.unit == "1" else of.unit
 
 
 def _formula(
     one: OfCase, quantity: str, anchors: Mapping[str, str], verdicts: Sequence[FormulaVerdict]
 ) -> dict[str, Any]:
-    """A formula with its errors in each study that compares it."""
+    """Record of a formula with its errors in each study that compares it."""
     row = f"{one.case.id}/{quantity}"
     found = [
         (n, f) for n, s in enumerate(one.studies) for f in s.formulas if f.quantity == quantity
@@ -123,7 +123,10 @@ def _formula(
 
 
 def _errors(formula: StudiedFormula) -> list[Any]:
-    """Errors and bars at the points of a study, null at points without a value; their problems."""
+    """Errors and error bars at the points of a study, and problems.
+
+    Null at points without a value.
+    """
     problems = {n: problem for n, problem in enumerate(formula.problems) if problem}
     return [_numbers(formula.error), _numbers(formula.U), *([problems] if problems else [])]
 

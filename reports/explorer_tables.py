@@ -1,4 +1,4 @@
-"""Stored points as tables, which need no script."""
+"""Tables of stored points for pages without a script."""
 
 import math
 from collections.abc import Iterator
@@ -17,10 +17,10 @@ NO_DIGIT = 0.005  # of an error: a smaller bar changes none of its three digits
 
 @dataclass(frozen=True)
 class Line:
-    """A formula with errors in per cent; for a grid, at one `value` of its first axis.
+    """A line with the errors of a formula in per cent.
 
-    `lines` is the number of lines of the formula for the first line, and zero for the others. One
-    error may apply to all points.
+    For a grid, at one `value` of its first axis. `lines` is the number of lines of the formula for
+    its first line, and zero for its other lines. A single error may apply to all points.
     """
 
     quantity: str
@@ -30,7 +30,7 @@ class Line:
 
 
 def head(study: StoredStudy) -> list[Markup]:
-    """The columns: the points of a star, or the values of a grid's last axis."""
+    """Column heads: the points of a star, or the values of the last axis of a grid."""
     if not study.is_star:
         return [_value(study.axes[-1], v) for v in _values(study, -1)]
     own = study.points[0]
@@ -43,7 +43,7 @@ def head(study: StoredStudy) -> list[Markup]:
 
 
 def lines(study: StoredStudy) -> Iterator[Line]:
-    """The lines, of a grid one for each value of the first axis."""
+    """Lines of the table; for a grid, one for each value of the first axis."""
     for f in study.formulas:
         errors = tuple(in_percent(e, U) for e, U in zip(f.error, f.U, strict=True))
         if set(errors) == {TINY}:
@@ -64,7 +64,10 @@ def _of_grid(study: StoredStudy, quantity: str, errors: tuple[str, ...]) -> Iter
 
 
 def in_percent(error: float, U: float) -> str:
-    """An error with its bar, "−17.2 ± 0.3"; a bar that changes no digit is omitted."""
+    """Text of an error with its bar, such as "−17.2 ± 0.3".
+
+    A bar that changes no digit is omitted.
+    """
     if not math.isfinite(error + U):
         return "–"
     size = 100 * abs(error)
@@ -76,7 +79,7 @@ def in_percent(error: float, U: float) -> str:
 
 
 def _digits(value: float, count: int) -> str:
-    """So many significant digits of a number; 0 far below LEAST."""
+    """Text of a number with the given significant digits; "0" far below LEAST."""
     return decimal(value, count) if value >= LEAST / 10 else "0"
 
 

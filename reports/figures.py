@@ -1,4 +1,4 @@
-"""The drawing of each kind of figure."""
+"""Drawing of all kinds of figures."""
 
 import weakref
 
@@ -36,7 +36,7 @@ _plots: dict[int, Markup] = {}  # of the figures that are in use, by their ident
 
 
 def plot(figure: Figure) -> Markup:
-    """The drawing of a figure, or a note if it has no points; made once for page and PDF."""
+    """SVG of a figure, or a note if it has no points; made once for page and PDF."""
     key = id(figure)
     if key not in _plots:
         _plots[key] = _plot(figure)

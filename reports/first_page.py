@@ -40,12 +40,12 @@ class Group:
 
     @property
     def first(self) -> FormulaVerdict:
-        """The one whose verdict and evidence the line shows."""
+        """Formula whose verdict and evidence are printed in the line."""
         return self.formulas[0]
 
     @property
     def name(self) -> str:
-        """The equations: "Eqs. 1, 2, 4"."""
+        """Names of the equations, such as "Eqs. 1, 2, 4"."""
         numbers = [v.name.removeprefix("Eq. ") for v in self.formulas]
         if len(numbers) == 1:
             return self.first.name
@@ -53,14 +53,14 @@ class Group:
 
     @property
     def what(self) -> str:
-        """Quantities that the equations give, the first MOST_NAMED."""
+        """Quantities that the equations give; only the first MOST_NAMED are listed."""
         each = list(dict.fromkeys(v.what for v in self.formulas))
         more = len(each) - MOST_NAMED
         return "; ".join(each[:MOST_NAMED]) + (f"; and {more} more" if more > 0 else "")
 
 
 def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
-    """Formulas that need verification; those with one verdict and evidence are one group."""
+    """Groups of formulas that need verification; a group has one verdict and evidence."""
     found: dict[tuple[object, ...], list[FormulaVerdict]] = {}
     for v in verdicts:
         if v.verdict is Verdict.DEFINITION:
@@ -73,7 +73,7 @@ def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
 
 @dataclass(frozen=True)
 class Task:
-    """A question of a designer, the formulas that answer it, the command, and worked examples."""
+    """A question of a designer, with the formulas that answer it, the command, and examples."""
 
     what: str
     formulas: Sequence[FormulaVerdict]
@@ -83,12 +83,12 @@ class Task:
 
 @cache
 def stated() -> Mapping[str, Any]:
-    """The file of claims and tasks."""
+    """Content of the file of claims and tasks."""
     return tomllib.loads(FILE.read_text("utf-8"))
 
 
 def paper_parts(report: Report) -> list[PaperPart]:
-    """The papers of a run in the order of their ledgers."""
+    """Papers of a run, in the order of their ledgers."""
     about, short = {one["key"]: one for one in stated()["papers"]}, named(report.papers)
     return [
         _part(report, about[paper["key"]], paper, short[paper["key"]])
@@ -117,7 +117,7 @@ def compared(table: PaperTable) -> bool:
 
 
 def tasks(report: Report) -> Mapping[str, list[Task]]:
-    """The tasks by part, with the verdicts of their formulas."""
+    """Tasks by part, with the verdicts of their formulas."""
     known = {v.id: v for v in advised(report.verdicts)}
     present = {case.id for case in report.cases}
     found: dict[str, list[Task]] = {}

@@ -1,4 +1,4 @@
-"""Format of numbers, symbols and equations on the page."""
+"""Format of numbers, symbols and texts on the page."""
 
 import math
 import re
@@ -24,16 +24,16 @@ _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
 
 def symbol(text: str) -> Markup:
-    """u_r(r_i) as italic letters with lowered indices."""
+    """HTML of a symbol such as u_r(r_i): italic letters with lowered indices."""
     return Markup("<var>{}</var>").format(
         Markup(re.sub(r"_([^\s()/|^*²³]+)", r"<sub>\1</sub>", str(escape(text))))  # noqa: S704
     )
 
 
 def prose(text: str) -> Markup:
-    """Running text in which symbols such as k_1 have a lowered index, m^2 a power.
+    """HTML of running text: symbols such as k_1 have a lowered index, m^2 a raised exponent.
 
-    The path of a module may be broken only behind its dots.
+    The path of a module may be broken only after its dots.
     """
 
     def lowered(match: re.Match[str]) -> str:
@@ -46,7 +46,7 @@ def prose(text: str) -> Markup:
 
 
 def linked(text: str) -> Markup:
-    """Running text in which "ledger paper:entry" links to that entry."""
+    """HTML of running text in which "ledger paper:entry" links to that entry."""
     return Markup(  # noqa: S704 - escaped by prose
         _LEDGER.sub(_erratum, str(prose(text)))
     )
@@ -58,7 +58,7 @@ def _erratum(entry: re.Match[str]) -> str:
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:
-    """Six significant digits, a true minus, a dash for nothing."""
+    """Text of a number with six significant digits and a true minus; a dash for None."""
     if value is None:
         return "–"
     if isinstance(value, str):
@@ -69,14 +69,17 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
 
 
 def decimal(size: float, digits: int) -> str:
-    """Significant digits of a number that is not negative, or its whole part; no exponent."""
+    """Text of a non-negative number with significant digits and without exponent.
+
+    If it has more digits before the point, only its integer part is printed.
+    """
     if size >= 10**digits:
         return f"{size:.0f}"
     return np.format_float_positional(size, precision=digits, fractional=False, trim="-")
 
 
 def written(value: float | int | str | None) -> str | Markup:
-    """A number formatted by `number`; 1.18e-08 as a power of ten."""
+    """Text of a number as by `number`; 1.18e-08 becomes a power of ten."""
     mantissa, e, exponent = number(value).partition("e")
     if isinstance(value, str) or not e:
         return number(value)
@@ -85,16 +88,16 @@ def written(value: float | int | str | None) -> str | Markup:
 
 
 def small(value: float | None, digits: int = 6) -> str | Markup:
-    """A number, as a power of ten if its decimals are too many to read."""
+    """Text of a number, as a power of ten if it has too many decimals."""
     if value is not None and 0 < abs(value) < 1e-4:
         return power(value)
     return number(value, digits)
 
 
 class Shown(NamedTuple):
-    """Formula, and reference with its standard uncertainty in brackets: 0.5817896(40).
+    """Texts of formula and reference, the latter with its uncertainty in brackets: 0.5817896(40).
 
-    `by` names the reference unless it is finite elements.
+    `by` is the name of the reference, empty for finite elements.
     """
 
     formula: str
@@ -103,7 +106,7 @@ class Shown(NamedTuple):
 
 
 def values(row: Row) -> Shown:
-    """Formula and reference with as many decimals as u has: 0.5820205 and 0.5817896(40).
+    """Texts of formula and reference with decimals by u, such as 0.5820205 and 0.5817896(40).
 
     The digits in brackets are u in units of the last decimal.
     """
@@ -128,10 +131,10 @@ def _is_printed(row: Row) -> bool:
 
 
 def concise(value: float, u: float) -> tuple[str, int]:
-    """A value with two digits of its uncertainty in brackets, and its number of decimals.
+    """Text of a value with its uncertainty in brackets (two digits), and its number of decimals.
 
-    No more than nine digits of the value, which a table has room for: the last one's bracket is
-    then no less than u.
+    The value has at most nine digits, for which a table has space. If this limit applies, the
+    uncertainty in brackets is rounded up to at least one unit of the last digit.
     """
     size = math.floor(math.log10(abs(value))) if value else 0
     decimals = max(min(1 - int(f"{u:.1e}".partition("e")[2]), 8 - size), 0)
@@ -140,12 +143,12 @@ def concise(value: float, u: float) -> tuple[str, int]:
 
 
 def difference(row: Row) -> Markup:
-    """Formula less reference in percent of the reference, or of the scale that is named."""
+    """Text of the difference of a row in per cent of the reference, or of the named scale."""
     return _cell(difference_texts(row)[0])
 
 
 def tolerance(row: Row) -> Markup:
-    """The ends of the expected interval, or the uncertainty that is allowed, as `difference`."""
+    """Text of the expected interval or of the allowed uncertainty, as by `difference`."""
     text = difference_texts(row)[1]
     if not text and row.tolerance is not None and row.kind is not Kind.FACT:
         return relative(row, "tolerance")
@@ -153,27 +156,30 @@ def tolerance(row: Row) -> Markup:
 
 
 def relative(row: Row, name: str) -> Markup:
-    """An uncertainty of the row in percent of the divisor of its difference."""
+    """Text of an uncertainty of the row in per cent of the divisor of its difference."""
     value, size = getattr(row, name), divisor(row)
     return fraction(row, value / size) if value is not None and size else Markup("–")
 
 
 def fraction(row: Row, value: float | None, *, signed: bool = False) -> Markup:
-    """A fraction in percent; of a balance or an order unchanged."""
+    """Text of a fraction in per cent; for a balance or an order, the plain number."""
     if row.kind in (Kind.EXACT, Kind.TREND):
         return power(value)
     return percents(value, signed=signed)
 
 
 def percents(value: float | None, *, signed: bool = False) -> Markup:
-    """A fraction as a percentage with two significant digits, a dash for none."""
+    """Text of a fraction in per cent with two significant digits; a dash for None."""
     if value is None or not math.isfinite(value):
         return Markup("–")
     return _cell(f"{significant(100 * value, 2, signed=signed)} %")
 
 
 def _cell(text: str) -> Markup:
-    """A text of numbers with true minuses and powers of ten; an interval, a scale on two lines."""
+    """HTML of a text with numbers, true minuses and powers of ten.
+
+    An interval, or a value with the name of its scale, has two lines.
+    """
     if not text:
         return Markup("–")
     value, of, name = text.partition(" of ")
@@ -190,7 +196,7 @@ def _raised(match: re.Match[str]) -> str:
 
 
 def order(row: Row) -> str:
-    """Observed order of convergence, or the word for why there is none."""
+    """Text of the observed order of convergence, or of the reason why there is none."""
     found = row.fem if row.kind == "fact" else row.order
     if isinstance(found, str):
         return found
@@ -198,7 +204,10 @@ def order(row: Row) -> str:
 
 
 def power(value: float | None, *, signed: bool = False, digits: int = 1) -> Markup:
-    """2.1e-8 as 2.1×10⁻⁸, with the given digits after the point; 2.5 unchanged."""
+    """HTML of a number as a power of ten: 2.1e-8 gives 2.1×10⁻⁸; 2.5 is unchanged.
+
+    `digits` is the number of digits after the point.
+    """
     if value is None or not math.isfinite(value):
         return Markup("–")
     if value == 0:

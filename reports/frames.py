@@ -1,4 +1,4 @@
-"""A drawn field in its frame: the bitmap, the outline before loading, colour bar and labels."""
+"""Picture of a field with its frame: bitmap, undeformed outline, colour bar, labels."""
 
 import base64
 import math
@@ -39,7 +39,7 @@ def frames(
     cases: Sequence[CaseResult], cache: Path | None, hint: str = "",
     process: DrawingProcess | None = None,
 ) -> Mapping[str, list[Frame]]:  # fmt: skip
-    """The pictures of each case for which it has the field, by case id."""
+    """Pictures of each case for which it has the field, by case id."""
     wanted = [
         (case.id, field, picture)
         for case in cases
@@ -53,13 +53,13 @@ def frames(
     for (case_id, field, picture), result in zip(wanted, drawn, strict=True):
         found[case_id].append(frame(picture, result))
         if picture.width:
-            note = f"{picture.caption}: the line swept over its whole width."
+            note = f"{picture.caption}: the centre line is extended over the width of the strip."
             found[case_id].append(Frame(picture.caption, note, view=viewer(field, picture)))
     return found
 
 
 def frame(picture: Picture, drawn: Drawn) -> Frame:
-    """The picture with its outline, colour bar and the scale factor of its deformation."""
+    """Picture with its outline, colour bar and the scale factor of its deformation."""
     k = WIDTH / drawn.width
     height = k * drawn.height
     x0, y0, x1, y1 = drawn.rectangle
@@ -70,8 +70,8 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
             height * (y1 - point[1]) / (y1 - y0),
         )
 
-    less = ", less their mean in the window" if picture.window else ""
-    times = f"Displacements × {svg.plain(drawn.exaggeration)}{less}; dashed: before loading."
+    less = ", relative to their mean in the window" if picture.window else ""
+    times = f"Displacements × {svg.plain(drawn.exaggeration)}{less}; dashed: undeformed outline."
     moved = times if drawn.exaggeration else ""
     data = base64.b64encode(drawn.image).decode()
     body = [
@@ -96,7 +96,7 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
 
 
 def _clipped(lines: Sequence[Markup], name: str, height: float) -> Markup:
-    """Lines clipped to the picture, because a window displays a part of them."""
+    """SVG of lines clipped to the picture, because a window displays only a part of them."""
     return Markup(
         '<defs><clipPath id="clip-{0}"><rect width="{1:g}" height="{2:.1f}"/></clipPath></defs>'
         '<g clip-path="url(#clip-{0})">{3}</g>'
@@ -109,7 +109,7 @@ def _name(picture: Picture, drawn: Drawn) -> str:
 
 
 def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
-    """The ramp with round numbers below and the symbol beside it; nothing for a plain picture."""
+    """SVG of the colour bar with round numbers and symbol; empty for a picture without data."""
     if not drawn.ramp:
         return []
     name = f"ramp-{_name(picture, drawn)}"
@@ -135,7 +135,10 @@ def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
 
 
 def _named(picture: Picture, drawn: Drawn) -> list[tuple[float, str]]:
-    """Places along the bar with their numbers: round numbers; if few fit, 1, 2 and 5 per decade."""
+    """Positions along the bar with their numbers.
+
+    They are round numbers; on a logarithmic bar, powers of ten, or 1, 2 and 5 per decade.
+    """
     low, high = drawn.low, drawn.high
     if not picture.decades:
         return [(v, svg.plain(v)) for v in svg.ticks(low, high, 4)]

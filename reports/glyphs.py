@@ -25,11 +25,11 @@ class Glyphs:
         self._numerals: dict[Run, str] = {}  # names of glyphs close together, as in a number
 
     def name(self, outline: str) -> str:
-        """The name of a glyph or of a run of glyphs, as of "mm", by its outline."""
+        """Name of a glyph, or of a run of glyphs such as "mm", by its outline."""
         return self._names.setdefault(outline, f"g{len(self._names)}")
 
     def line(self, y: float, glyphs: Sequence[Placed]) -> str:
-        """Glyphs of one height: in a group where that is shorter."""
+        """SVG of glyphs on one line; in a group if that is shorter."""
         if len(glyphs) < FEW:
             return "".join(f'<use href="#{name}"{_at("x", x)}{_at("y", y)}/>' for name, x in glyphs)
         uses = _uses([self._numeral(run) for run in _close(glyphs)])
@@ -59,7 +59,7 @@ class Glyphs:
         return _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', named)
 
     def _numeral(self, run: Sequence[Placed]) -> Placed:
-        """A single glyph as it is, several close ones under a name."""
+        """A single glyph without change; several close glyphs under a common name."""
         if len(run) == 1:
             return run[0]
         start = run[0][1]
@@ -68,13 +68,13 @@ class Glyphs:
 
 
 def _letters(number: int) -> str:
-    """A short name: a to z, A to Z, aa to ZZ and so on; no other place of a page has such a one."""
+    """Short name for a number: a to z, A to Z, aa to ZZ and so on."""
     rest, last = divmod(number, len(ascii_letters))
     return (_letters(rest - 1) if rest else "") + ascii_letters[last]
 
 
 def _close(glyphs: Sequence[Placed]) -> list[list[Placed]]:
-    """Glyphs of a line, parted where one is farther from the one before than a digit."""
+    """Glyphs of a line, split where the distance between two glyphs exceeds a digit."""
     runs = [[glyphs[0]]]
     for before, one in pairwise(glyphs):
         if 0 < one[1] - before[1] <= NEAR:
@@ -89,12 +89,12 @@ def _uses(glyphs: Sequence[Placed], start: float = 0.0) -> str:
 
 
 def _at(name: str, value: float) -> str:
-    """A coordinate as an attribute; none at zero."""
+    """A coordinate as an attribute; empty at zero."""
     text = short(value, 1)
     return "" if text == "0" else f' {name}="{text}"'
 
 
 def short(number: float, decimals: int) -> str:
-    """2.5, 3, .4 and -.4."""
+    """Text of a number as short as possible: 2.5, 3, .4 and -.4."""
     text = f"{number:.{decimals}f}".rstrip("0").rstrip(".")
     return re.sub(r"^(-?)0\.", r"\1.", text) if text not in ("-0", "") else "0"

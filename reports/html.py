@@ -1,4 +1,7 @@
-"""The report as one self-contained page: no network; its scripts only move views in space."""
+"""The report as one self-contained page without network access.
+
+Its scripts only rotate views and animate modes.
+"""
 
 import base64
 import hashlib
@@ -27,9 +30,10 @@ STYLES = ("palette.css", "report.css", "figures.css")
 WORDS = {
     Status.FAIL: "outside the tolerance, insufficient sensitivity or not converged",
     Status.SKIP: "not run",
-    Status.NOTE: "a printed value proved wrong, with its erratum, or adopted unchanged; not judged",
-    Status.CALIBRATED: "agrees with fitted inputs: no evidence",
-    Status.SHOWN: "measured, not judged: no stated uncertainty or no expected error",
+    Status.NOTE: "a printed value that is proved wrong (with its erratum) or is used unchanged; "
+    "not judged",
+    Status.CALIBRATED: "agrees, but with fitted inputs: this is no evidence",
+    Status.SHOWN: "measured but not judged: the uncertainty or the expected error is unknown",
     Status.PASS: "within a derived tolerance",
 }
 
@@ -73,7 +77,7 @@ def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, 
 
 
 def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
-    """Each warning once, with the cases that give it."""
+    """Warnings, each listed once, with the cases that give it."""
     found: dict[str, list[str]] = {}
     for case in cases:
         for text in case.warnings:
@@ -82,12 +86,15 @@ def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
 
 
 def partly(report: Report) -> str:
-    """Statement of the results of the papers that a partial run omits; empty for a complete run."""
+    """Statement about results of papers that a partial run omits; empty for a complete run."""
     without = report.provenance.get("left_out", 0)
     if without <= 0:
         return ""
     count = f"{len(report.cases)} of {len(report.cases) + without} cases"
-    return f"This run holds {count}: numbers claimed by other cases count as unclaimed here."
+    return (
+        f"This run contains {count}: numbers that only other cases compare are listed as not "
+        "compared."
+    )
 
 
 def title(report: Report) -> str:
@@ -106,7 +113,7 @@ def styles() -> str:
 
 
 def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
-    """The anchor of each row by its id: case and number, the same in every run of the case."""
+    """Anchor of each row by its id: case and number, the same in every run of the case."""
     count: dict[str, int] = {}
     cases = {case: i for i, case in enumerate(dict.fromkeys(row.case for row in rows))}
     found: dict[str, str] = {}
@@ -133,7 +140,7 @@ def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
 
 
 def script_of(cases: Sequence[CaseResult], frames: Mapping[str, Sequence[Frame]]) -> str:
-    """Script that moves the views and the mode shapes of these cases; empty if not needed."""
+    """Script for the rotatable views and the mode shapes of these cases; empty if not needed."""
     views = any(frame.view for case in cases for frame in frames.get(case.id, ()))
     modes = any(isinstance(f, Whirl) and drawable(f) for case in cases for f in case.figures)
     names = ["viewer.js"] * views + ["whirl.js"] * modes
@@ -146,7 +153,7 @@ def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
 
 
 def script_source(script: str) -> str:
-    """Source that the content security policy permits: this script or none."""
+    """Source that the content security policy permits: this script, or none."""
     if not script:
         return "'none'"
     return f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"

@@ -1,4 +1,4 @@
-"""Verified results, one line a case: for the head of the page and as a table for a README."""
+"""Results of each case in one line, for the top of the page and as a Markdown table."""
 
 import math
 from collections import Counter
@@ -17,7 +17,10 @@ JUDGED = (Kind.IDENTITY, Kind.APPROXIMATION)
 
 @dataclass(frozen=True)
 class CaseLine:
-    """A case in one line; the last two are over its identities and approximations."""
+    """Results of a case in one line.
+
+    `difference` and `seen` (detection limit) are the largest over identities and approximations.
+    """
 
     case: str
     what: str
@@ -28,13 +31,13 @@ class CaseLine:
 
 
 def cases_in_short(report: Report) -> list[CaseLine]:
-    """One line a case."""
+    """Lines with the results of each case."""
     short = named(report.papers)
     return [_line(case, where(case, short)) for case in report.cases]
 
 
 def markdown(report: Report) -> str:
-    """One line a case as a table in Markdown."""
+    """Markdown table with one line for each case."""
     lines = (
         f"| `{v.case}` | {_cell(v.what)} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
         for v in cases_in_short(report)
@@ -43,12 +46,12 @@ def markdown(report: Report) -> str:
 
 
 def _cell(text: str) -> str:
-    """Text of a cell, whose bars would end it."""
+    """Text of a cell with escaped bars."""
     return text.replace("|", r"\|")
 
 
 def first_author(authors: str, year: int | None) -> str:
-    """The first author's name and the year."""
+    """First author's name and year."""
     return f"{authors.split(',')[0].split()[-1]} {year or ''}".strip()
 
 
@@ -81,7 +84,7 @@ def _relative(row: Row) -> float:
 
 
 def _largest(values: Sequence[float]) -> str:
-    """The largest with two digits, rounded up, in per cent; a dash for none."""
+    """Text of the largest value with two digits, rounded up, in per cent; a dash for none."""
     if not values or max(values) <= 0:
         return "–" if not values else "0 %"
     percent = 100 * max(values)

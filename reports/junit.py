@@ -1,4 +1,4 @@
-"""junit.xml: one suite a case, one test a row, for continuous-integration servers."""
+"""Content of junit.xml for continuous integration: one suite per case, one test per row."""
 
 from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
@@ -8,7 +8,7 @@ from verify.core.results import CaseResult, Report, Row, Status
 
 
 def junit(report: Report) -> str:
-    """The whole run; FAIL is a failure, SKIP is skipped, everything else passes."""
+    """XML of the whole run; FAIL is a failure, SKIP is skipped, every other status passes."""
     suites = "\n".join(_suite(case) for case in report.cases)
     seconds = sum(case.seconds for case in report.cases)
     head = f"<testsuites {_counts(report.rows, seconds)}>"
@@ -16,14 +16,14 @@ def junit(report: Report) -> str:
 
 
 def _suite(case: CaseResult) -> str:
-    """A case; each row takes an equal share of its time, for they are computed together."""
+    """XML of a case; its time is divided equally among its rows, which are computed together."""
     tests = "\n".join(_test(row, case.seconds / len(case.rows)) for row in case.rows)
     head = f"<testsuite name={_attribute(case.id)} {_counts(case.rows, case.seconds)}>"
     return f"{head}\n{tests}\n</testsuite>"
 
 
 def _test(row: Row, seconds: float) -> str:
-    """A row; servers use the part before the last point of the class name as its package."""
+    """XML of a row; servers use the part before the last dot of the class name as its package."""
     head = (
         f"<testcase classname={_attribute(f'freewheel.{row.case}')} "
         f'name={_attribute(row.quantity)} time="{seconds:.6f}">'

@@ -1,4 +1,4 @@
-"""Places of names without overlap."""
+"""Placement of names without overlap."""
 
 from collections.abc import Sequence
 
@@ -12,10 +12,10 @@ TALL = 12.0
 def spread(
     targets: Sequence[float], room: Sequence[float], within: tuple[float, float] | None = None
 ) -> list[float]:
-    """Centres in the order of `targets`, as near to them as their widths `room` allow.
+    """Centres in the order of `targets`, as close to them as their widths `room` allow.
 
-    Least squares: overlapping neighbours form blocks, which are at the mean of their targets.
-    `within` limits the centres if there is room.
+    The solution is by least squares: overlapping neighbours form blocks, which are at the mean of
+    their targets. `within` limits the centres if there is enough space.
     """
     if not len(targets):
         return []
@@ -35,7 +35,7 @@ def spread(
 
 
 def beside(x: float, y: float, wide: float, frame: Box, taken: Sequence[Box]) -> tuple[Place, Box]:
-    """Place for a name beside a point, in the `frame` and, if possible, outside of `taken`."""
+    """Place for a name beside a point, inside `frame` and, if possible, outside `taken`."""
     best: tuple[float, Place, Box] | None = None
     for down in (-6.0, 14.0, 4.0, -18.0, 26.0):
         for anchor, left in (("end", x - 7 - wide), ("start", x + 7)):

@@ -1,4 +1,4 @@
-"""Links between the pages of a report: the page of a place, and the address of it."""
+"""Links between the pages of a report: page and address of each place."""
 
 import re
 
@@ -26,19 +26,19 @@ _ID = re.compile(r'\bid="([^"]+)"')
 
 
 def path_of(name: str) -> str:
-    """The path of the page of a case or section."""
+    """Path of the page of a case or section."""
     return f"{FOLDER}/{name}.html"
 
 
 class Places:
-    """The page of a place, by its name."""
+    """Pages of places, by the name of the place."""
 
     def __init__(self, report: Report) -> None:
         self._cases = [case.id for case in report.cases]
         self._by_row = list(dict.fromkeys(row.case for row in report.rows))
 
     def page(self, place: str) -> str | None:
-        """The path of the page; None for a place that exists on every page."""
+        """Path of the page of a place; None for a place that exists on every page."""
         kind, _, rest = place.partition("-")
         if place in OTHERS:
             return path_of(OTHERS[place])
@@ -50,7 +50,7 @@ class Places:
 
 
 def linked(name: str, page: str, places: Places) -> str:
-    """A page whose links to places on other pages are relative to its path."""
+    """A page in which links to places on other pages are relative to its path."""
     here = set(_ID.findall(page))
 
     def link(found: re.Match[str]) -> str:
@@ -65,7 +65,7 @@ def linked(name: str, page: str, places: Places) -> str:
 
 
 def _path(here: str, there: str) -> str:
-    """The relative path from one page to another, both in the folder of the report."""
+    """Relative path from one page to another, both in the folder of the report."""
     if here == FIRST:
         return there
     return there.removeprefix(f"{FOLDER}/") if there.startswith(f"{FOLDER}/") else f"../{there}"

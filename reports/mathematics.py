@@ -1,4 +1,4 @@
-"""TeX as a tree of plain lists, for programs that typeset mathematics but cannot read TeX.
+"""Conversion of TeX into a tree of plain lists, for programs that cannot read TeX.
 
 A node is a name followed by its parts: "row" (nodes), "letter" and "sign" (a character each),
 "upright", "function" and "words" (a string each), "fraction" (two nodes), "scripts" (base, below
@@ -26,7 +26,7 @@ DELIMITERS = {"(": ")", "[": "]", "{": "}", "|": "|", "‖": "‖", "⟨": "⟩"
 
 @lru_cache(maxsize=1024)
 def tree(tex: str) -> Node:
-    """TeX as nested lists; raises ValueError for TeX that is not supported."""
+    """TeX as nested lists. Raises ValueError for TeX that is not supported."""
     spaced = tex.replace(r"\mathrm{", r"\mathrm {")  # or one letter is read as an italic one
     return _row(list(convert_to_element(spaced)))
 
@@ -35,11 +35,11 @@ def _node(e: Element) -> Node:
     try:
         return KNOWN[e.tag](e)
     except KeyError:
-        raise ValueError(f"mathematics: no rule for {e.tag}") from None
+        raise ValueError(f"the TeX element {e.tag} is not supported") from None
 
 
 def _row(elements: Sequence[Element]) -> Node:
-    """Elements in a row: fences that belong together stretch, upright letters form words."""
+    """Node for elements in a row; matching brackets stretch, upright letters form words."""
     if len(elements) == 1:
         return _node(elements[0])
     if elements and _opens(elements):
@@ -60,7 +60,7 @@ def _row(elements: Sequence[Element]) -> Node:
 
 
 def _opens(elements: Sequence[Element]) -> bool:
-    """A stretched fence that ends with its row, or a bracket around a matrix."""
+    """Whether a row is enclosed by a stretched bracket, or by brackets around a matrix."""
     return elements[0].get("form") == "prefix" or _is_closing(elements)
 
 

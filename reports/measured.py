@@ -1,4 +1,4 @@
-"""A formula's error as measured over one or two inputs, as data for a figure."""
+"""Data type of a measured error of a formula over one or two inputs, for a figure."""
 
 import math
 from collections.abc import Sequence
@@ -15,13 +15,14 @@ TINY = 5e-4  # smaller errors cannot be distinguished in a figure
 
 @dataclass(frozen=True, kw_only=True)
 class Measured:
-    """A formula's error (formula - FE)/scale and its expanded uncertainty `U`, measured on a grid.
+    """Error (formula - FE)/scale of a formula with its expanded uncertainty `U`, on a grid.
 
-    `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN if nothing is
-    solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
-    inputs that are not drawn differ from them; `box` are the first and last x and y of the region
-    that `box_name` names. `log` says of x and y whether they
-    are spaced in equal ratios. `unsafe_sign` is the sign of errors on the unsafe side, 0 for both.
+    `x` (n,) and `y` (m,) are in the units of their labels. `error` and `U` are (n, m), or (n,)
+    without `y`; they are NaN where nothing was solved. `nominal` is the position of the inputs of
+    the file; it is None if inputs that are not drawn differ from the file. `box` contains the first
+    and last x and y of the region with the name `box_name`. `log` states for x and y whether their
+    values have equal ratios. `unsafe_sign` is the sign of errors on the unsafe side, 0 for both
+    signs.
     """
 
     title: str
@@ -41,7 +42,7 @@ class Measured:
 
     @property
     def unsafe(self) -> NDArray[np.bool_]:
-        """True if an error is beyond the last limit on the unsafe side."""
+        """Whether an error is beyond the last limit on the unsafe side."""
         if self.unsafe_sign is None:
             return np.zeros(self.error.shape, dtype=bool)
         size = self.unsafe_sign * self.error if self.unsafe_sign else np.abs(self.error)
@@ -49,7 +50,10 @@ class Measured:
 
 
 def all_within(error: Array, U: Array) -> str:
-    """Limit above all errors with bars, if they are too small for a figure; else ""."""
+    """Text of a limit that no error with its bar exceeds, if all are too small for a figure.
+
+    Otherwise, it is empty.
+    """
     reach = (np.abs(error) + U)[np.isfinite(error)]
     if not reach.size or not (largest := float(reach.max())) < TINY:
         return ""

@@ -1,4 +1,4 @@
-"""Drawings and tables that a notebook displays; nothing of a notebook is imported."""
+"""Drawings and tables that a notebook displays, without imports of notebook software."""
 
 import base64
 from collections.abc import Iterator, Sequence
@@ -17,13 +17,13 @@ WIDTH = 480  # pixels of a drawing
 
 @dataclass(frozen=True)
 class Drawing:
-    """A drawing with its title: `svg` is the text of a file."""
+    """A drawing with its title; `svg` is the text of an SVG file."""
 
     title: str
     svg: str
 
     def _repr_html_(self) -> str:
-        """An image, so that the style of the drawing does not affect the notebook."""
+        """HTML image, so that the style of the drawing does not affect the notebook."""
         data = base64.b64encode(self.svg.encode()).decode()
         return Markup(
             '<figure style="margin: 1em 0"><figcaption>{title}</figcaption>'
@@ -41,14 +41,14 @@ class Drawings(tuple[Drawing, ...]):
 
 
 def drawings(case: CaseResult) -> Drawings:
-    """Available sketch, figures and convergence of a judged case."""
+    """Sketch, figures and convergence plot of a judged case, as far as they exist."""
     return Drawings(
         Drawing(title, made["svg"]) for title, svg in _parts(case) if (made := standalone(svg))
     )
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], title: str = "") -> Markup:
-    """Cells as an HTML table, their text escaped."""
+    """HTML table of cells with escaped text."""
     caption = Markup("<caption>{}</caption>").format(title) if title else ""
     head = _line("th", header) if header else ""
     lines = Markup("").join(_line("td", row) for row in rows)
@@ -56,7 +56,7 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]], title: str = "")
 
 
 def _line(tag: str, cells: Sequence[str]) -> Markup:
-    """A line of a table; `tag` is th or td."""
+    """Line of a table; `tag` is th or td."""
     cell = Markup(f'<{tag} style="text-align: left">{{}}</{tag}>')  # noqa: S704 - one of two
     return Markup("<tr>{}</tr>").format(Markup("").join(cell.format(text) for text in cells))
 

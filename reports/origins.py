@@ -1,7 +1,8 @@
-"""Digests of the inputs of each part of a report; a part with an unchanged digest is not remade.
+"""Digests of the inputs of each part of a report.
 
-Date, commit and duration of a run are not part of the digest: a file keeps those of the run that
-made it. The first page, the provenance and `results.json` have those of the last run.
+A part with an unchanged digest is not made again. Date, commit and duration of a run are not part
+of the digest: a file has those of the run that made it. The first page, the provenance and
+`results.json` have those of the last run.
 """
 
 from collections.abc import Iterator, Mapping
@@ -23,35 +24,35 @@ PAPER, BOOK = "PDF", "workbook"  # names of parts
 
 @dataclass(frozen=True)
 class Origins:
-    """Digests of the code of reports, and of everything that each case of the suite depends on."""
+    """Digests of the code of reports, and of all data on which each case of the suite depends."""
 
     code: str
     cases: Mapping[str, str]
 
 
 def page_of(case: str) -> str:
-    """The part that is the page of a case."""
+    """Name of the part that is the page of a case."""
     return f"page {case}"
 
 
 def fields_of(case: str) -> str:
-    """The part that is the files of a case for ParaView."""
+    """Name of the part that contains the files of a case for ParaView."""
     return f"fields {case}"
 
 
 def section(name: str) -> str:
-    """The part that is the page of a section."""
+    """Name of the part that is the page of a section."""
     return f"section {name}"
 
 
 def part_of(path: str) -> str:
-    """The part that a page belongs to."""
+    """Name of the part to which a page belongs."""
     name = path.removeprefix(f"{FOLDER}/").removesuffix(".html")
     return section(name) if path_of(name) == path and name in OTHERS.values() else page_of(name)
 
 
 def digests(report: Report, origins: Origins | None, form: str) -> dict[str, str]:
-    """Digest of each part; empty without origins; cases without an origin are omitted."""
+    """Digest of each part; empty without origins, or if a case has no origin."""
     if origins is None or any(case.id not in origins.cases for case in report.cases):
         return {}
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]

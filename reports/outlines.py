@@ -1,4 +1,4 @@
-"""Edges of cells, chained into few polylines for a vector overlay."""
+"""Edges of cells, joined to few polylines for a vector overlay."""
 
 from collections import defaultdict
 
@@ -25,7 +25,7 @@ def edges(cells: Indices) -> tuple[Indices, Indices, Indices]:
 def polylines(cells: Indices, points: Array, tolerance: float) -> tuple[Array, ...]:
     """Free edges of surfaces, or all lines, as polylines within the distance `tolerance`.
 
-    `points` is (n, 2). Closed ones repeat their first point.
+    `points` is (n, 2). Closed polylines repeat their first point.
     """
     found, counts, _ = edges(cells)
     free = found[counts == 1]
@@ -33,7 +33,7 @@ def polylines(cells: Indices, points: Array, tolerance: float) -> tuple[Array, .
 
 
 def simplified(line: Array, tolerance: float) -> Array:
-    """The polyline (k, 2) without the points within `tolerance` of a chord (Douglas-Peucker)."""
+    """The polyline (k, 2) without points within `tolerance` of a chord (Douglas-Peucker)."""
     keep = np.zeros(len(line), dtype=bool)
     keep[[0, -1]] = True
     spans = [(0, len(line) - 1)]
@@ -51,7 +51,7 @@ def simplified(line: Array, tolerance: float) -> Array:
 
 
 def _distances(points: Array, a: Array, b: Array) -> Array:
-    """To the segment from `a` to `b`, which may be a point."""
+    """Distances of points to the segment from `a` to `b`, which may be a single point."""
     chord = b - a
     square = float(chord @ chord)
     along = np.clip((points - a) @ chord / square, 0, 1) if square else np.zeros(len(points))

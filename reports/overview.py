@@ -1,4 +1,4 @@
-"""All rows of a run at a glance: the difference of each and its detection limit, in strips."""
+"""Overview of all rows of a run: difference and detection limit of each, in strips."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -22,7 +22,7 @@ DEMAND = 0.01
 
 @dataclass(frozen=True)
 class Group:
-    """A case with its rows that are drawn, and its width."""
+    """A case with its drawn rows, and its width."""
 
     case: CaseResult
     rows: Sequence[Row]
@@ -31,16 +31,16 @@ class Group:
 
 
 def overview(cases: Sequence[CaseResult]) -> Markup:
-    """Every row with a difference on a logarithmic scale; a row that was not run is left out.
+    """SVG with every row that has a difference, on a logarithmic scale.
 
-    A dot is the difference, a tick the detection limit. Each case leads to its page; its name has
-    separate room, for any number of cases.
+    Rows that were not run have a vertical line. A dot is the difference, a tick the detection
+    limit. Each case links to its page; its name has separate space, for any number of cases.
     """
     lines = strips([_group(case, rows) for case in cases if (rows := _drawn(case))])
     parts: list[Markup] = []
     for number, line in enumerate(lines):
         parts += _strip(line, number * (TOP + HIGH + BELOW) + TOP)
-    words = "relative difference of every row, and its detection limit"
+    words = "relative difference and detection limit of every row"
     high = max(len(lines), 1) * (TOP + HIGH + BELOW)
     return svg.drawing(WIDE, high, parts, words, "overview")
 
@@ -57,7 +57,7 @@ def _group(case: CaseResult, rows: Sequence[Row]) -> Group:
 
 
 def strips(groups: Sequence[Group]) -> list[list[Group]]:
-    """Groups in lines of the width, in their order."""
+    """Groups in lines of the given width, in their order."""
     lines: list[list[Group]] = []
     end = math.inf
     for group in groups:
@@ -83,7 +83,7 @@ def _strip(groups: Sequence[Group], top: float) -> Iterator[Markup]:
 
 
 def _case(group: Group, left: float, top: float, bottom: float) -> Markup:
-    """The rows of a strip as one path per status, because a page contains a thousand rows."""
+    """SVG of the rows of a case, as one path per status (a page contains a thousand rows)."""
     step = group.width / len(group.rows)
     found: dict[Status, list[tuple[float, Row]]] = {}
     for i, row in enumerate(group.rows):

@@ -1,4 +1,4 @@
-"""The report as pages: a first page, one for each case, and pages for rows, papers and records."""
+"""The report as several pages: a first page, one per case, and pages for rows and records."""
 
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -56,10 +56,10 @@ def is_paged(report: Report) -> bool:
 
 
 def pages(report: Report, frames: Frames, unchanged: Container[str] = ()) -> dict[str, str]:
-    """HTML of each page by its path; links between them work in a folder without a server.
+    """HTML of each page by its path; links between pages work in a folder without a server.
 
-    Parts in `unchanged` (see `reports.origins`) have no page here. `frames` are the pictures of
-    the cases that have one.
+    Parts in `unchanged` (see `reports.origins`) have no page here. `frames` are the pictures of the
+    cases that have any.
     """
     equations = Equations()
     env = environment(equations)
@@ -80,7 +80,7 @@ def pages(report: Report, frames: Frames, unchanged: Container[str] = ()) -> dic
 def _templates(
     report: Report, shared: Mapping[str, Any], frames: Frames, unchanged: Container[str]
 ) -> Iterator[tuple[str, str, dict[str, Any]]]:
-    """Path, template and values of each page that is to be made."""
+    """Path, template and values of each page that must be made."""
     sections = [name for name in SECTIONS if _has(report, shared, name)]
     menu = [("first", "Papers"), ("design", "Designer's index"), ("cases", "Cases"),
             *((PLACES[name], SECTIONS[name]) for name in sections)]  # fmt: skip
@@ -114,7 +114,7 @@ def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _scripted(script: str) -> dict[str, Any]:
-    """A script of the project and its permission in the security policy."""
+    """A script of the project, and its permission in the security policy."""
     return {
         "script": Markup(script),  # noqa: S704 - files of the project
         "script_source": script_source(script),
@@ -147,5 +147,5 @@ def _of_case(report: Report, case: CaseResult, lines: Sequence[Line]) -> OfCase:
 
 
 def _is_settled(row: Row) -> bool:
-    """Row that is a balance, an identity or a statement."""
+    """Whether a row is a passed balance, identity or statement."""
     return row.status is Status.PASS and row.kind in (Kind.EXACT, Kind.IDENTITY, Kind.FACT)

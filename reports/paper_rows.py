@@ -1,6 +1,6 @@
-"""A printed row of a paper's table with the rows of the suite that are compared with its numbers.
+"""Printed rows of a paper's table with the rows of the suite that compare their numbers.
 
-Each compared row is a separate line, with its value in the column of the printed number.
+Each row of the suite is a separate line, with its value in the column of the printed number.
 """
 
 from collections import Counter
@@ -33,12 +33,12 @@ class Claim:
 
     @property
     def is_first(self) -> bool:
-        """Whether the row has a number, or was not passed."""
+        """Whether the row has a number, or failed, or was not run."""
         has_number = not (self.numbers.analytic is None and self.numbers.fem is None)
         return has_number or self.status in LISTED_FIRST
 
     def beside(self, printed: PaperCell) -> Markup:
-        """The formula's value and its difference from the printed number above it."""
+        """Value of the formula and its difference from the printed number above it."""
         value = self.numbers.analytic
         try:
             number = float(printed.text)
@@ -52,7 +52,7 @@ class Claim:
 
     @property
     def fem(self) -> str | Markup:
-        """The finite elements' value with its standard uncertainty; empty without one."""
+        """Finite-element value with its standard uncertainty; empty without a value."""
         fem, u = self.numbers.fem, self.numbers.u
         if fem is None:
             return ""
@@ -61,7 +61,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Uses:
-    """The case inputs that repeat the printed number in a column, in words."""
+    """Text about the case inputs that are equal to the printed number in a column."""
 
     column: int
     words: str
@@ -77,7 +77,7 @@ class PrintedRow:
 
     @property
     def first(self) -> list[Claim]:
-        """The rows directly below the printed one: each column with a number has one if it can."""
+        """Rows directly below the printed row: if possible, one for each column with a number."""
         numbers = [claim for claim in self.claims if claim.is_first]
         new = {k: claim for claim in reversed(numbers) for k in claim.columns}.values()
         listed = sorted(numbers, key=lambda claim: claim not in new)[:MOST_CLAIMS]
@@ -91,7 +91,7 @@ class PrintedRow:
 
 @dataclass(frozen=True)
 class UsedNumber:
-    """A printed number that cases take as an input, by the name in its row and its column."""
+    """A printed number that cases use as an input, with the name of its row and its column."""
 
     row: str
     column: str
@@ -100,7 +100,7 @@ class UsedNumber:
 
 
 def used_as_inputs(table: PaperTable) -> list[UsedNumber]:
-    """The numbers of a table that cases take as inputs."""
+    """Numbers of a table that cases use as inputs."""
     return [
         UsedNumber(_name(cells, use.column), table.header[use.column],
                    cells[use.column].text, use.words)
@@ -109,17 +109,14 @@ def used_as_inputs(table: PaperTable) -> list[UsedNumber]:
 
 
 def _name(cells: Sequence[PaperCell], column: int) -> str:
-    """The last text before a number; the first cell if all cells are numbers."""
+    """Last text before a number in its row; the first cell if all cells are numbers."""
     texts = [cell.text for cell in cells[:column] if cell.value is None]
     return texts[-1] if texts else cells[0].text
 
 
 @dataclass(frozen=True)
 class PrintedTable:
-    """A printed table: its rows, each with its comparisons, and comparisons of several rows.
-
-    `columns` are those in which the rows of `common` have numbers.
-    """
+    """A printed table: rows with their comparisons, and comparisons that belong to several rows."""
 
     rows: Sequence[tuple[Sequence[PaperCell], PrintedRow]]
     common: Sequence[Claim]
@@ -127,7 +124,7 @@ class PrintedTable:
 
     @property
     def further(self) -> int:
-        """How many rows of the suite are not listed directly below their printed row."""
+        """Number of rows of the suite that are not listed directly below their printed row."""
         return sum(len(row.further) for _, row in self.rows)
 
     @property
@@ -137,7 +134,7 @@ class PrintedTable:
 
 
 def printed_table(table: PaperTable) -> PrintedTable:
-    """The table of the page: rows of the suite on several printed rows are listed once."""
+    """Table for the page; rows of the suite for several printed rows are listed once."""
     rows = [printed_row(cells) for cells in table.rows]
     times = Counter(claim.row for row in rows for claim in row.claims)
     errata = Counter(erratum for row in rows for erratum in row.errata)
@@ -158,9 +155,9 @@ def printed_table(table: PaperTable) -> PrintedTable:
 
 
 def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:
-    """The rows, inputs and errata on the numbers of one printed row.
+    """Rows, inputs and errata for the numbers of one printed row.
 
-    They are in the order of its cells; failed rows come first, then those not run.
+    They are in the order of its cells; failed rows come first, then rows that were not run.
     """
     columns: dict[str, list[int]] = {}
     numbers: dict[str, PaperClaim] = {}
@@ -179,7 +176,10 @@ def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:
 
 
 def _uses(inputs: Sequence[str]) -> str:
-    """Cases by the name of their input: "n of ring-lame, ring-rotation; z of sprag-wedge"."""
+    """Text with the cases by name of their input: "n of ring-lame, ring-rotation.
+
+    Z of sprag-wedge".
+    """
     cases: dict[str, list[str]] = {}
     for name, _, case in (use.removeprefix("input ").partition(" of ") for use in inputs):
         cases.setdefault(name, []).append(case)

@@ -1,4 +1,4 @@
-"""Parallel coordinates: sets of parameters as lines across upright axes."""
+"""Parallel coordinates: sets of parameters as lines across vertical axes."""
 
 import math
 import re
@@ -18,7 +18,10 @@ POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def parallel(p: Parallel) -> Markup:
-    """Members in thin lines, highlighted members in colour above; names in rows if they overlap."""
+    """SVG with thin lines for members and coloured lines for highlighted members.
+
+    Names of axes are in several rows if they would overlap.
+    """
     count = len(p.axes)
     x = np.linspace(LEFT, RIGHT, count) if count > 1 else np.array([WIDTH / 2])
     names, tops = _rows([a.name for a in p.axes], x), _rows([_ends(a)[1] for a in p.axes], x)
@@ -54,7 +57,7 @@ def parallel(p: Parallel) -> Markup:
 
 
 def _shares(axis: ParallelAxis, values: Array) -> Array:
-    """Position of values between the low end (0) and the high end (1)."""
+    """Position of values between the low end (0) and the high end (1) of the axis."""
     low, high, v = axis.low, axis.high, np.asarray(values, dtype=float)
     if axis.log:
         low, high, v = math.log(low), math.log(high), np.log(np.maximum(v, 1e-300))
@@ -62,7 +65,7 @@ def _shares(axis: ParallelAxis, values: Array) -> Array:
 
 
 def _ticks(axis: ParallelAxis, x: float, top: float) -> list[Markup]:
-    """Marks at round values, or at powers of ten if the axis is logarithmic."""
+    """SVG of marks at round values, or at powers of ten if the axis is logarithmic."""
     if axis.log:
         low, high = math.log10(axis.low), math.log10(axis.high)
         values = [10.0**e for e in range(math.ceil(low - 1e-9), math.floor(high + 1e-9) + 1)]
@@ -73,12 +76,12 @@ def _ticks(axis: ParallelAxis, x: float, top: float) -> list[Markup]:
 
 
 def _ends(axis: ParallelAxis) -> tuple[str, str]:
-    """Both ends in few letters."""
+    """Texts of both ends of an axis."""
     return _short(axis.low), _short(axis.high)
 
 
 def _short(value: float) -> str:
-    """A number, a large or small one with its power of ten: 2·10⁹."""
+    """Text of a number; a large or small number has a power of ten: 2·10⁹."""
     if value == 0 or 1e-3 <= abs(value) < 1e5:
         return svg.plain(float(f"{value:.4g}"))
     digits, _, exponent = f"{value:.2e}".partition("e")
@@ -88,13 +91,13 @@ def _short(value: float) -> str:
 
 
 def _unit(axis: ParallelAxis) -> str:
-    """The unit as printed: kg m², and nothing for pure numbers."""
+    """Text of the unit as printed, such as kg m²; empty for plain numbers."""
     raised = re.sub(r"\^(-?\d)(?!\.)", lambda power: power[1].translate(POWERS), axis.unit)
     return raised if raised != "1" else ""
 
 
 def _rows(words: list[str], x: Array) -> list[int]:
-    """Row of each word, so that words centred on x do not overlap."""
+    """Row of each word, so that words centred at x do not overlap."""
     ends: list[float] = []
     found = []
     for word, at in zip(words, x, strict=True):

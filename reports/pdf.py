@@ -1,4 +1,4 @@
-"""report.pdf: the report on paper, set by typst from templates/report.typ and plain data."""
+"""report.pdf: the report as PDF, made by typst from templates/report.typ and plain data."""
 
 import json
 import re
@@ -21,12 +21,15 @@ Make = Callable[[Report, Frames], Data]
 
 
 def pdf(report: Report, frames: Frames, make: Make = document) -> bytes:
-    """The report as PDF, by default all of it; equal bytes for equal reports. Raises NotSet."""
+    """PDF of the report, by default of its whole content; equal reports give equal bytes.
+
+    Raises NotSet if typst fails.
+    """
     return printed(content(report, frames, make), made(report))
 
 
 def content(report: Report, frames: Frames, make: Make = document) -> str:
-    """The content of the PDF of a report, as JSON; raises NotSet for unsupported mathematics."""
+    """JSON content of the PDF of a report. Raises NotSet for unsupported mathematics."""
     try:
         return json.dumps(_cleaned(make(report, frames)), ensure_ascii=False)
     except ValueError as error:
@@ -34,9 +37,9 @@ def content(report: Report, frames: Frames, make: Make = document) -> str:
 
 
 def printed(data: str, stamp: datetime) -> bytes:
-    """The PDF of such a content, dated; raises NotSet.
+    """PDF of this content with its date. Raises NotSet if typst fails.
 
-    Fonts of the system are searched only for scripts that typst brings no font for.
+    Fonts of the system are only searched for scripts that the fonts of typst do not contain.
     """
     paper: bytes = typeset(
         "report.typ", {"document": data}, ignore_system_fonts=not _FOREIGN.search(data),
@@ -46,7 +49,7 @@ def printed(data: str, stamp: datetime) -> bytes:
 
 
 def made(report: Report) -> datetime:
-    """Time of the run, by its provenance; the epoch if it has no date."""
+    """Time of the run from its provenance; the epoch if it has no date."""
     try:
         stamp = datetime.strptime(report.provenance["made"], "%Y-%m-%d %H:%M UTC")
     except (KeyError, ValueError):
@@ -55,7 +58,7 @@ def made(report: Report) -> datetime:
 
 
 def _cleaned(value: Any) -> Any:
-    """The data without characters that XML and PDF do not permit, and without nan and inf."""
+    """Data without characters that XML and PDF do not permit."""
     if isinstance(value, str):
         return clean(value)
     if isinstance(value, Mapping):

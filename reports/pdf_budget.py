@@ -9,9 +9,9 @@ from verify.core.results import CaseBudget
 
 
 def budget_data(budgets: Sequence[CaseBudget], printed: Collection[str]) -> list[Data]:
-    """The cases with the lines of the row that is drawn, of others, and a word on identities.
+    """Data of the error budgets: lines of the drawn row, other rows, sentence on identities.
 
-    Each leads to its case, which must be among the `printed` ones.
+    Each budget links to its case, which must be among the `printed` cases.
     """
     return [_case(one) for one in budgets if one.case in printed]
 

@@ -1,4 +1,4 @@
-"""One case as data of the PDF's template: texts as runs, numbers as written, drawings as SVG."""
+"""One case as data for the PDF template: texts as runs, numbers as text, drawings as SVG."""
 
 from collections.abc import Mapping, Sequence
 
@@ -29,7 +29,7 @@ def case_data(
     source: str,
     beside: Seconds = NOTHING,
 ) -> Data:
-    """Everything of a case; `source` is the place of its formulas.
+    """All data of a case for the PDF; `source` is the place of its formulas.
 
     `sheets` are the names of the workbook's sheets for the tables of the case; `beside` are the
     results of second solvers.
@@ -76,7 +76,7 @@ def maths(tex: str) -> Data | None:
 
 
 def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
-    """A row of the summary with its convergence."""
+    """Data of a row of the summary with its convergence."""
     row, beside = line.row, line.convergence
     shown = formats.values(row)
     return {
@@ -99,7 +99,7 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 
 
 def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
-    """Result of each second solver for the row."""
+    """Results of each second solver for the row."""
     return [
         [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.difference(c))]
         for c in checks
@@ -107,7 +107,7 @@ def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
 
 
 def _problem(problem: Problem) -> list[Run]:
-    """Results of a second solver that belong to no single row, in a sentence."""
+    """Sentence about results of a second solver that belong to no single row."""
     said: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
     for i, check in enumerate(problem.lines):
         said += [
@@ -149,8 +149,9 @@ def _figures(case: CaseResult, frames: Sequence[Frame]) -> list[Data]:
     found = [_figure(standalone(plot(f)), f.title, f.note) for f in case.figures]
     curves = standalone(convergence([row for row in case.rows if row.levels]))
     words = (
-        "Distance to the finest level, or to the exact value where an order is judged; one colour "
-        "for each order of theory. Rows without an order are not drawn."
+        "Distance from the value of the finest level, or from the exact value if an order is "
+        "judged. There is one colour "
+        "for each theoretical order. Rows without an order are not drawn."
     )
     found += [_figure(curves, "Convergence", words)] if curves else []
     return found + [_figure(standalone(f.svg), f.caption, f.note) for f in frames if f.svg]

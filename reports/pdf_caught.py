@@ -1,4 +1,4 @@
-"""Fault detection in the PDF: the same counts and survivors as in the page."""
+"""Fault detection in the PDF: the same counts and undetected mutants as on the page."""
 
 from reports.caught import (
     NAMES,
@@ -23,7 +23,11 @@ def caught_data(caught: Caught | None) -> Data | None:
     missing = f"{caught.missing[:1].upper()}{caught.missing[1:]}." if caught.missing else ""
     listed = "; ".join(f"{n} ({reason})" for reason, n in only_listed(caught))
     words = " ".join(in_words(caught))
-    left = f"{words} Rows not required to fail at ±1 %, and why: {listed}." if listed else words
+    left = (
+        (f"{words} Numbers of rows that are not required to fail at ±1 %, and reasons: {listed}.")
+        if listed
+        else words
+    )
     return {
         "missing": prose(missing),
         "date": caught.date,

@@ -1,4 +1,4 @@
-"""The whole report as data of the PDF's template, in the order of the page."""
+"""The whole report as data for the PDF template, in the order of the page."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -29,7 +29,10 @@ from verify.core.results import Report, Row, Status
 
 
 def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
-    """All that templates/report.typ prints; cases or inputs of a user have no ledgers."""
+    """All data that templates/report.typ prints.
+
+    Reports on user cases or inputs have no ledgers.
+    """
     places, sheets = anchors(report.rows), Sheets(report)
     own, checks = bool(report.name), of_cases(report)
     beside = seconds(checks)
@@ -62,7 +65,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
 
 
 def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[str, str]) -> Data:
-    """First and last part of every PDF: title, counts, rows that failed, provenance."""
+    """First and last part of every PDF: title, counts, failed rows, provenance."""
     return {
         "title": title(report),
         "kicker": "Check of user inputs" if report.name else "Verification report",
@@ -80,7 +83,7 @@ def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[
 
 
 def _key(report: Report) -> Markup:
-    """Explanation of a row, without the marks of the papers in a report on user inputs."""
+    """SVG that explains the graphic of a row; without the marks of papers for user inputs."""
     drawn = Template((HERE / "key.svg").read_text("utf-8"), autoescape=True)
     return Markup(drawn.render(report=report))  # noqa: S704 - file of the project
 

@@ -12,9 +12,9 @@ from reports.richtext import runs
 from verify.core.results import PaperCell, PaperTable, Report
 
 STATES = {
-    "implemented": "implemented, with a check that fails when it is broken",
-    "argued": "left out, with the reason",
-    "missing": "not yet",
+    "implemented": "implemented, with a check that fails if the implementation is wrong",
+    "argued": "omitted, with a stated reason",
+    "missing": "not implemented yet",
 }
 
 

@@ -1,4 +1,4 @@
-"""A case on one page of the PDF: verdicts, main drawings, rows by their weight, inputs."""
+"""A case on one page of the PDF: verdicts, main drawings, most important rows, inputs."""
 
 from collections.abc import Iterator, Sequence
 from itertools import islice
@@ -32,9 +32,9 @@ WORST_FIRST = (Verdict.UNSAFE, Verdict.WRONG, Verdict.NONE, Verdict.CONSERVATIVE
 def one_page(
     case: CaseResult, report: Report, frames: Sequence[Frame], source: str, page: str
 ) -> Data:
-    """Possible content of a page, by weight; the template omits rows that do not fit.
+    """Content for a page, sorted by importance; the template omits rows that do not fit.
 
-    `source` states the origin of the formulas of the case, `page` is the file with the full
+    `source` states the origin of the formulas of the case; `page` is the file with the full
     content.
     """
     verdicts = of_case(advised(report.verdicts), case.id, case.rows)
@@ -58,9 +58,9 @@ def one_page(
 
 
 def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line]:
-    """Failed rows, those not run, evidence of verdicts, printed numbers, then the rest.
+    """Lines sorted by importance: failed, not run, evidence of verdicts, printed numbers, others.
 
-    Of the rest approximations and rows that did not pass are before identities, these before
+    Among the others, approximations and rows that did not pass come first, then identities, then
     balances and statements.
     """
     evidence = {row for v in verdicts for row in (*v.rows, *v.model_rows)}
@@ -73,7 +73,7 @@ def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line
 
 
 def _kind(row: Row) -> int:
-    """0 for undecided rows, 1 for an identity, 2 for balances, statements and orders."""
+    """Rank of a row: 0 for undecided rows, 1 for identities, 2 for balances, statements, orders."""
     if row.status is not Status.PASS or row.kind in APPROXIMATE:
         return 0
     return 1 if row.kind is Kind.IDENTITY else 2
@@ -84,7 +84,7 @@ def _badness(one: FormulaVerdict) -> int:
 
 
 def _drawings(case: CaseResult, frames: Sequence[Frame]) -> Iterator[tuple[str, str]]:
-    """The sketch, figures, pictures of fields with their titles: the first ones are on the page."""
+    """Sketch, figures and pictures of fields with their titles; the first ones are on the page."""
     if case.sketch and (drawn := sketch(case.sketch)):
         yield drawn, case.sketch.title
     yield from ((plot(figure), figure.title) for figure in case.figures if drawable(figure))
@@ -110,7 +110,7 @@ def _varied(case: CaseResult, report: Report, verdicts: Sequence[FormulaVerdict]
 
 
 def _inputs(case: CaseResult, varied: frozenset[str]) -> Data:
-    """Inputs with their meaning, varied inputs first, and the other inputs in short form."""
+    """Inputs with their meaning (varied inputs first), and the other inputs in short form."""
     found = sorted(case.inputs, key=lambda one: one.name not in varied)
     cells = [
         {"symbol": runs(formats.symbol(one.symbol)), "what": prose(one.what),

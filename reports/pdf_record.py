@@ -1,4 +1,4 @@
-"""The PDF for a file: status, verdicts by paper, the papers' tables, one page for each case."""
+"""The PDF for archiving: status, verdicts by paper, tables of the papers, one page per case."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
@@ -26,7 +26,7 @@ Labels = Mapping[tuple[str, str], str]  # of errata, by paper and id
 def record(
     report: Report, frames: Mapping[str, Sequence[Frame]], *, single_file: bool = False
 ) -> Data:
-    """All that templates/record.typ prints; with `single_file` no case has an HTML page."""
+    """All data that templates/record.typ prints; with `single_file`, no case has an HTML page."""
     places = {row.id: f"case-{row.case}" for row in report.rows}
     parts, short = paper_parts(report), named(report.papers)
     changed = [(e["paper"], e["id"]) for part in parts for e in part.errata]
@@ -53,7 +53,7 @@ def record(
 
 
 def _has(part: PaperPart) -> bool:
-    """Whether a run of some cases has a verdict or a compared number of a paper."""
+    """Whether a partial run has a verdict or a compared number of a paper."""
     return bool(part.verdicts or part.tables)
 
 
@@ -80,6 +80,6 @@ def _paper(part: PaperPart, report: Report, places: Mapping[str, str], errata: L
 
 
 def _compared(data: Data) -> Data:
-    """The printed rows with which rows of the suite are compared."""
+    """Printed rows that rows of the suite compare."""
     rows = [row | {"inputs": []} for row in data["rows"] if row["claims"]]
     return data | {"rows": rows, "left_out": len(data["rows"]) - len(rows)}

@@ -1,4 +1,4 @@
-"""Tables of a case in the PDF: of tolerances, of values on every mesh, and of results."""
+"""Tables of a case in the PDF: tolerances, values on every mesh, and results."""
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -17,7 +17,7 @@ WIDEST = 12  # columns side by side
 
 
 def prose(text: str) -> list[Run]:
-    """Running text with lowered indices."""
+    """Running text with lowered indices, as runs."""
     return runs(formats.prose(text))
 
 
@@ -28,7 +28,7 @@ def quantity(row: Row) -> list[Run]:
 
 
 def budget(rows: Sequence[Row]) -> Data:
-    """Lines of the derivation of tolerances; reasons for a required sensitivity follow."""
+    """Lines for the derivation of tolerances, and the reasons for required sensitivities."""
     said = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
     marks = {reason: _letter(i) for i, reason in enumerate(said)}
     return {
@@ -38,7 +38,7 @@ def budget(rows: Sequence[Row]) -> Data:
 
 
 def _letter(index: int) -> str:
-    """A to z, then aa, ab."""
+    """Letters for an index: a to z, then aa, ab and so on."""
     more, last = divmod(index, 26)
     return (_letter(more - 1) if more else "") + chr(ord("a") + last)
 
@@ -54,7 +54,7 @@ def _budget_line(row: Row, mark: str) -> list[list[Run]]:
 
 
 def levels(rows: Iterable[Row]) -> list[Data]:
-    """Values on every mesh, a table for each set of meshes."""
+    """Values on every mesh, with one table for each set of meshes."""
     return [
         {
             "header": [["Quantity"], *([f"h = {formats.number(h, 3)}"] for h in sizes)],
@@ -73,14 +73,14 @@ def _sizes(row: Row) -> tuple[float, ...]:
 
 
 def expected(row: Row) -> list[list[Run]]:
-    """The ends of the interval of an approximation, and its source."""
+    """Cells with the limits of the expected interval of an approximation, and its source."""
     assert row.interval is not None
     ends = (runs(formats.fraction(row, m, signed=True)) for m in row.interval)
     return [quantity(row), *ends, prose(row.interval_source)]
 
 
 def shortened(table: Table, sheet: str) -> Data:
-    """A table in parts that fit the page's width; a long one begins only."""
+    """A table in parts that fit the page width; of a long table, only the first rows."""
     long = len(table.rows) > LONGEST
     rows = table.rows[:SHOWN] if long else table.rows
     count = f"The first {SHOWN} of {len(table.rows)} rows; all are in tables.xlsx, sheet {sheet}."

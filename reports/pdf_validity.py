@@ -1,4 +1,4 @@
-"""Range of use of each formula in the PDF: a table for each case in place of cards."""
+"""Ranges of validity of formulas in the PDF: a table for each case instead of cards."""
 
 from collections.abc import Sequence
 
@@ -9,7 +9,7 @@ from verify.core.results import Validity, ValidityCard, ValidityRegion
 
 
 def validity_data(known: Sequence[Validity]) -> list[Data]:
-    """Subjects, their cases, and the lines of each."""
+    """Subjects with their cases and lines."""
     return [
         {"name": name, "cases": [_case(one) for one in cases]} for name, cases in subjects(known)
     ]
@@ -17,7 +17,11 @@ def validity_data(known: Sequence[Validity]) -> list[Data]:
 
 def _case(one: Validity) -> Data:
     over = common(one)
-    others = f"Not measured over its inputs: {'; '.join(one.others)}." if one.others else ""
+    others = (
+        f"These formulas were not measured over the inputs: {'; '.join(one.others)}."
+        if one.others
+        else ""
+    )
     return {
         "id": one.case,
         "title": runs(one.title),
@@ -35,7 +39,9 @@ def _case(one: Validity) -> Data:
 def _line(card: ValidityCard, region: ValidityRegion, *, first: bool, over: str) -> list[list[Run]]:
     named = prose(card.quantity) if first else []
     small: list[Run] = [*([["br"]] if first else []), ["small", *prose(over)]] if over else []
-    unsolved = f"; {region.unsolved} of {region.points} without an answer" * bool(region.unsolved)
+    unsolved = (f"; {region.unsolved} of {region.points} points without a solution") * bool(
+        region.unsolved
+    )
     return [
         [*named, *small], [signed(card.error, card.U)] if first else [],
         *(prose(one.words) for one in region.limits), prose(region.breaks + unsolved),
@@ -43,13 +49,13 @@ def _line(card: ValidityCard, region: ValidityRegion, *, first: bool, over: str)
 
 
 def _exact(one: Validity) -> list[Run]:
-    """One sentence for all formulas that solve the same problem as finite elements."""
+    """Sentence about all formulas that solve the same problem as finite elements."""
     solved = [e for e in one.exact if e.largest is not None]
     if not solved:
         return []
     worst = max(solved, key=lambda e: abs(e.largest or 0.0))
     return [
-        f"Exact in its model: {len(solved)} of {len(one.exact)} formulas solved; ",
+        f"Exact within their model: {len(solved)} of {len(one.exact)} formulas were solved; ",
         f"largest difference {signed(worst.largest, worst.U)} (", *prose(worst.quantity),
         "), over ", *prose(one.over), ".",
     ]  # fmt: skip

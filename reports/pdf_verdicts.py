@@ -1,4 +1,4 @@
-"""Verdicts of the formulas in the PDF: the number of each kind, then a table for each paper."""
+"""Verdicts of the formulas in the PDF: numbers of each verdict, and a table for each paper."""
 
 from reports.first_page import Group
 from reports.pdf_tables import Data, prose
@@ -8,7 +8,7 @@ from verify.core.verdicts import FormulaVerdict, Verdict
 
 
 def counts_data(report: Report) -> Data | None:
-    """Number of verdicts of each kind of a paper; None if a run has no verdicts."""
+    """Number of verdicts of each kind by paper; None if a run has no verdicts."""
     if not report.verdicts:
         return None
     kinds = given(report)
@@ -23,7 +23,7 @@ def counts_data(report: Report) -> Data | None:
 
 
 def verdict_data(report: Report) -> Data | None:
-    """Verdicts of a paper, with a line for each form of each equation."""
+    """Verdicts by paper, with a line for each form of each equation."""
     counted = counts_data(report)
     if counted is None:
         return None
@@ -45,7 +45,7 @@ def _line(one: FormulaVerdict) -> Data:
 
 
 def group_data(group: Group, here: set[str]) -> Data:
-    """Equations of one form with the same verdict; `here` are the cases of the report."""
+    """Data of equations of one form with the same verdict; `here` are the cases of the report."""
     one = group.first
     return {
         "name": group.name, "form": one.form.value, "what": prose(group.what),

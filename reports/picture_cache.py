@@ -1,4 +1,4 @@
-"""Store of drawn pictures, by all data on which they depend."""
+"""Store of drawn pictures; the key includes all data on which a picture depends."""
 
 import hashlib
 import json
@@ -35,13 +35,14 @@ UNREADABLE = (
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn:
-    """A field as a bitmap without text, and the data for the texts and lines that a page adds.
+    """A field as a bitmap without text, and the data for the texts and lines on the page.
 
-    `image` is a WebP of `width` by `height` pixels, transparent around the body; it shows
-    `rectangle` (left, bottom, right, top) in the length unit of the model. Values are from `low` to
-    `high` in the unit of the picture along evenly spaced colours `ramp`, which is empty for a plain
-    body. Displacements are scaled by `exaggeration` (0: none); `outline` is the undeformed body.
-    `by` is the program that drew the picture; `why` is the reason if it is not pyvista, else empty.
+    `image` is a WebP image of `width` by `height` pixels, transparent around the body; it contains
+    the region `rectangle` (left, bottom, right, top) in the length unit of the model. Values are
+    from `low` to `high` in the unit of the picture, with evenly spaced colours `ramp`, which is
+    empty for a body without data. Displacements are scaled by `exaggeration` (0: none); `outline`
+    is the undeformed body. `by` is the program that drew the picture. `why` is the reason if it is
+    not pyvista, otherwise empty.
     """
 
     image: bytes
@@ -57,12 +58,12 @@ class Drawn:
     why: str = ""
 
     def pixels(self, points: Array) -> Array:
-        """Pixels of points (n, 2) of the model in the bitmap, to the right and downwards."""
+        """Pixel coordinates (right, down) of points (n, 2) of the model in the bitmap."""
         left, _, right, top = self.rectangle
         return np.asarray((points - (left, top)) * (1, -1) * self.width / (right - left))
 
     def outline_path(self) -> str:
-        """The undeformed outline as data of an SVG path in the bitmap's pixels."""
+        """Undeformed outline as data of an SVG path, in pixels of the bitmap."""
         lines = (
             "L".join(f"{x:.1f},{y:.1f}" for x, y in self.pixels(line)) for line in self.outline
         )
@@ -70,7 +71,7 @@ class Drawn:
 
 
 def key(field: Field, picture: Picture) -> str:
-    """Hexadecimal name of one picture: a digest of all data that determine the image."""
+    """Key of a picture: a hexadecimal digest of all data that determine the image."""
     digest = hashlib.sha256(_code().encode())
     spec = {
         **vars(picture),
@@ -94,7 +95,7 @@ def key(field: Field, picture: Picture) -> str:
 
 
 def load(folder: Path, name: str) -> Drawn | None:
-    """The stored picture; None if it is missing or unreadable, or if OpenGL may work now."""
+    """Stored picture; None if it is missing or unreadable, or if OpenGL may work now."""
     content = Store(folder).one(KIND, name)
     if content is None:
         return None
@@ -111,7 +112,7 @@ def load(folder: Path, name: str) -> Drawn | None:
 
 
 def store(folder: Path, name: str, drawn: Drawn) -> None:
-    """Write the picture; OSError if the store cannot be written."""
+    """Write the picture to the store. Raises OSError if the store cannot be written."""
     head = {**vars(drawn), "lines": len(drawn.outline), "opengl": opengl()}
     del head["image"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
@@ -122,13 +123,13 @@ def store(folder: Path, name: str, drawn: Drawn) -> None:
 
 @cache
 def _code() -> str:
-    """The drawing code and the libraries under it."""
+    """Text of the drawing code, with the versions of its libraries."""
     sources = [(Path(__file__).parent / f"{name}.py").read_text("utf-8") for name in CODE]
     return "\0".join([*sources, *(f"{name} {version(name)}" for name in LIBRARIES)])
 
 
 def opengl() -> str:
-    """OpenGL libraries and display in use."""
+    """Text with the OpenGL libraries and the display in use."""
     found = sorted(
         path.name for place in OPENGL for path in Path("/usr").glob(f"{place}/lib*GL*.so*")
     )

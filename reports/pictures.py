@@ -1,4 +1,4 @@
-"""Pictures of all fields of a run: by pyvista if it works, otherwise by matplotlib, drawn once."""
+"""Pictures of all fields of a run, by pyvista if it works, otherwise by matplotlib."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext, suppress
@@ -24,11 +24,11 @@ def draw(
     seconds: float | None = None,
     process: DrawingProcess | None = None,
 ) -> list[Drawn]:
-    """Every requested picture, in order; pictures in the `cache` (a folder) are not drawn again.
+    """Requested pictures, in order; pictures in the folder `cache` are not drawn again.
 
-    pyvista draws in a `process`, by default a separate one for this call, which is ended after
+    pyvista draws in a `process`, by default a separate process for this call, which is ended after
     `seconds`. matplotlib draws the pictures that fail; `Drawn.why` states the reason and ends with
-    `hint` (the packages to install). ValueError for a field that cannot be drawn (see
+    `hint` (the packages to install). Raises ValueError for a field that cannot be drawn (see
     `reports.bodies.body`).
     """
     keys = [picture_cache.key(*request) for request in requests]
@@ -50,7 +50,7 @@ def draw(
 def _drawn(
     scenes: Mapping[str, Scene], hint: str, seconds: float | None, process: DrawingProcess | None
 ) -> dict[str, Drawn]:
-    """All scenes drawn, by one means or the other."""
+    """All scenes, drawn by pyvista or matplotlib."""
     if not scenes:
         return {}
     limit = START + EACH * len(scenes) if seconds is None else seconds
@@ -64,7 +64,7 @@ def _drawn(
             continue
         from reports import raster  # matplotlib takes half a second that pyvista does not need
 
-        said = f"pyvista cannot draw here ({why}): drawn by matplotlib"
+        said = f"pyvista cannot draw on this machine ({why}); matplotlib was used"
         drawn[name] = _result(
             scene, raster.draw(scene), f"matplotlib {version('matplotlib')}",
             f"{said}; {hint}" if hint else said,

@@ -1,4 +1,4 @@
-"""Profiles, and values side by side."""
+"""Plots of profiles along a line, and of single values."""
 
 import math
 import re
@@ -12,7 +12,7 @@ from verify.core.figures import Dots, Profile
 
 
 def profile(p: Profile) -> Markup:
-    """The reference on the formula, and below their difference in the band of its uncertainty."""
+    """SVG of formula and reference, and below of their difference with the uncertainty band."""
     x = float(min(p.x.min(), p.x_fem.min())), float(max(p.x.max(), p.x_fem.max()))
     low, high = min(p.y.min(), p.y_fem.min()), max(p.y.max(), p.y_fem.max())
     margin = 0.06 * (high - low) or abs(high) or 1.0
@@ -52,7 +52,7 @@ def _rest(p: Profile) -> str:
 
 
 def dots(d: Dots) -> Markup:
-    """Values of one quantity below each other, with half-widths if they have any."""
+    """SVG of values of one quantity below each other, with half-widths if they have any."""
     ends = [(v - (w or 0), v + (w or 0)) for _, v, w, _ in d.items]
     low, high = min(a for a, _ in ends), max(b for _, b in ends)
     margin = 0.08 * (high - low) or abs(high) * 0.05 or 1.0

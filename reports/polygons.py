@@ -1,4 +1,4 @@
-"""Cells in pixels as coloured quadrilaterals, front cells last."""
+"""Cells as coloured quadrilaterals in pixels; cells in front come last."""
 
 import math
 
@@ -17,7 +17,7 @@ Coloured = tuple[Array, NDArray[np.uint8]]  # corners (m, 4, 3) and RGBA (m, 4)
 
 
 def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Colour, darker for faces seen from the side."""
+    """Colours (m, 4), darker for faces that are seen from the side."""
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, -1] - corners[:, 1])
     if corners.shape[1] == 3:
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -28,9 +28,9 @@ def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def pieces(corners: Array, values: Array) -> tuple[Array, Array]:
-    """Quadrilaterals (m, 4, 3) cut so small that their bilinear values (m, 4) look continuous.
+    """Corners (k, 4, 3) of pieces of quadrilaterals (m, 4, 3), and values (k,) at their centres.
 
-    Gives the corners (k, 4, 3) of the pieces and the values (k,) at their centres.
+    The pieces are so small that the bilinear values (m, 4) look continuous.
     """
     sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
     counts = np.clip(np.ceil(sides / PIECE), 1, MOST).astype(np.int64)
@@ -49,16 +49,16 @@ def pieces(corners: Array, values: Array) -> tuple[Array, Array]:
 
 
 def _bilinear(s: Array, t: Array) -> Array:
-    """Shares (p, 4) of the corners at places 0 <= s, t <= 1 of a quadrilateral."""
+    """Weights (p, 4) of the corners at positions 0 <= s, t <= 1 of a quadrilateral."""
     return np.column_stack([(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t])
 
 
 def polygons(
     at: Array, cells: Indices, colours: NDArray[np.uint8], fill: Coloured | None = None
 ) -> tuple[Array, Indices, NDArray[np.uint8]]:
-    """Lines as strokes with round joints; surfaces with their grid, thin ones with a rim.
+    """Corners, faces and colours of lines (with round joints) or of surfaces with their grid.
 
-    `fill` is the fill of surfaces in place of one colour a cell.
+    Thin surfaces have a rim. `fill` is the fill of surfaces instead of one colour per cell.
     """
     if cells.shape[1] == 2:
         parts = [_strokes(at, cells, colours, STROKE), _joints(at, cells, colours)]
@@ -82,7 +82,7 @@ def polygons(
 
 
 def _thickness(corners: Array, rim: Array) -> float:
-    """Mean pixels across a plane body: twice its area by its outline's length."""
+    """Mean thickness [pixels] of a plane body: twice its area divided by its outline's length."""
     x, y = corners[..., 0], corners[..., 1]
     area = np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1)) / 2
     around = float(np.linalg.norm(rim[:, 1] - rim[:, 0], axis=1).sum())
@@ -92,7 +92,7 @@ def _thickness(corners: Array, rim: Array) -> float:
 def _strokes(
     at: Array, pairs: Indices, colours: NDArray[np.uint8], width: float
 ) -> tuple[Array, NDArray[np.uint8]]:
-    """A quadrilateral of the given width in pixels along each pair of points."""
+    """A quadrilateral of the given width [pixels] along each pair of points."""
     a, b = at[pairs[:, 0]], at[pairs[:, 1]]
     along = b - a
     length = np.maximum(np.linalg.norm(along[:, :2], axis=1), 1e-12)[:, None]
@@ -103,7 +103,7 @@ def _strokes(
 def _joints(
     at: Array, cells: Indices, colours: NDArray[np.uint8]
 ) -> tuple[Array, NDArray[np.uint8]]:
-    """An octagon, as three quadrilaterals, at each point of a line, in a neighbour's colour."""
+    """An octagon (three quadrilaterals) at each point of a line, in the colour of a neighbour."""
     points, first = np.unique(cells, return_index=True)
     angles = np.arange(8) * math.pi / 4
     disc = STROKE / 2 * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(8)])

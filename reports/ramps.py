@@ -1,4 +1,4 @@
-"""Colours of a field: which ramp, over which range. Readable on white and on near-black."""
+"""Colour scales of fields, legible on white and on near-black."""
 
 from dataclasses import dataclass
 
@@ -17,11 +17,11 @@ ROUND_OFF = 1e-9
 
 @dataclass(frozen=True, kw_only=True)
 class Scale:
-    """Values from `low` to `high` over evenly spaced colour `stops`, linear in sRGB between them.
+    """Scale of values from `low` to `high` over evenly spaced colour `stops`.
 
-    An SVG gradient interpolates likewise, so that a colour bar beside the picture has its
-    colours. Equal values have `low == high` and the middle colour; without stops, the body is
-    plain.
+    Colours are linear in sRGB between the stops, as in an SVG gradient; therefore, the colour bar
+    beside a picture has the same colours. Equal values have `low == high` and the middle colour.
+    Without stops, the body has one colour.
     """
 
     low: float
@@ -29,13 +29,13 @@ class Scale:
     stops: tuple[str, ...]
 
     def shares(self, values: Array) -> Array:
-        """Position of values along the colours, from 0 to 1."""
+        """Positions of values along the colours, from 0 to 1."""
         span = self.high - self.low
         shares = (values - self.low) / span if span > 0 else np.full(len(values), 0.5)
         return np.asarray(np.clip(shares, 0, 1))
 
     def colours(self, values: Array) -> NDArray[np.uint8]:
-        """RGBA (m, 4) of values (m,)."""
+        """RGBA colours (m, 4) of values (m,)."""
         rgb = np.array([_channels(stop) for stop in self.stops or (PLAIN,)], dtype=float)
         at = self.shares(values) * (len(rgb) - 1)
         mixed = np.column_stack([np.interp(at, np.arange(len(rgb)), c) for c in rgb.T])
@@ -43,7 +43,10 @@ class Scale:
 
 
 def scale(values: Array) -> Scale:
-    """Blue over grey to red, symmetric about zero, for values of both signs; else one ramp."""
+    """Scale for `values`: blue over grey to red, symmetric about zero, if both signs occur.
+
+    Otherwise, a single colour ramp is used.
+    """
     low, high = float(values.min()), float(values.max())
     reach = max(-low, high, 0.0)
     if high - low <= ROUND_OFF * max(abs(low), abs(high)):
@@ -54,7 +57,7 @@ def scale(values: Array) -> Scale:
 
 
 def plain() -> Scale:
-    """One colour for everything."""
+    """Scale with one colour for all values."""
     return Scale(low=0.0, high=0.0, stops=())
 
 

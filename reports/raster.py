@@ -1,4 +1,4 @@
-"""Scenes by matplotlib's Agg: no display, no OpenGL."""
+"""Drawing of scenes by matplotlib (Agg), without display and OpenGL."""
 
 from typing import Any
 
@@ -15,7 +15,7 @@ SEAM = 0.4  # pixels: each face is outlined in its fill colour, which closes gap
 
 
 def draw(scene: Scene) -> bytes:
-    """The scene as WebP, transparent around it."""
+    """WebP image of the scene, transparent around it."""
     figure = Figure(figsize=(FINER * scene.width, FINER * scene.height), dpi=1, facecolor="none")
     canvas: Any = FigureCanvasAgg(figure)  # untyped in matplotlib
     corners: Any = FINER * scene.vertices[scene.faces][..., :2]  # an array is read fastest

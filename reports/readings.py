@@ -1,4 +1,4 @@
-"""Possible meanings of printed numbers, in words and for the PDF."""
+"""Texts about possible readings of printed numbers, for the page and for the PDF."""
 
 from reports import formats
 from reports.pdf_tables import Data, prose
@@ -7,28 +7,28 @@ from verify.core.results import ReadingsTried
 
 
 def found(one: ReadingsTried) -> str:
-    """Reading that reproduces the number, or a statement that none does."""
+    """Text of the reading that reproduces the number, or a statement that no reading does."""
     if one.met:
         return (
             "the formula gives the number, within the rounding of its inputs; "
             "no other reading is needed"
         )
     if not one.readings:
-        return "none"
+        return "no reading"
     more = one.hits - 1
-    others = f"; {more} other combination{'s' * (more > 1)} too" if more else ""
+    others = f"; also {more} other combination{'s' * (more > 1)}" if more else ""
     value = f" ({one.value:.6g})" if one.value is not None else ""
-    weight = "" if one.is_evidence else "; no evidence"
+    weight = "" if one.is_evidence else "; this is no evidence"
     return f"{' and '.join(one.readings)}{value}{others}{weight}"
 
 
 def chance(expected: float) -> str:
-    """Accidental hits, with two digits at most."""
+    """Text of the expected number of accidental hits, with at most two digits."""
     return "<0.001" if expected < 1e-3 else f"{expected:.2g}"
 
 
 def readings_data(searches: tuple[ReadingsTried, ...]) -> Data:
-    """The table for the PDF, and the numbers for which nothing was tried."""
+    """Table for the PDF, and the numbers for which no reading was tried."""
     return {
         "rows": [_row(one) for one in searches if not one.missing],
         "missing": [

@@ -11,7 +11,7 @@ from verify.core.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, 
 
 
 def report_record(report: Report) -> dict[str, Any]:
-    """The whole run for results.json."""
+    """Record of the whole run for results.json."""
     beside = seconds(report.crosschecks)
     return {
         "schema": SCHEMA_VERSION,
@@ -37,12 +37,12 @@ def report_record(report: Report) -> dict[str, Any]:
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
-    """Changes since a release, and the number of relaxed requirements without a reason."""
+    """Record of changes since a release, with the number of unexplained loosened requirements."""
     return dict(_plain(drift), unexplained=len(drift.unexplained))
 
 
 def row_record(row: Row) -> dict[str, Any]:
-    """One row; numbers that are not finite become null, because JSON has none."""
+    """Record of one row; numbers that are not finite become null, because JSON has none."""
     record = {"id": row.id, **_plain(row)}
     error = row.difference / row.scale if row.difference is not None and row.scale else None
     return record | {"kind": row.kind.value, "status": row.status.value, "error": _plain(error)}
@@ -60,7 +60,7 @@ def _case(case: CaseResult) -> dict[str, Any]:
 
 
 def _validity(one: Validity) -> dict[str, Any]:
-    """The statements on the formulas of a case; the measured errors are in separate files."""
+    """Record of the validity of a case's formulas; measured errors are in separate files."""
     record: dict[str, Any] = _plain(one)
     for card in record["cards"]:
         for region in card["regions"]:
@@ -82,7 +82,7 @@ def _plain(value: Any) -> Any:
 
 
 def text_of(record: Mapping[str, Any]) -> str:
-    """A record as JSON, with a line for each entry of its lists."""
+    """JSON text of a record, with a line for each entry of its lists."""
     parts = [f"{_json(key)}: {_lines(value)}" for key, value in record.items()]
     return "{\n" + ",\n".join(parts) + "\n}"
 

@@ -1,4 +1,4 @@
-"""Plot of errors on finer and finer meshes, each beside the line of its order."""
+"""Plot of errors on increasingly fine meshes, with lines of the theoretical order."""
 
 import math
 
@@ -13,7 +13,7 @@ APART = 16.0  # between two names
 
 
 def refinement(r: Refinement) -> Markup:
-    """Errors as dots on log-log axes; names are at the finest mesh, colours distinguish them."""
+    """SVG of errors as dots on logarithmic axes, with names at the finest mesh."""
     every = np.concatenate([np.abs(e) for _, e in r.errors])
     every = every[every > 0]
     if not every.size:

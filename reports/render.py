@@ -1,7 +1,7 @@
-"""Scenes by pyvista, in the process of `reports.drawing_process`.
+"""Drawing of scenes by pyvista, in the process of `reports.drawing_process`.
 
-Each line of the input names a folder, and an empty line answers when its scenes are drawn. Without
-a working OpenGL, VTK may end the process by a signal or hang.
+Each input line is the name of a folder; the process prints an empty line when the scenes of this
+folder are drawn. Without a working OpenGL, VTK may end the process by a signal, or may hang.
 """
 
 import sys
@@ -17,14 +17,14 @@ FAR = 1e5  # pixels from the camera, more than any body is deep
 
 
 def main() -> None:
-    """Draw the scenes that the lines of the input name."""
+    """Draw the scenes of the folders that the input lines name."""
     for line in sys.stdin:
         draw(Path(line.removesuffix("\n")))
         print(flush=True)
 
 
 def draw(folder: Path) -> None:
-    """Draw every scene of `scenes.npz` to a numbered WebP in the same folder."""
+    """Draw every scene of `scenes.npz` to a numbered WebP image in the same folder."""
     with np.load(folder / "scenes.npz", allow_pickle=False) as data:
         for i in range(int(data["count"])):
             arrays = {name: data[f"{name} {i}"] for name in ("vertices", "faces", "colours")}
@@ -40,7 +40,10 @@ def pixels(
     faces: NDArray[np.int64],
     colours: NDArray[np.uint8],
 ) -> NDArray[np.uint8]:
-    """RGBA (FINER height, FINER width, 4): one unit of the vertices is one pixel of the result."""
+    """RGBA pixels (FINER height, FINER width, 4) of a scene.
+
+    One unit of the vertices is one pixel of the final image.
+    """
     plotter = pyvista.Plotter(off_screen=True, window_size=[FINER * width, FINER * height])
     plotter.disable_anti_aliasing()
     opaque = colours[:, 3] == 255

@@ -14,7 +14,7 @@ RAISED = str.maketrans("0123456789−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
 def runs(text: str) -> list[Run]:
-    """Text as runs: plain strings and lists of a tag (var, sub, sup, small, br) and its runs.
+    """Text as runs: plain strings, and lists of a tag (var, sub, sup, small, br) and its runs.
 
     Only `Markup` contains tags; any other string is one unchanged run.
     """
@@ -27,7 +27,7 @@ def runs(text: str) -> list[Run]:
 
 
 def digits(text: str) -> list[Run]:
-    """A written number as runs: 1.2e-08 as 1.2×10⁻⁸, anything else unchanged."""
+    """A printed number as runs: 1.2e-08 gives 1.2×10⁻⁸; any other text is unchanged."""
     match = _EXPONENT.fullmatch(text)
     if not match:
         return runs(text)
@@ -36,7 +36,7 @@ def digits(text: str) -> list[Run]:
 
 
 def plain(text: str) -> str:
-    """Marked-up text as one string: ×10⁻⁸ has raised digits, an index has an underscore."""
+    """Marked-up text as a plain string: exponents are raised digits, an index has an underscore."""
     return "".join(_plain(run) for run in runs(text))
 
 
@@ -53,7 +53,7 @@ def _plain(run: Run) -> str:
 
 
 class _Runs(HTMLParser):
-    """Nested tags as nested lists."""
+    """Parser that converts nested tags into nested lists."""
 
     def __init__(self) -> None:
         super().__init__(convert_charrefs=True)

@@ -1,4 +1,4 @@
-"""Lines of the tables of rows: each row with its convergence; failed rows come first."""
+"""Lines of the tables of rows, each with its convergence row; failed rows come first."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -11,20 +11,20 @@ LISTED_FIRST = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True)
 class Line:
-    """A row of the table; its convergence row, if passed, shares the line."""
+    """A line of the table: a row, and its convergence row if this passed."""
 
     row: Row
     convergence: Row | None = None
 
     @property
     def reason(self) -> str:
-        """Text below the line; none for a plain PASS."""
+        """Text below the line; empty for a plain PASS."""
         said = self.row.kind == "fact" or self.row.status is not Status.PASS
         return self.row.reason if said else ""
 
     @property
     def rank(self) -> int:
-        """The rank of the more urgent of its two rows."""
+        """Rank of the more urgent of both rows."""
         return min(rank(row.status) for row in (self.row, self.convergence) if row is not None)
 
 
@@ -32,17 +32,17 @@ Group = tuple[CaseResult, Sequence[Line]]
 
 
 def rank(status: Status) -> int:
-    """0 for a failed row, 1 for one that was not run, 2 for any other."""
+    """Rank of a status: 0 for a failed row, 1 for a row that was not run, 2 for any other."""
     return LISTED_FIRST.index(status) if status in LISTED_FIRST else len(LISTED_FIRST)
 
 
 def failed_first(rows: Iterable[Row]) -> list[Row]:
-    """Failed rows, then those not run, then all others, each in their order."""
+    """Rows sorted by rank: failed rows, rows that were not run, all others."""
     return sorted(rows, key=lambda row: rank(row.status))
 
 
 def lines(rows: Sequence[Row]) -> list[Line]:
-    """Rows, each with its convergence; failed rows first, then rows not run."""
+    """Lines of rows with their convergence rows, sorted by rank."""
     known = {row.quantity for row in rows}
     companions = {
         row.quantity.removesuffix(COMPANION): row
@@ -57,7 +57,7 @@ def lines(rows: Sequence[Row]) -> list[Line]:
 
 
 def groups_failed_first(groups: Sequence[Group]) -> list[Group]:
-    """Groups of one table over all cases: failed lines of every case before any other line."""
+    """Groups of a table over all cases, with the failed lines of every case before other lines."""
     return [
         (case, listed)
         for wanted in range(len(LISTED_FIRST) + 1)

@@ -1,4 +1,4 @@
-"""The rows of a run as a table: the content of rows.csv and of the workbook's sheet of rows."""
+"""Table of the rows of a run: content of rows.csv and of the workbook's sheet of rows."""
 
 import csv
 import io
@@ -26,9 +26,9 @@ Cell = str | float | None
 
 
 def cells(row: Row, beside: Sequence[Crosscheck] = ()) -> list[Cell]:
-    """One row: values in its unit, percents as on the page, second solvers, the papers.
+    """Cells of a row: values in its unit, per cent as on the page, second solvers, papers.
 
-    `difference` is formula less reference.
+    `difference` is formula minus reference.
     """
     printed = (
         "; ".join(p.printed for p in row.published if p.kind == kind.partition("_")[2])
@@ -54,11 +54,11 @@ def _hundredfold(fraction: float | None) -> float | None:
 
 
 def rows_csv(rows: Iterable[Row], beside: Mapping[str, Sequence[Crosscheck]] | None = None) -> str:
-    """One line a row; a text that a spreadsheet would compute starts with an apostrophe.
+    """CSV text with one line per row.
 
-    `beside` has results of second solvers, by id of the row.
-
-    Begins with a byte-order mark, without which spreadsheets misread µm.
+    A text that a spreadsheet would evaluate begins with an apostrophe. `beside` contains results of
+    second solvers, by id of the row. The text begins with a byte-order mark; without it,
+    spreadsheets misread µm.
     """
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
@@ -69,7 +69,7 @@ def rows_csv(rows: Iterable[Row], beside: Mapping[str, Sequence[Crosscheck]] | N
 
 
 def harmless(cell: Cell) -> str | float:
-    """A cell that no spreadsheet computes and that stays on its line; empty for nothing."""
+    """A cell that no spreadsheet evaluates and that has no line break; empty for None."""
     if not isinstance(cell, str):
         return "" if cell is None else cell
     text = clean(cell).replace("\r", " ")  # csv writes it unquoted, and a line would end there

@@ -23,12 +23,12 @@ Box = tuple[float, float, float, float]  # left, bottom, right, top
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """Polygons `faces` (m, 4) over `vertices` (k, 3): pixels right and up, and towards the viewer.
+    """A scene of polygons `faces` (m, 4) over `vertices` (k, 3).
 
-    Triangles repeat their last corner; `colours` is RGBA (m, 4); later cells are in front.
-    `rectangle` (left, bottom, right, top) is the visible region in the length unit of the model or,
-    for points with three coordinates, in the plane of `view`. `outline` is the undeformed body in
-    this region.
+    Vertices are in pixels to the right, upwards and towards the viewer. Triangles repeat their last
+    corner. `colours` is RGBA (m, 4); later faces are in front. `rectangle` (left, bottom, right,
+    top) is the visible region in the length unit of the model or, for points with three
+    coordinates, in the plane of `view`. `outline` is the undeformed body in this region.
     """
 
     width: int
@@ -43,7 +43,10 @@ class Scene:
 
 
 def compose(field: Field, picture: Picture) -> Scene:
-    """The deformed body in colours; ValueError if it cannot be drawn (see `bodies.body`)."""
+    """Scene of the deformed body in colours.
+
+    Raises ValueError if the field cannot be drawn (see `bodies.body`).
+    """
     whole = body(field, picture)
     turned = Body(points=view(field, whole.points), displacement=view(field, whole.displacement),
                   cells=whole.cells, values=whole.values)  # fmt: skip
@@ -59,7 +62,9 @@ def compose(field: Field, picture: Picture) -> Scene:
     if window is not None:
         inside &= _touches(turned.points[turned.cells][..., :2], _grown(window))
         if not inside.any():
-            raise ValueError(f"field {field.name!r}: the window {window} is empty once deformed")
+            raise ValueError(
+                f"field {field.name!r}: the window {window} contains no cell after the deformation"
+            )
     cells = turned.cells[inside]
     if turned.values is None or seen.values is None:
         scale, values = ramps.plain(), np.zeros(len(cells))
@@ -81,7 +86,7 @@ def compose(field: Field, picture: Picture) -> Scene:
 
 
 def view(field: Field, vectors: Array) -> Array:
-    """Vectors (n, 3) along right, up and towards the viewer; plane fields are not turned."""
+    """Vectors (n, 3) along right, up and towards the viewer; plane fields are not rotated."""
     if field.points.shape[1] == 2:
         return vectors
     yaw, pitch = math.radians(-35), math.radians(25)
@@ -91,10 +96,10 @@ def view(field: Field, vectors: Array) -> Array:
 
 
 def exaggeration(shown: Body, window: Box | None = None, readable: float = READABLE) -> float:
-    """1, 2 or 5 times a power of ten that makes displacements readable, 0 without displacements.
+    """Scale factor (1, 2 or 5 times a power of ten) that makes displacements visible.
 
-    Exaggeration for the visible part: the largest displacement is about `readable`, 6.5 %, of the
-    window or the body. Displacements of 5 to 25 % are drawn to scale.
+    It is 0 without displacements. The largest displacement of the visible part becomes about
+    `readable` (6.5 %) of the window or the body. Displacements of 5 to 25 % are drawn to scale.
     """
     largest = float(np.linalg.norm(shown.displacement, axis=1).max())
     size = shown.size if window is None else max(window[2] - window[0], window[3] - window[1])
@@ -129,20 +134,20 @@ def in_window(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
 
 
 def _touches(corners: Array, box: Box) -> NDArray[np.bool_]:
-    """True for cells (m, corners, 2) whose bounding box overlaps the box."""
+    """Whether the bounding box of each cell (m, corners, 2) overlaps the box."""
     low, high = corners.min(axis=1), corners.max(axis=1)
     return np.asarray(((high >= box[:2]) & (low <= box[2:])).all(axis=1))
 
 
 def _grown(window: Box) -> Box:
-    """Window with a margin for parts that enter the window only by exaggeration."""
+    """Window with a margin for parts that enter it only due to the exaggeration."""
     left, bottom, right, top = window
     air = READABLE * 2 * max(right - left, top - bottom)
     return left - air, bottom - air, right + air, top + air
 
 
 def _layout(points: Array, window: Box | None) -> tuple[int, int, Box]:
-    """Width and height in whole pixels, and the rectangle that exactly fills them."""
+    """Width and height in integer pixels, and the rectangle that exactly fills them."""
     if window is None:
         low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
         air = MARGIN * (high - low).max()

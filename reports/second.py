@@ -1,4 +1,4 @@
-"""Results of second solvers for a row's FE value, and for the head of a case."""
+"""Results of second solvers for the finite-element value of a row, and for a case."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ COLUMNS = ("second_solver", "second_value", "second_difference_relative", "secon
 
 @dataclass(frozen=True)
 class Seconds:
-    """Comparisons by their place: `ids` on the page, `rows` by id of the row, `cases` by case.
+    """Comparisons by place: `ids` on the page, `rows` by id of the row, `cases` by case.
 
-    A row has the comparisons of its quantity; a case has the problems with a quantity that belongs
+    A row has the comparisons of its quantity. A case has the problems with a quantity that belongs
     to no single row.
     """
 
@@ -46,30 +46,30 @@ def seconds(checks: Sequence[Crosscheck]) -> Seconds:
 
 
 def value(check: Crosscheck, row: Row) -> Markup:
-    """The other solver's number, with its unit if this differs from the row's."""
+    """Value of the second solver, with its unit if this differs from the unit of the row."""
     unit = "" if check.unit == row.unit or check.unit == "1" else f" {check.unit}"
     return Markup("{}{}").format(formats.written(check.theirs), unit)
 
 
 def difference(check: Crosscheck) -> Markup:
-    """Difference of both solvers and the seconds of the other, for a line."""
+    """Text with the difference of both solvers and the run time of the second solver."""
     outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
     difference = formats.percents(check.difference, signed=True) if check.difference else "equal"
     return Markup("{}, {:.2g} s{}").format(difference, check.seconds[1], outside)
 
 
 def meshes(check: Crosscheck) -> str:
-    """The compared values, on demand: both on one mesh, which may differ from the row's mesh."""
+    """Text with both compared values, which are for one mesh (not always the mesh of the row)."""
     here, there = (formats.number(x) for x in (check.ours, check.theirs))
     unit = f" {check.unit}" if check.unit != "1" else ""
     return (
         f"{check.solver} {check.version} on the project's mesh of {check.unknowns} unknowns: "
-        f"{there}{unit}; here {here}{unit}"
+        f"{there}{unit}; project: {here}{unit}"
     )
 
 
 def cells(checks: Sequence[Crosscheck]) -> list[str | float | None]:
-    """COLUMNS of a row; of several solvers the first, all are in crosscheck.csv."""
+    """Cells COLUMNS of a row, for its first second solver; crosscheck.csv contains all solvers."""
     if not checks:
         return ["", None, None, None]
     first = checks[0]
@@ -77,7 +77,7 @@ def cells(checks: Sequence[Crosscheck]) -> list[str | float | None]:
 
 
 def records(checks: Sequence[Crosscheck]) -> Iterator[dict[str, Any]]:
-    """Comparisons of every second solver for results.json."""
+    """Records of the comparisons with every second solver, for results.json."""
     for check in checks:
         yield {
             "solver": check.solver, "version": check.version, "value": check.theirs,

@@ -1,4 +1,4 @@
-"""Several shapes of a thin body side by side, to one scale, such as a spring or a shaft."""
+"""Drawing of several shapes of a thin body, such as a spring, to one scale."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,7 +21,7 @@ Placed = Callable[[Array], Array]
 
 
 def shapes(s: Shapes) -> Markup:
-    """Panels in as many rows as keep them legible, with a scale bar."""
+    """SVG of panels in as many rows as keep them legible, with a scale bar."""
     boxes = [_box(panel) for panel in s.panels]
     sizes = [high - low for low, high in boxes]
     scale, rows = _packed(sizes, [panel.name for panel in s.panels])
@@ -65,7 +65,7 @@ def _packed(sizes: list[Array], names: list[str]) -> tuple[float, list[list[int]
 
 
 def _row_scale(sizes: list[Array], names: list[str]) -> float:
-    """The largest scale at which a row fits its width, found by bisection: names are wide, too."""
+    """Largest scale at which the panels and names of a row fit the width, by bisection."""
     room = WIDTH - 2 * EDGE - GAP * (len(sizes) - 1)
     low, high = 0.0, TALLEST / max(max(size[1] for size in sizes), 1e-300)
     for _ in range(60):
@@ -76,7 +76,7 @@ def _row_scale(sizes: list[Array], names: list[str]) -> float:
 
 
 def _place(at: Array, scale: float, corner: Array, points: Array) -> Array:
-    """Points of a panel in the picture, y downwards; the point `corner` is drawn at `at`."""
+    """Points of a panel in the picture, with y downwards; the point `corner` is drawn at `at`."""
     return np.asarray(at + scale * (points - corner) * (1, -1), dtype=np.float64)
 
 
@@ -92,7 +92,7 @@ def _drawn(panel: Panel, place: Placed, s: Shapes) -> list[Markup]:
 
 
 def _bar(scale: float, s: Shapes, top: float) -> list[Markup]:
-    """A bar of a round length."""
+    """SVG of a scale bar with a round length."""
     length = svg.ticks(0.0, 0.3 * WIDTH / scale, 2)[-1]
     y, right = top + 12, EDGE + scale * length
     return [
@@ -103,5 +103,5 @@ def _bar(scale: float, s: Shapes, top: float) -> list[Markup]:
 
 
 def _key(name: str, top: float) -> list[Markup]:
-    """Meaning of the dots, below the bar."""
+    """SVG with the meaning of the dots, below the bar."""
     return [svg.circle(EDGE + 4, top, 2.4, "fe"), svg.text(EDGE + 12, top + 4, name, "tick")]

@@ -1,4 +1,4 @@
-"""Names of a workbook's sheets: at most 31 characters, no brackets or slashes, each once."""
+"""Unique names of a workbook's sheets, with at most 31 characters and no brackets or slashes."""
 
 import re
 from collections.abc import Iterable
@@ -15,7 +15,7 @@ _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")
 
 
 class Sheets:
-    """The sheet of every table: `of_case` by case and table, `of_paper` by the papers' tables."""
+    """Sheet names of all tables: `of_case` by case and table, `of_paper` by table of the papers."""
 
     def __init__(self, report: Report) -> None:
         self._taken = {name.casefold() for name in (*FIXED, "History")}  # the latter is reserved
@@ -26,7 +26,7 @@ class Sheets:
         return [self._name(title) for title in titles]
 
     def _name(self, title: str) -> str:
-        """The beginning of the title, with a number if it is already used."""
+        """The beginning of the title, with a number if this name is already used."""
         words = " ".join(_FORBIDDEN.sub(" ", clean(title)).split()).strip("'") or "Table"
         name, number = words[:LONGEST].strip(" '"), 1
         while name.casefold() in self._taken:

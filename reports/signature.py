@@ -1,4 +1,4 @@
-"""The graphic of a row: its difference in units of its tolerance."""
+"""Graphic of a row: its difference in units of its tolerance."""
 
 import math
 
@@ -19,10 +19,10 @@ MARKS = {
 
 
 def position(row: Row) -> float | None:
-    """Position of the formula, in tolerances from its reference; None without a reference.
+    """Difference of formula and reference in tolerances; None without a reference.
 
-    Position of an approximation in its expected interval, which is -1 to 1. For a balance, which
-    has no formula, the residual is used.
+    For an approximation, it is the position in the expected interval, which is -1 to 1. For a
+    balance, which has no formula, the residual is used.
     """
     found = difference(row)
     if found is None:
@@ -34,7 +34,10 @@ def position(row: Row) -> float | None:
 
 
 def signature(row: Row) -> Markup:
-    """The formula as a dot in the band of its reference; an outlier is an arrow with its factor."""
+    """SVG of the formula as a dot in the band of its reference.
+
+    If the dot is far outside the band, an arrow with the factor is drawn instead.
+    """
     where = position(row)
     if where is None or not math.isfinite(where):
         if row.status is not Status.SKIP:
@@ -55,21 +58,21 @@ def signature(row: Row) -> Markup:
         parts.append(svg.text(tip - side * 8, 12, words, "times", "end" if side > 0 else "start"))
     else:
         parts.append(svg.circle(CENTRE + HALF * where, 9, 3.4, "dot"))
-    words = f"formula {where:+.2g} tolerances from its reference"
+    words = f"difference of the formula from its reference: {where:+.2g} tolerances"
     if row.interval is not None:
-        words = f"model error {where:+.2g} half-widths from the middle of its expected interval"
+        words = f"model error: {where:+.2g} half-widths from the centre of its expected interval"
     return svg.drawing(132, 18, parts, words, f"sig is-{row.status.value.lower()}")
 
 
 def _is_blunt(row: Row) -> bool:
-    """Whether the band by itself would hide an error of 1 %."""
+    """Whether the band alone would hide an error of 1 %."""
     if row.interval is not None:
         return row.interval[1] - row.interval[0] > 0.02
     return bool(row.tolerance and row.scale and row.tolerance / row.scale > 0.01)
 
 
 def _mark(row: Row, entry: Published) -> Markup:
-    """A printed value on the scale of the row, if it fits."""
+    """SVG of a printed value on the scale of the row; empty if it does not fit."""
     reference = row.reference
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")

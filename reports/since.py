@@ -1,4 +1,4 @@
-"""Changes since a release, in words and for the PDF."""
+"""Texts about changes since a release, for the page and for the PDF."""
 
 from collections.abc import Sequence
 
@@ -10,46 +10,46 @@ MOST = 150  # lines; results.json has all
 
 
 def summary(drift: Drift) -> str:
-    """The counts in one sentence without its stop."""
+    """Sentence with the numbers of changes, without a full stop."""
     loosened = sum(c.loosened for c in drift.changes)
     without = len(drift.unexplained)
     counts = [
         (len(drift.changes) - loosened, "change{} listed"),
         (loosened, "requirement{0} loosened"),
-        (without, "of them without a reason"),
+        (without, "of these without a reason"),
         (drift.tightened, "row{} tightened"),
     ]
     told = [f"{n} {words.format('s' * (n > 1))}" for n, words in counts if n]
-    return ", ".join([f"{drift.compared} rows compared", *(told or ["nothing moved"])])
+    return ", ".join([f"{drift.compared} rows compared", *(told or ["no changes"])])
 
 
 def shown(drift: Drift) -> list[Change]:
-    """As many changes as fit, relaxed requirements without a reason first."""
+    """Changes to list, at most MOST; loosened requirements without a reason come first."""
     return sorted(drift.changes, key=lambda c: (not c.loosened, bool(c.reason)))[:MOST]
 
 
 def left_out(drift: Drift) -> str:
-    """Number of changes that are not listed, in words."""
+    """Sentence with the number of changes that are not listed; empty if all are listed."""
     return _more(drift.changes)
 
 
 def tighter(drift: Drift) -> Sequence[Change]:
-    """Requirements that became stricter, as many as fit."""
+    """Requirements that became stricter, at most MOST."""
     return drift.tighter[:MOST]
 
 
 def tighter_left_out(drift: Drift) -> str:
-    """Number of rows with stricter requirements that are not listed, in words."""
+    """Sentence with the number of stricter requirements that are not listed; empty if none."""
     return _more(drift.tighter)
 
 
 def _more(changes: Sequence[Change]) -> str:
     more = len(changes) - MOST
-    return f"{more} more are in results.json, drift." if more > 0 else ""
+    return f"{more} more changes are in results.json (key drift)." if more > 0 else ""
 
 
 def since_data(drift: Drift | None) -> Data | None:
-    """The section for the PDF, loosened requirements first."""
+    """Data of the section for the PDF, with loosened requirements first."""
     if drift is None:
         return None
     return {

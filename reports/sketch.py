@@ -1,4 +1,4 @@
-"""A case's sketch from its shapes, to scale, with arrows, dimensions and labels."""
+"""Sketch of a case from its shapes, to scale, with arrows, dimensions and labels."""
 
 import math
 import re
@@ -24,7 +24,7 @@ Points = list[tuple[float, float]]
 
 
 def sketch(data: Sketch | None) -> Markup:
-    """The drawing, at most 400 by 300; empty without data."""
+    """SVG of the sketch, at most 400 by 300; empty without data."""
     if data is None or not data.shapes:
         return Markup("")
     points = np.vstack([np.reshape(s.points, (-1, 2)) for s in data.shapes])
@@ -34,7 +34,7 @@ def sketch(data: Sketch | None) -> Markup:
     left = (WIDTH - k * size[0]) / 2
 
     def at(xy: Array) -> Points:
-        """Points of the image; y points up in the sketch."""
+        """Points in the image; y points upwards in the sketch."""
         return [
             (left + k * (x - low[0]), MARGIN + k * (high[1] - y))
             for x, y in np.reshape(xy, (-1, 2))
@@ -46,7 +46,7 @@ def sketch(data: Sketch | None) -> Markup:
 
 
 def _apart(drawn: Markup, height: float) -> Markup:
-    """Drawing in which labels that would overlap are moved away from its middle."""
+    """Drawing in which labels that would overlap are moved away from its centre."""
     taken: list[tuple[float, float, float]] = []
 
     def placed(label: re.Match[str]) -> str:
@@ -65,7 +65,7 @@ def _apart(drawn: Markup, height: float) -> Markup:
 
 
 def _widened(drawn: Markup) -> Markup:
-    """The drawing with room for its longest labels, which paper and narrow screens would cut."""
+    """Drawing with space for its longest labels, which would be cut on paper and narrow screens."""
     left, right = 0.0, WIDTH
     for x, anchor, inner in _LABEL.findall(drawn):
         wide = LETTER * len(_TAG.sub("", inner))
@@ -84,7 +84,7 @@ def _open(css: str) -> Callable[[Points, str], Markup]:
 
 
 def _beside(points: Points, label: str) -> Markup:
-    """A label above and right of the last point."""
+    """SVG of a label above and to the right of the last point."""
     if not label:
         return Markup("")
     x, y = points[-1]
@@ -119,7 +119,7 @@ def _dimension(points: Points, label: str) -> Markup:
 
 
 def _angle(points: Points, label: str) -> Markup:
-    """An arc with arrow heads at both ends."""
+    """SVG of an arc with arrow heads at both ends."""
     parts = svg.polyline(points, "dim")
     for tip, before in ((0, 1), (-1, -2)):
         (x, y), (x0, y0) = points[tip], points[before]
@@ -136,7 +136,7 @@ def _leader(points: Points, label: str) -> Markup:
 
 
 def _clamp(points: Points, _label: str) -> Markup:
-    """A wall: hatched on the left of the direction in which it is drawn."""
+    """SVG of a wall, hatched on the left of the direction in which it is drawn."""
     (x0, y0), (x1, y1) = points[0], points[-1]
     length = math.hypot(x1 - x0, y1 - y0) or 1.0
     c, s = (x1 - x0) / length, (y1 - y0) / length
@@ -153,7 +153,7 @@ def _words(points: Points, label: str) -> Markup:
 
 
 def _away(start: tuple[float, float], along: tuple[float, float], label: str) -> Markup:
-    """A label just beyond the start of an arrow."""
+    """SVG of a label just beyond the start of an arrow."""
     dx, dy = along
     length = math.hypot(dx, dy) or 1.0
     x, y = start[0] + 6 * dx / length, start[1] + 10 * dy / length + 4

@@ -1,6 +1,7 @@
-"""A page in fewer bytes, drawn as before: paths by steps, repeated equations by reference.
+"""Reduction of the size of a page without a change of its appearance.
 
-The file of a page has no quotes around attributes without blanks.
+Paths consist of relative steps, and repeated equations refer to their first drawing. Attributes
+without blanks have no quotes.
 """
 
 import re
@@ -35,7 +36,7 @@ def slim(page: str) -> str:
 
 
 def cells(page: str) -> str:
-    """The page without the ends of cells before the next cell or the end of a row."""
+    """The page without end tags of cells before the next cell or the end of a row."""
     return _CELL_END.sub("", page)
 
 
@@ -49,14 +50,17 @@ def unquoted(page: str) -> str:
 
 
 def too_large(files: Mapping[str, bytes]) -> Iterator[str]:
-    """A line for each page of these files with more than `MOST` bytes."""
+    """Messages for pages with more than `MOST` bytes."""
     for name, text in files.items():
         if name.endswith(".html") and len(text) > MOST:
-            yield f"{name} has {len(text) / 1000:.1f} kB; a page has at most {MOST // 1000} kB"
+            yield (
+                f"{name} has {len(text) / 1000:.1f} kB, but a page must not exceed "
+                f"{MOST // 1000} kB"
+            )
 
 
 def _once(page: str, drawing: str, name: str) -> str:
-    """The page in which repeated parts of drawings refer to their first place."""
+    """The page in which repeated parts of drawings refer to the first of them."""
     first, *others = page.split(drawing)
     if len(others) < SEVERAL:
         return page
@@ -65,7 +69,7 @@ def _once(page: str, drawing: str, name: str) -> str:
 
 
 def _equations_once(page: str) -> str:
-    """The page in which an equation that is repeated refers to its first drawing."""
+    """The page in which a repeated equation refers to its first drawing."""
     repeated = {d for d, n in Counter(e[2] for e in _EQUATION.finditer(page)).items() if n > 1}
     names: dict[str, str] = {}
 
@@ -82,9 +86,10 @@ def _equations_once(page: str) -> str:
 
 
 def steps(path: str) -> str:
-    """Straight lines M1,2L3.5,2z as M1,2h2.5z: tenths of a pixel are retained, so no point moves.
+    """A path of straight lines in relative steps: M1,2L3.5,2z gives M1,2h2.5z.
 
-    Points within a straight piece are removed. Finer coordinates are unchanged.
+    Coordinates in tenths of a pixel are retained, so that no point moves. Points within a straight
+    piece are removed. Finer coordinates are unchanged.
     """
     parts = path.split("M")[1:]
     if not all(_POINT.fullmatch(p) for part in parts for p in part.rstrip("z").split("L")):
@@ -111,7 +116,7 @@ def _tenths(point: str) -> Point:
 
 
 def _corners(points: Iterator[Point]) -> Iterator[Point]:
-    """Points where the path turns, and its ends."""
+    """Points where the path changes its direction, and its ends."""
     start = held = next(points)
     yield start
     moved = False
@@ -127,7 +132,7 @@ def _corners(points: Iterator[Point]) -> Iterator[Point]:
 
 
 def _short(tenths: int) -> str:
-    """2.5, 3, .4 and -.4."""
+    """Text of a number of tenths as short as possible: 2.5, 3, .4 and -.4."""
     whole, rest = divmod(abs(tenths), 10)
     sign = "-" * (tenths < 0)
     if not rest:
@@ -136,7 +141,7 @@ def _short(tenths: int) -> str:
 
 
 def _packed(name: list[str], numbers: list[str], *, after: bool = False) -> str:
-    """Numbers, with a comma only if no sign separates them."""
+    """Text of numbers, with a comma only if no sign separates them."""
     said = "".join(name)
     for i, number in enumerate(numbers):
         said += "," * ((i > 0 or after) and number[0] != "-") + number

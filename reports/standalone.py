@@ -1,4 +1,4 @@
-"""The drawings of the page as separate SVG files: with colours, sizes and fonts inside."""
+"""Drawings of the page as separate SVG files with their colours, sizes and fonts."""
 
 import html
 import re
@@ -17,7 +17,7 @@ OWN = (  # on paper: other size of letters, and one font for text and symbols
 
 
 class Drawing(TypedDict):
-    """An image, its description in words, and its height over its width."""
+    """An image, its description in words, and the ratio of its height to its width."""
 
     svg: str
     alt: str
@@ -50,7 +50,7 @@ def _box(svg: str) -> tuple[float, float, float, float]:
 
 @cache
 def _rules() -> str:
-    """The style sheet of drawings with the light palette inserted: an image has no variables."""
+    """Style sheet of drawings with the light palette inserted (an image has no variables)."""
     palette = (HERE / "palette.css").read_text("utf-8")
     light = palette[: palette.index("@media")]
     colours = dict(re.findall(r"(--[\w-]+):\s*([^;]+);", light))

@@ -1,4 +1,4 @@
-"""Small pieces of SVG. Labels are escaped here; colours and fonts come from CSS classes."""
+"""Elements of SVG drawings; labels are escaped, colours and fonts come from CSS classes."""
 
 import math
 import re
@@ -11,7 +11,7 @@ _INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=*]+)")
 
 
 def drawing(width: float, height: float, body: Iterable[Markup], label: str, css: str) -> Markup:
-    """An SVG image; `label` is the text for a screen reader."""
+    """SVG image; `label` is the text for a screen reader."""
     return Markup(
         '<svg class="{}" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:g} {:g}" role="img" '
         'aria-label="{}">{}</svg>'
@@ -19,14 +19,14 @@ def drawing(width: float, height: float, body: Iterable[Markup], label: str, css
 
 
 def text(x: float, y: float, words: str, css: str = "", anchor: str = "start") -> Markup:
-    """Words at a point; u_r(r_i) gets lowered indices."""
+    """SVG text at a point, with lowered indices for symbols such as u_r(r_i)."""
     return Markup('<text class="{}" x="{}" y="{}" text-anchor="{}">{}</text>').format(
         css, short(x), short(y), anchor, lowered(words)
     )
 
 
 def lowered(words: str) -> Markup:
-    """u_r(r_i) as text with lowered indices."""
+    """SVG text spans with lowered indices for symbols such as u_r(r_i)."""
     parts, end = [], 0
     for match in _INDEX.finditer(words):
         index = match[1].strip("{}")
@@ -41,32 +41,33 @@ def lowered(words: str) -> Markup:
 
 
 def polyline(points: Iterable[Sequence[float]], css: str, *, closed: bool = False) -> Markup:
-    """A path through points of the image."""
+    """SVG path through points of the image."""
     d = "L".join(f"{short(x)},{short(y)}" for x, y in points)
     return Markup('<path class="{}" d="M{}{}"/>').format(css, d, "z" if closed else "")
 
 
 def short(x: float) -> str:
-    """Coordinate to a tenth, without ".0", because a page contains a hundred thousand of them."""
+    """Text of a coordinate with one decimal, without ".0", to save space on the page."""
     return f"{x:.1f}".removesuffix(".0")
 
 
 def line(x0: float, y0: float, x1: float, y1: float, css: str) -> Markup:
-    """A straight line."""
+    """SVG of a straight line."""
     return polyline([(x0, y0), (x1, y1)], css)
 
 
 def circle(x: float, y: float, r: float, css: str) -> Markup:
-    """A dot."""
+    """SVG of a circle."""
     return Markup('<circle class="{}" cx="{}" cy="{}" r="{:g}"/>').format(
         css, short(x), short(y), r
     )
 
 
 def marker(x: float, y: float, r: float, css: str, shape: int) -> Markup:
-    """A mark with about the area of a dot of radius r: dot, square, two triangles, rhombus, star.
+    """SVG of a mark with about the area of a circle of radius r.
 
-    Any `shape` from 0 on; after the last one they begin again.
+    The shapes are circle, square, triangle, rhombus, inverted triangle and star; `shape` is any
+    number from 0 on, and the shapes repeat.
     """
     shape %= 1 + len(_MARKS)
     if shape == 0:
@@ -87,20 +88,20 @@ _MARKS: tuple[tuple[tuple[float, float], ...], ...] = (
 
 
 def cross(x: float, y: float, r: float, css: str) -> Markup:
-    """Two strokes across each other, 2r wide."""
+    """SVG of two crossing strokes, 2r wide."""
     d = f"M{short(x - r)},{short(y - r)}l{2 * r:g},{2 * r:g}m0,{-2 * r:g}l{-2 * r:g},{2 * r:g}"
     return Markup('<path class="{}" d="{}"/>').format(css, d)
 
 
 def rectangle(x: float, y: float, width: float, height: float, css: str) -> Markup:
-    """A filled rectangle."""
+    """SVG of a filled rectangle."""
     return Markup('<rect class="{}" x="{}" y="{}" width="{}" height="{}"/>').format(
         css, short(x), short(y), short(max(width, 0.0)), short(max(height, 0.0))
     )
 
 
 def arrow_head(x: float, y: float, dx: float, dy: float, css: str, size: float = 7.0) -> Markup:
-    """A filled triangle with its tip at (x, y), pointing along (dx, dy)."""
+    """SVG of a filled triangle with its tip at (x, y), pointing along (dx, dy)."""
     length = math.hypot(dx, dy) or 1.0
     c, s = dx / length * size, dy / length * size
     return polyline(
@@ -110,12 +111,12 @@ def arrow_head(x: float, y: float, dx: float, dy: float, css: str, size: float =
 
 
 def plain(value: float) -> str:
-    """A tick's number with a true minus."""
+    """Text of the number of a tick, with a true minus."""
     return f"{value + 0.0:.6g}".replace("-", MINUS)
 
 
 def decade(exponent: int) -> Markup:
-    """10 to a power."""
+    """SVG text of a power of ten."""
     sign = MINUS if exponent < 0 else ""
     return Markup('10<tspan class="sup" dy="-4">{}{}</tspan>').format(sign, abs(exponent))
 
@@ -123,8 +124,8 @@ def decade(exponent: int) -> Markup:
 def log_ticks(low: float, high: float, apart: float = 0.09) -> list[float]:
     """Numbers in [low, high] for a logarithmic axis, no two closer than `apart` of its length.
 
-    Powers of ten come first, then 2 and 5 times these; a range with fewer than three marks has
-    round numbers.
+    Powers of ten come first, then 2 and 5 times these powers. A range with fewer than three such
+    numbers has round numbers.
     """
     if not high > low > 0:
         return [low]
@@ -141,7 +142,7 @@ def log_ticks(low: float, high: float, apart: float = 0.09) -> list[float]:
 
 
 def ticks(low: float, high: float, about: int = 5) -> list[float]:
-    """Round numbers in [low, high]."""
+    """Round numbers in [low, high], about `about` of them."""
     if not high > low:
         return [low]
     raw = (high - low) / about

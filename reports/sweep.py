@@ -1,4 +1,4 @@
-"""The page of a sweep: self-contained, without scripts."""
+"""Page of a sweep: a single file without scripts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from verify.core.figures import Figure, Table
 
 @dataclass(frozen=True, kw_only=True)
 class Panels:
-    """Small maps or curves side by side, each named by its title, and their key once."""
+    """Small maps or curves side by side, each with a title, and one common key."""
 
     title: str
     maps: tuple[Measured, ...]
@@ -31,9 +31,9 @@ Picture = Figure | Measured | Histogram | Causes
 
 @dataclass(frozen=True, kw_only=True)
 class Formula:
-    """Result of a sweep for one formula: a sentence, tables and pictures, `panels` of small ones.
+    """Result of a sweep for one formula: sentence, tables, figures, `panels` of small figures.
 
-    `kind` is the name of the comparison; `opened` states whether all details are displayed at once.
+    `kind` is the name of the comparison; `opened` states whether all details are visible at first.
     """
 
     anchor: str
@@ -50,11 +50,11 @@ class Formula:
 
 @dataclass(frozen=True, kw_only=True)
 class SweepPage:
-    """Everything on the page, in words and numbers.
+    """Content of the page of a sweep.
 
-    `overview` is a table with a line for each of `formulas`, in their order; `problems` state the
-    number of failed points and the reasons. `varied` and `inputs` are symbol, meaning and value;
-    `facts` and `files` are name and content.
+    `overview` is a table with a line for each of `formulas`, in their order. `problems` state the
+    number of failed points and the reasons. `varied` and `inputs` contain symbol, meaning and
+    value; `facts` and `files` contain name and content.
     """
 
     name: str
@@ -88,7 +88,7 @@ def page(sweep: SweepPage) -> str:
 
 
 def prose(text: str) -> Markup:
-    """Running text in which no number is separated from its per cent sign."""
+    """HTML of running text in which no number is separated from its per cent sign."""
     return formats.prose(flat(text))
 
 
@@ -98,13 +98,13 @@ def flat(text: str) -> str:
 
 
 def key(panels: Sequence[Panels]) -> Markup:
-    """Meaning of the colours and marks of all these maps."""
+    """SVG of the key of the colours and marks of all these maps."""
     maps = [m for one in panels for m in one.maps]
     return scale_key(maps[0].limits, marked=any(has_nominal(m) for m in maps))
 
 
 def plot(figure: Picture) -> Markup:
-    """The drawing of a figure."""
+    """SVG of a figure."""
     match figure:
         case Measured():
             return measured(figure)

@@ -1,4 +1,4 @@
-"""Pictures of a sample: the scatter of a quantity, and the inputs that cause it."""
+"""Figures of a sample: scatter of a quantity, and the inputs that cause it."""
 
 from dataclasses import dataclass
 
@@ -16,9 +16,10 @@ MOST_BINS = 40
 
 @dataclass(frozen=True, kw_only=True)
 class Histogram:
-    """Frequency of `values` (n,), in the unit of the label; `quantiles` are values and names.
+    """Histogram of `values` (n,), in the unit of the label.
 
-    `limits` are marked as ± values of the error of the formula.
+    `quantiles` are pairs of value and name. `limits` are drawn as ± values of the error of the
+    formula.
     """
 
     title: str
@@ -31,7 +32,7 @@ class Histogram:
 
 @dataclass(frozen=True, kw_only=True)
 class Causes:
-    """Sensitivity indices: for each input its name, and first-order and total index.
+    """Bar chart of sensitivity indices: for each input its name, first-order and total index.
 
     Each index is a value with the ends of its interval.
     """
@@ -42,7 +43,7 @@ class Causes:
 
 
 def histogram(h: Histogram) -> Markup:
-    """Bars of equal width, and lines at the quantiles."""
+    """SVG of bars of equal width, with lines at the quantiles."""
     values = h.values[np.isfinite(h.values)]
     low, high = float(values.min()), float(values.max())
     span = reach(values)
@@ -70,7 +71,7 @@ def histogram(h: Histogram) -> Markup:
 
 
 def reach(values: Array) -> tuple[float, float]:
-    """Range of the axis of a histogram of `values`: all of them, and a margin."""
+    """Range of the axis of a histogram: that of all `values`, with a margin."""
     low, high = float(values.min()), float(values.max())
     margin = 0.04 * (high - low) or 0.01 * abs(high) or 1.0
     return low - margin, high + margin
@@ -87,7 +88,7 @@ def _quantiles(axes: Axes, h: Histogram) -> None:
 
 
 def causes(c: Causes) -> Markup:
-    """Two bars with intervals for each input: first-order index and total index."""
+    """SVG of two bars with intervals for each input: first-order index and total index."""
     left = 20.0 + LETTER * max(len(name) for name, _, _ in c.items)
     bottom = 30.0 + ROW * len(c.items)
     reach = [v for _, first, total in c.items for v in (*first, *total)]
@@ -110,7 +111,10 @@ def causes(c: Causes) -> Markup:
             ]
     axes.base(svg.ticks(*span, 5), svg.plain)
     at = 12.0
-    for css, words in (("first", "alone (first order)"), ("total", "in all, with interactions")):
+    for css, words in (
+        ("first", "first order (input alone)"),
+        ("total", "total (with interactions)"),
+    ):
         axes.body.append(svg.rectangle(at, 4, 18, THICK, css))
         axes.body.append(svg.text(at + 24, 12, words, "tick"))
         at += 34 + LETTER * len(words)

@@ -1,4 +1,4 @@
-"""Templates set by typst, whose faults are one line."""
+"""Typesetting of templates by typst; its errors become messages of one line."""
 
 from typing import Any
 
@@ -6,11 +6,11 @@ from reports.standalone import HERE
 
 
 class NotSet(Exception):  # noqa: N818 - the name states the failure
-    """typst could not set a template; the message states why in one line."""
+    """Error if typst cannot process a template; the message states the reason in one line."""
 
 
 def typeset(template: str, inputs: dict[str, str], **options: Any) -> Any:
-    """Output of typst for a template with `inputs`, by the `options` of typst; raises NotSet."""
+    """Output of typst for a template with `inputs` and `options`. Raises NotSet if typst fails."""
     try:
         import typst  # its absence is no reason to write no report
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""A style sheet without the rules that no element of its page can match."""
+"""Style sheet without rules that no element of its page can match."""
 
 import re
 from collections.abc import Iterator
@@ -12,9 +12,9 @@ _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)  # words in scripts c
 
 
 def used_rules(page: str) -> str:
-    """The page with the rules of its style sheet whose classes all occur in it or in its scripts.
+    """The page with only those rules whose classes all occur in the page or in its scripts.
 
-    Classes within brackets, as in :is(), do not count: such a rule is retained.
+    Classes within brackets, as in :is(), are ignored: such a rule is retained.
     """
     given = {name for names in _GIVEN.findall(page) for name in names.split()}
     given |= {word for script in _SCRIPT.findall(page) for word in re.findall(r"[\w-]+", script)}
@@ -30,7 +30,7 @@ def used_rules(page: str) -> str:
 
 
 def _required(selector: str) -> set[str]:
-    """The classes that an element of a selector must have, or one above it."""
+    """Classes that an element matched by a selector, or one of its ancestors, must have."""
     bare, before = selector, ""
     while bare != before:
         before, bare = bare, _INSIDE.sub("", bare)
@@ -38,7 +38,7 @@ def _required(selector: str) -> set[str]:
 
 
 def _parts(selectors: str) -> Iterator[str]:
-    """Selectors of a list, whose commas within brackets part none."""
+    """Selectors of a list; commas within brackets do not separate selectors."""
     depth, start = 0, 0
     for i, letter in enumerate(selectors):
         depth += (letter == "(") - (letter == ")")

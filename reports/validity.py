@@ -1,4 +1,4 @@
-"""Cards with the range in which each formula may be used: by subject, each with its figure."""
+"""Cards with the range of validity of each formula, by subject, each with its figure."""
 
 import math
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ LEAST = 1e-6  # per cent, below which a number adds nothing
 
 
 def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
-    """The cases under the name of their subject, in their order."""
+    """Cases grouped by subject, in their order."""
     found: dict[str, list[Validity]] = {}
     for one in known:
         found.setdefault(one.subject, []).append(one)
@@ -25,7 +25,10 @@ def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
 
 
 def figure(region: ValidityRegion, title: str) -> Markup:
-    """The error over the varied inputs; nothing if each limit holds for all points or for none."""
+    """Figure of the error over the varied inputs.
+
+    Empty if each limit holds for all points or for none.
+    """
     shape = [len(axis.values) for axis in region.axes]
     if not shape or not _left(region):
         return Markup("")
@@ -60,14 +63,17 @@ def mapped(known: Sequence[Validity]) -> bool:
 
 
 def common(one: Validity) -> str:
-    """Ranges that all cards of a case share; empty if they differ or there is only one."""
+    """Range that all cards of a case share; empty if ranges differ or there is only one card."""
     over = {region.over for card in one.cards for region in card.regions}
     alike = len(one.cards) > 1 and len(over) == 1
     return over.pop() if alike else ""
 
 
 def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
-    """Limits that are met at the same points, in words: "2, 5"."""
+    """Limits with their names.
+
+    Limits that are met at the same points share a name such as "2, 5".
+    """
     found: list[tuple[str, ValidityLimit]] = []
     for one in region.limits:
         name = f"{100 * one.limit:g}"
@@ -78,10 +84,10 @@ def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
 
 
 def signed(error: float | None, U: float | None) -> str:
-    """A relative error in per cent with its bar: "−1.2 ± 0.02 %"; a dash without an error.
+    """Text of a relative error in per cent with its bar, such as "−1.2 ± 0.02 %"; a dash for None.
 
-    A bar below a hundredth of the first digit of the error is "<"; if both are below LEAST, one
-    "<".
+    A bar below a hundredth of the first digit of the error is printed with "<". If error and bar
+    are below LEAST, only one "<" is printed.
     """
     if error is None:
         return "–"

@@ -1,6 +1,7 @@
-"""A formula's signed error over one input, in the band of its uncertainty, between the limits.
+"""Plot of a formula's signed error over one input, with uncertainty band and limits.
 
-Below the line, there is a strip for each limit: filled if the whole band is within the limit.
+Below the curve there is a strip for each limit; it is filled where the whole band is within the
+limit.
 """
 
 import math
@@ -26,7 +27,7 @@ APART = 13.0  # lines of text
 
 
 def validity_line(m: Measured, width: float, height: float) -> Markup:
-    """The curve with its band, the limits, and the strips below."""
+    """SVG of the curve with its band, the limits, and the strips below."""
     known = np.isfinite(m.error) & np.isfinite(m.U)
     at = np.log10(m.x) if m.log[0] else np.asarray(m.x, dtype=float)
     low, high = _reach(m, known)
@@ -64,7 +65,7 @@ def _bent(error: Array | float) -> Array:
 
 
 def _reach(m: Measured, known: NDArray[np.bool_]) -> tuple[float, float]:
-    """Range of the axis: all error bars, and the first limit, for comparison."""
+    """Range of the axis: all error bars, and at least the first limit."""
     least = 1.3 * m.limits[0]
     if not known.any():
         return -least, least
@@ -73,7 +74,7 @@ def _reach(m: Measured, known: NDArray[np.bool_]) -> tuple[float, float]:
 
 
 def _limits(axes: Axes, m: Measured, *, even: bool) -> None:
-    """The zones within the limits, their lines, and the numbers of the axis."""
+    """Add the zones within the limits, their lines, and the numbers of the axis."""
     low, high = axes.y
     left, _, right, _ = axes.box
     for limit in m.limits:
@@ -96,7 +97,7 @@ def _limits(axes: Axes, m: Measured, *, even: bool) -> None:
 
 
 def _pieces(known: NDArray[np.bool_]) -> Iterator[NDArray[np.int64]]:
-    """Runs of at least two solved points."""
+    """Index runs of at least two consecutive solved points."""
     where = np.flatnonzero(known)
     for some in np.split(where, np.flatnonzero(np.diff(where) > 1) + 1):
         if len(some) > 1:
@@ -104,7 +105,7 @@ def _pieces(known: NDArray[np.bool_]) -> Iterator[NDArray[np.int64]]:
 
 
 def _marked(axes: Axes, m: Measured) -> None:
-    """A ring on the axis at the value in the file, which need not be a solved point."""
+    """Add a ring on the axis at the value in the file, which need not be a solved point."""
     if m.nominal is None or not m.x.min() <= m.nominal[0] <= m.x.max():
         return
     x = math.log10(m.nominal[0]) if m.log[0] else m.nominal[0]
@@ -112,7 +113,7 @@ def _marked(axes: Axes, m: Measured) -> None:
 
 
 def _base(axes: Axes, m: Measured) -> None:
-    """The numbers of the horizontal axis, below the strips."""
+    """Add the numbers of the horizontal axis, below the strips."""
     left, _, right, bottom = axes.box
     y = bottom + (STRIP + GAP) * len(m.limits) + 16
     axes.body.append(svg.line(left, bottom, right, bottom, "axis"))
@@ -129,7 +130,7 @@ def _base(axes: Axes, m: Measured) -> None:
 
 
 def _strips(axes: Axes, m: Measured, at: Array, known: NDArray[np.bool_]) -> None:
-    """A bar for each limit, filled if the band is within it, hatched if the band crosses it."""
+    """Add a strip for each limit: filled if the band is within it, hatched if it crosses it."""
     left, _, right, bottom = axes.box
     order = np.argsort(at)
     ends = np.concatenate(

@@ -1,4 +1,4 @@
-"""Range of use of a formula: its signed error over one or two inputs, with its bar."""
+"""Map of a formula's signed error over one or two inputs, with its error bar."""
 
 import numpy as np
 from markupsafe import Markup
@@ -23,7 +23,7 @@ DIGIT = 6.4  # about the width of a digit in a cell
 
 
 def validity_map(m: Measured) -> Markup:
-    """A small figure without a key: cells for two inputs, the curve in its band for one."""
+    """SVG of a small figure without a key: cells for two inputs, a curve with band for one."""
     if m.y is None:
         return validity_line(m, *SMALL)
     wide, tall = SMALL
@@ -32,7 +32,7 @@ def validity_map(m: Measured) -> Markup:
 
 
 def measured(m: Measured) -> Markup:
-    """The figure at full size, with the key of its colours and marks."""
+    """SVG of the figure at full size, with the key of its colours and marks."""
     if m.y is None:
         return validity_line(m, WIDTH, 330.0)
     n = m.error.shape[1]
@@ -45,21 +45,21 @@ def measured(m: Measured) -> Markup:
 
 
 def scale_key(limits: tuple[float, ...] = LIMITS, *, marked: bool = True) -> Markup:
-    """Common key of the colours and marks of several small figures.
+    """SVG of the common key of the colours and marks of several small figures.
 
-    `marked` says whether one of them has the inputs of the file.
+    `marked` is True if one of them contains the inputs of the file.
     """
     empty = np.zeros((2, 2))
     m = Measured(title="Key", x=empty[0], y=empty[0], x_label="", error=empty, U=empty,
                  limits=limits)  # fmt: skip
     key, height = _key(m, 16.0, every=True, marked=marked)
     return svg.drawing(
-        WIDTH, height, key, "Colours: formula less finite elements", "chart validity"
+        WIDTH, height, key, "Colours: formula minus finite elements", "chart validity"
     )
 
 
 def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
-    """Cells, their numbers, lines of equal error, marks, and the axes."""
+    """SVG elements: cells, their numbers, lines of equal error, marks, and the axes."""
     left, top, right, bottom = cells.box
     number = classes(m.error, m.limits)
     body = [cells.filled(number == k, css(int(k))) for k in np.unique(number)]
@@ -83,7 +83,7 @@ def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
 
 
 def _numbers(m: Measured, cells: Cells, number: NDArray[np.int64]) -> list[Markup]:
-    """The error in each cell, in per cent, if every number has room."""
+    """SVG of the error in each cell, in per cent, if there is space for every number."""
     words = [[percent(v) if np.isfinite(v) else "" for v in row] for row in m.error]
     if within := all_within(m.error, m.U):
         x, y = (m.error.shape[0] / 2, m.error.shape[1] / 2)
@@ -110,7 +110,7 @@ def _outlined(m: Measured, y: Array, cells: Cells) -> Markup:
 
 
 def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
-    """Indices of the file's inputs in the map; None outside of the map."""
+    """Indices of the file's inputs in the map; None outside the map."""
     if m.nominal is None:
         return None
     spaced = [np.log10 if log else np.asarray for log in m.log]
@@ -120,7 +120,7 @@ def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
 
 
 def _place(values: Array, wanted: float) -> float | None:
-    """Index of the interval of a value among `values`, in any order; None beyond their ends."""
+    """Interpolated index of a value among `values` in any order; None beyond their ends."""
     order = np.argsort(values)
     if not values[order[0]] <= wanted <= values[order[-1]]:
         return None
@@ -145,7 +145,7 @@ def _axes(m: Measured, y: Array, cells: Cells) -> list[Markup]:
 def _ticks(
     values: Array, step: float, *, log: bool, upright: bool = False
 ) -> list[tuple[float, str]]:
-    """Positions, as indices, and their numbers: of the cells, or round numbers for many cells."""
+    """Positions (as indices) and numbers of ticks: cell values, or round numbers for many cells."""
     if len(values) > MANY and not log:
         about = max(2, round(len(values) * step / 50))
         round_ones = svg.ticks(float(values.min()), float(values.max()), about)
@@ -165,7 +165,7 @@ def has_nominal(m: Measured) -> bool:
 def _key(
     m: Measured, top: float, *, every: bool = False, marked: bool = False
 ) -> tuple[list[Markup], float]:
-    """The scale and the meaning of each mark present, and the end of the drawing."""
+    """SVG of the scale and of the meaning of each mark, and the height of the drawing."""
     drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
     said: list[tuple[str, str]] = []
     names = [f"{100 * limit:.4g}" for limit in m.limits]
@@ -174,7 +174,7 @@ def _key(
     if every or undecided(m.error, m.U, m.limits).any():
         said.append(("hatch", "error bar across a limit"))
     if m.unsafe.any():
-        said.append(("unsafe", f"unsafe: beyond {100 * m.limits[-1]:.4g} % on that side"))
+        said.append(("unsafe", f"more than {100 * m.limits[-1]:.4g} % on the unsafe side"))
     if every or not np.isfinite(m.error).all():
         said.append(("unsolved", "no solution"))
     if m.box is not None:
@@ -192,7 +192,7 @@ def _key(
 
 
 def _passed(m: Measured, limit: float) -> bool:
-    """Whether some errors are on one side of the limit, of either sign, and some on the other."""
+    """Whether the errors are on both sides of the positive or of the negative limit."""
     known = m.error[np.isfinite(m.error)]
     return any(0 < int((known > level).sum()) < known.size for level in (limit, -limit))
 

@@ -1,4 +1,4 @@
-"""Verdicts of the formulas: numbers by paper, and each with its error and evidence."""
+"""Verdicts of the formulas: numbers by paper, and each verdict with its error and evidence."""
 
 import re
 from collections import Counter
@@ -30,7 +30,7 @@ MEANING = {
 
 @dataclass(frozen=True)
 class PaperVerdicts:
-    """The verdicts of one paper's formulas and how many there are of each."""
+    """Verdicts of the formulas of one paper."""
 
     key: str
     cited: str
@@ -38,12 +38,12 @@ class PaperVerdicts:
 
     @property
     def counts(self) -> Mapping[Verdict, int]:
-        """Formulas, each form of an equation by itself, by their verdict."""
+        """Number of formulas by verdict; each form of an equation is counted separately."""
         return Counter(one.verdict for one in self.verdicts)
 
 
 def by_paper(report: Report) -> list[PaperVerdicts]:
-    """The verdicts of each paper, in the order of the ledgers."""
+    """Verdicts grouped by paper, in the order of the ledgers."""
     short = named(report.papers)
     return [
         PaperVerdicts(key, short[key], tuple(v for v in advised(report.verdicts) if v.paper == key))
@@ -52,13 +52,16 @@ def by_paper(report: Report) -> list[PaperVerdicts]:
 
 
 def given(report: Report) -> list[Verdict]:
-    """The verdicts that occur; "no verdict" is one of them if a formula has none."""
+    """Verdicts that occur in the report; "no verdict" is included only if a formula has it."""
     found = {one.verdict for one in report.verdicts}
     return [verdict for verdict in Verdict if verdict in found or verdict is not Verdict.NONE]
 
 
 def at_paper(one: FormulaVerdict) -> str:
-    """The error at the inputs of the case and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
+    """Text of the error at the inputs of the case with its uncertainty, such as "+24 ± 0.03 %".
+
+    A dash if there is none.
+    """
     if one.error is None or one.U is None:
         return "–"
     if abs(one.error) + one.U < SMALLEST:
@@ -69,7 +72,10 @@ def at_paper(one: FormulaVerdict) -> str:
 
 
 def sides(one: FormulaVerdict) -> str:
-    """The largest errors above and below over all points: "+5 / −34 %"; a dash for none."""
+    """Text of the largest errors above and below over all points, such as "+5 / −34 %".
+
+    A dash if there are none.
+    """
     if one.above is None or one.below is None:
         return "–"
     high, low = (
@@ -80,12 +86,12 @@ def sides(one: FormulaVerdict) -> str:
 
 
 def _percents(size: float) -> str:
-    """Two digits, or whole per cent from a hundred on."""
+    """Text of a percentage with two digits, without decimals from a hundred on."""
     return f"{100 * size:.0f}" if size >= 1 else f"{100 * size:.2g}"
 
 
 def short_words(one: FormulaVerdict) -> str:
-    """The sentence of a verdict without the verdict itself, which has a separate column."""
+    """Sentence of a verdict without the verdict itself, which has a separate column."""
     text = one.words.replace(f"; {SHARED}", "")
     text = text.removeprefix(f"{one.verdict}: ").removeprefix(f"{one.verdict}; ")
     first = text[0].upper() if text[0].isascii() else text[0]  # a symbol stays as it is
@@ -93,7 +99,7 @@ def short_words(one: FormulaVerdict) -> str:
 
 
 def slug(name: str) -> str:
-    """A name as an anchor: letters and digits, the rest as hyphens."""
+    """Anchor for a name: letters and digits, with hyphens for all other characters."""
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
@@ -110,7 +116,7 @@ def not_to_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
 def errata_in_verdicts(
     report: Report,
 ) -> list[tuple[str, Mapping[str, Any], list[FormulaVerdict]]]:
-    """The errata that change the number of a formula, with their paper and these formulas."""
+    """Errata that change the number of a formula, with their paper and these formulas."""
     short = named(report.papers)
     found = (
         (e, [v for v in report.verdicts if v.paper == e["paper"] and e["id"] in v.errata])
@@ -120,7 +126,7 @@ def errata_in_verdicts(
 
 
 def counts_in_markdown(report: Report) -> str:
-    """Number of verdicts of each kind by paper, as a table in Markdown."""
+    """Markdown table with the number of verdicts of each kind by paper."""
     kinds, papers = given(report), by_paper(report)
     lines = [f"| formulas of | {' | '.join(kinds)} |", f"|---|{'---|' * len(kinds)}"]
     lines += [_counted(paper.cited, [paper.counts[kind] for kind in kinds]) for paper in papers]
@@ -129,7 +135,7 @@ def counts_in_markdown(report: Report) -> str:
 
 
 def markdown(report: Report) -> str:
-    """All verdicts as a table in Markdown."""
+    """Markdown table of all verdicts."""
     lines = (
         f"| {paper.cited} | {v.name} | {v.form} | {v.what} | **{v.verdict}** | {v.words} |"
         for paper in by_paper(report)

@@ -1,4 +1,4 @@
-"""A line field swept into a ribbon that can be turned: data for templates/viewer.js."""
+"""A line field extended to a ribbon that can be rotated: data for templates/viewer.js."""
 
 import base64
 import json
@@ -19,13 +19,13 @@ STEPS = 20  # of the slider up to the displacement as drawn
 def viewer(field: Field, picture: Picture) -> Markup:
     """HTML of the view; colours and range are those of the two-dimensional picture of the field.
 
-    The page contains templates/viewer.js once, and a colour bar if the picture beside the view has
-    none. Only plane lines with `Picture.width` can be swept: ValueError for others.
+    The page must contain templates/viewer.js once, and a colour bar if the picture beside the view
+    has none. Raises ValueError for fields other than plane lines with `Picture.width`.
     """
     if field.points.shape[1] != 2 or field.cells.shape[-1] != 2:
-        raise ValueError(f"field {field.name!r}: only lines in a plane become a ribbon")
+        raise ValueError(f"field {field.name!r}: a ribbon requires lines in a plane")
     if not picture.width:
-        raise ValueError(f"field {field.name!r}: a ribbon needs a width")
+        raise ValueError(f"field {field.name!r}: a ribbon requires a width")
     shown = body(field, picture)
     by = exaggeration(shown)
     values = shown.values
@@ -41,11 +41,11 @@ def viewer(field: Field, picture: Picture) -> Markup:
     }  # fmt: skip
     return Markup(
         '<div class="view"><canvas tabindex="0" role="application" aria-label="{}: view in space. '
-        'Arrow keys or dragging turn it, plus and minus zoom, R resets."></canvas>'
+        'Arrow keys or dragging rotate it, plus and minus zoom, R resets."></canvas>'
         '<script type="application/json">{}</script>'
         '<p class="controls"><label>Displacement <input type="range" min="0" max="{}" step="{}" '
-        'value="{}"></label> <output>× {}</output> <span>Drag or arrow keys turn, + and − zoom, '
-        "R resets.</span></p></div>"
+        'value="{}"></label> <output>× {}</output> <span>Drag, arrow keys: rotate; + and −: zoom; '
+        "R: reset.</span></p></div>"
     ).format(
         picture.caption, _plain(packed), *(f"{x:g}" for x in (2 * by, by / STEPS or 1, by, by))
     )
@@ -56,5 +56,5 @@ def _base64(values: np.ndarray[Any, Any], kind: str) -> str:
 
 
 def _plain(data: Any) -> Markup:
-    """JSON inside a script element: numbers, base64 and colours, in which no tag can end."""
+    """JSON for a script element: numbers, base64 texts and colours, which cannot end it."""
     return Markup(json.dumps(data).replace("<", "\\u003c"))  # noqa: S704

@@ -1,8 +1,8 @@
-"""One VTU file per solved mesh, for ParaView.
+"""VTU files for ParaView, one for each solved mesh.
 
-Names of arrays contain their unit, as "von_mises [Pa]", because ParaView writes the name beside the
-colour bar; points are in m. Plane vectors get a zero third component; plane stresses (xx, yy, xy,
-zz) become the six components of a symmetric tensor, which ParaView names XX to XZ.
+Names of arrays contain their unit, such as "von_mises [Pa]", because ParaView writes the name
+beside the colour bar. Points are in m. Plane vectors have a third component of zero. Plane stresses
+(xx, yy, xy, zz) become the six components of a symmetric tensor, which ParaView names XX to XZ.
 """
 
 import re
@@ -33,7 +33,7 @@ def vtu_files(case: CaseResult) -> Iterator[tuple[str, bytes]]:
 
 
 def vtu(field: Field) -> bytes:
-    """A field as VTU, compressed as meshio writes it."""
+    """Content of the VTU file of a field, compressed by meshio."""
     mesh = meshio.Mesh(
         _solid(field.points),
         [(CELLS[field.cells.shape[1]], field.cells)],
@@ -52,7 +52,7 @@ def _named(field: Field, key: str) -> str:
 
 
 def _solid(values: Array) -> Array:
-    """Plane vectors and plane stresses in space; other data unchanged."""
+    """Plane vectors and plane stresses with the components of space; other data unchanged."""
     if values.ndim == 2 and values.shape[1] == 2:
         return np.column_stack([values, np.zeros(len(values))])
     if values.ndim == 2 and values.shape[1] == 4:

@@ -1,4 +1,4 @@
-"""Modes of turning shafts in space: orbits, the bent centre lines at one phase, and their outline.
+"""Drawing of modes of rotating shafts: orbits, bent centre lines at one phase, outlines.
 
 `templates/whirl.js` moves the lines and dots along the orbits; without it, the drawing is static.
 """
@@ -30,14 +30,14 @@ COLOURS = (0, 2, 3, 4)  # of the shafts
 
 @dataclass(frozen=True)
 class _View:
-    """Pixels of the image for a length along the shafts, and across them for a displacement."""
+    """Projection of lengths along the shafts and of displacements across them to pixels."""
 
     origin: Array
     scale: float
     across: float
 
     def at(self, z: Array) -> Array:
-        """Points of the axis (m, 2)."""
+        """Image points (m, 2) of positions on the axis."""
         return np.asarray(self.origin + self.scale * np.asarray(z)[:, None] * ALONG)
 
     def moved(self, x: ComplexArray, y: ComplexArray) -> ComplexArray:
@@ -53,7 +53,7 @@ ALONG = np.array([math.cos(YAW), math.sin(PITCH) * math.sin(YAW)])
 
 @dataclass(frozen=True)
 class _Panels:
-    """Panels in columns: their width and height, and the place and scale of the axis in them."""
+    """Arrangement of panels in columns: width, height, and position and scale of the axis."""
 
     columns: int
     wide: float
@@ -64,7 +64,7 @@ class _Panels:
 
 
 def whirl(w: Whirl) -> Markup:
-    """A panel for each mode, a scale bar, and the meaning of the marks."""
+    """SVG with a panel for each mode, a scale bar, and the meaning of the marks."""
     first, last = _ends(w)
     p = _panels(w, last - first, 1)
     if len(w.modes) > 1 and len(w.modes) * p.high > TALLEST:
@@ -87,7 +87,7 @@ def whirl(w: Whirl) -> Markup:
 
 
 def _panels(w: Whirl, length: float, columns: int) -> _Panels:
-    """Size: as wide as the columns allow, as high as displacements and shafts need."""
+    """Size of the panels: width by the number of columns, height by displacements and shafts."""
     wide = (WIDTH - 2 * EDGE - GAP * (columns - 1)) / columns
     scale, reach = LENGTH * wide / (length * ALONG[0]), min(REACH * wide, MOST)
     thick = scale * max((float(np.max(r)) for _, r in w.outlines), default=0.0)
@@ -104,7 +104,7 @@ def _ends(w: Whirl) -> tuple[float, float]:
 
 
 def _still(w: Whirl, view: _View, first: float, last: float) -> list[Markup]:
-    """The shafts as they are, their axis, and the bearings on it."""
+    """SVG of the undeformed shafts, their axis, and the bearings."""
     body = []
     for z, r in w.outlines:
         middle, up = view.at(np.asarray(z)), np.outer(view.scale * np.asarray(r), (0.0, 1.0))
@@ -125,7 +125,7 @@ def _link(x: float, y: float) -> Markup:
 
 
 def _moving(mode: Mode, view: _View) -> list[Markup]:
-    """Orbits of all shafts, then their centre lines with dots, at the phase zero."""
+    """SVG of the orbits of all shafts, and of their centre lines with dots, at phase zero."""
     orbits, lines, widest = [], [], (0.0, Markup(""))
     for k, (z, x, y) in enumerate(mode.lines):
         colour = COLOURS[k % len(COLOURS)]
@@ -144,13 +144,13 @@ def _moving(mode: Mode, view: _View) -> list[Markup]:
 
 
 def _some(count: int, most: int) -> list[int]:
-    """At most the given number of places, the first and the last among them."""
+    """At most `most` indices below `count`, including the first and the last."""
     places = np.linspace(0, count - 1, min(count, most))
     return [int(i) for i in np.unique(np.rint(places).astype(int))]
 
 
 def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Markup]:
-    """An ellipse around p, its width, and an arrow head in the direction of motion."""
+    """SVG of an ellipse around p, its width, and an arrow head in the direction of motion."""
     axes, (a, b), _ = np.linalg.svd(np.column_stack([d.real, -d.imag]))
     end = a * axes[:, 0]
     if a < SMALL:
@@ -174,7 +174,7 @@ def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Marku
 
 
 def _path(base: Array, moved: ComplexArray, css: str) -> Markup:
-    """Points at the phase zero; their motion is given as x, y and their parts at both phases."""
+    """SVG path of points at phase zero, with the data of their motion at both phases."""
     shown = base + moved.real
     dots = css.startswith("orbit-dot")
     if dots:
@@ -189,7 +189,7 @@ def _path(base: Array, moved: ComplexArray, css: str) -> Markup:
 
 
 def _key(w: Whirl, scale: float, top: float) -> list[Markup]:
-    """A bar of a round length, and the marks of bearings."""
+    """SVG of a scale bar with a round length, and of the marks of bearings."""
     length = svg.ticks(0.0, 0.2 * WIDTH / scale, 2)[-1]
     y, right = top + 10, EDGE + scale * length
     body = [
@@ -209,7 +209,7 @@ def _key(w: Whirl, scale: float, top: float) -> list[Markup]:
 
 
 def _shafts(names: tuple[str, ...], top: float) -> list[Markup]:
-    """Assignment of colours to shafts."""
+    """SVG with the colours of the shafts."""
     body, left, y = [], EDGE, top + 10
     for k, name in enumerate(names):
         colour = COLOURS[k % len(COLOURS)]

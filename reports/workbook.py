@@ -1,4 +1,4 @@
-"""Tables into an Excel workbook: texts stay texts, numbers that are none stay empty."""
+"""Writing of tables into an Excel workbook; texts stay texts, missing numbers stay empty."""
 
 import io
 import math
@@ -26,7 +26,7 @@ _PRINTED = re.compile(r"([−-]?\d+(?:\.(\d+))?)(?:×10\^([−-]?\d+))?")
 
 @dataclass(frozen=True)
 class Link:
-    """A text that leads to a cell of this workbook: `target` as 'Sheet'!A1."""
+    """A text that links to a cell of this workbook; `target` has the form 'Sheet'!A1."""
 
     text: str
     target: str
@@ -52,7 +52,7 @@ class Book:
         self._formats: dict[str, Any] = {}
 
     def content(self) -> bytes:
-        """Close the workbook: no further sheet can be added."""
+        """Close the workbook and return its bytes; no further sheet can be added."""
         self._book.close()
         return self._bytes.getvalue()
 
@@ -65,9 +65,9 @@ class Book:
         numbers: Mapping[str, str] | None = None,
         above: Sequence[Sequence[Cell]] = (),
     ) -> None:
-        """A sheet with a head that stays and filters; `numbers` are formats by column.
+        """Add a sheet with a fixed head and filters; `numbers` are number formats by column.
 
-        `above` are lines before the head. A column called "status" is coloured.
+        `above` are lines before the head. A column with the name "status" is coloured.
         """
         sheet, top = self._book.add_worksheet(name), len(above)
         for i, line in enumerate(above):
@@ -113,7 +113,7 @@ class Book:
             sheet.write_number(i, k, cell, self._format(look))
 
     def _format(self, look: Mapping[str, Any]) -> Any:
-        """One format per style, because a workbook permits few formats."""
+        """Format for a style; each style has one format, because a workbook permits few formats."""
         key = repr(sorted(look.items()))
         if key not in self._formats:
             self._formats[key] = self._book.add_format(dict(look))
@@ -121,7 +121,7 @@ class Book:
 
 
 def _printed(text: str, look: Mapping[str, Any]) -> tuple[str | float, Mapping[str, Any]]:
-    """A printed number with its printed decimals, or the text if it is not a number."""
+    """A printed number with a format of its decimals, or the text if it is not a number."""
     found = _PRINTED.fullmatch(text)
     if not found:
         return text, look

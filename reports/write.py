@@ -1,4 +1,4 @@
-"""Write all files of a run into one folder, each file completely or not at all."""
+"""Writing of all files of a run into one folder, each file completely or not at all."""
 
 import fcntl
 import shutil
@@ -43,7 +43,7 @@ STAGING = ".part-"
 
 @dataclass(frozen=True)
 class Written:
-    """The page, and deviations from the usual procedure, one line each."""
+    """The written page, and deviations from the usual procedure, one line each."""
 
     page: Path
     remarks: tuple[str, ...]
@@ -53,13 +53,14 @@ def write(
     report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
     single_file: bool = False, full_pdf: bool = False, origins: Origins | None = None,
 ) -> Written:  # fmt: skip
-    """The report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
+    """Write the report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), as VTU.
 
-    `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw; with `single_file` all cases stand on one page. The PDF of several
-    cases is the record, with `full_pdf` the whole. What follows from the same `origins` as in the
-    run before is not written again. errors.txt holds the tracebacks of cases that failed. All files
-    are made before the first takes its place; OSError names the one that can't be written.
+    `cache` is a folder in which drawings are stored for the next run. `hint` is the advice if
+    pyvista cannot draw. With `single_file`, all cases are on one page. The PDF of several cases is
+    the record for archiving; with `full_pdf`, it has the whole content. Parts with the same
+    `origins` as in the previous run are not written again. errors.txt contains the tracebacks of
+    cases that failed. All files are made before the first of them is moved to its place. Raises
+    OSError with the name of a file that cannot be written.
     """
     with _alone_in(folder):
         before = Before(folder, digests(report, origins, f"{single_file} {full_pdf}"))
@@ -87,7 +88,7 @@ def write(
 def _frames(
     report: Report, before: Before, cache: Path | None, hint: str
 ) -> dict[str, Sequence[Frame]]:  # fmt: skip
-    """Pictures of the cases that need new ones; for the others, the program that drew them."""
+    """Pictures of the cases that need new ones; for other cases, the program that drew them."""
     needed = [
         case for case in report.cases
         if PAPER_PART not in before or page_of(case.id) not in before
@@ -98,7 +99,7 @@ def _frames(
 
 
 def _replace(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Move files into the folder after all of them are on its disk."""
+    """Move files into the folder after all of them are written to its disk."""
     with _staging(folder) as staging:
         for name, content in files.items():
             try:
@@ -112,7 +113,7 @@ def _replace(folder: Path, files: Mapping[str, bytes]) -> None:
 
 
 def _remove_stale(folder: Path, files: Container[str]) -> None:
-    """Remove files of an earlier run over other cases, or with more optional packages."""
+    """Remove files of an earlier run with other cases or more optional packages."""
     made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
     others = (*folder.glob("*.vtu"), *folder.glob(f"{FOLDER}/*.html"))
     for stale in (*others, *(folder / name for name in made)):
@@ -124,7 +125,7 @@ def _made(
     report: Report, drawn: Mapping[str, Sequence[Frame]], before: Before, make: Make, *,
     single_file: bool,
 ) -> tuple[dict[str, dict[str, bytes]], str]:  # fmt: skip
-    """The files of each part by name, and why there is no PDF, or ""."""
+    """Files of each part by name, and the reason if there is no PDF (otherwise "")."""
     why = ""
     # typst takes longest and holds no lock: it runs in parallel
     with ThreadPoolExecutor(1) as beside:
@@ -153,7 +154,7 @@ def _made(
 
 
 def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
-    """Tables that are written in negligible time."""
+    """Tables that can be written in negligible time."""
     schema = Path(__file__).parent / "results.schema.json"
     yield "results.json", text_of(report_record(report)).encode()
     yield schema.name, schema.read_bytes()
@@ -173,7 +174,7 @@ def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
 
 @contextmanager
 def _alone_in(folder: Path) -> Iterator[None]:
-    """Lock: runs with the same folder write one after the other."""
+    """Lock a folder, so that runs with the same folder write one after the other."""
     with (folder / ".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield
@@ -181,7 +182,7 @@ def _alone_in(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def _staging(folder: Path) -> Iterator[Path]:
-    """A folder on the same file system; folders of killed runs are removed: no other run writes."""
+    """Temporary folder on the same file system; folders of killed runs are removed."""
     for abandoned in folder.glob(f"{STAGING}*"):
         shutil.rmtree(abandoned, ignore_errors=True)
     with TemporaryDirectory(dir=folder, prefix=STAGING, ignore_cleanup_errors=True) as name:

@@ -26,7 +26,7 @@ HEAD = 1  # line of the head of a sheet without lines above
 
 
 def xlsx(report: Report) -> bytes:
-    """The workbook; that of a user's cases or inputs has no sheets of the papers."""
+    """Content of the workbook; for user cases or inputs, without the sheets of the papers."""
     book, sheets = Book(title(report), made(report)), Sheets(report)
     _summary(book, report)
     book.table("Rows", (*HEADER, "ledger"), _rows(report), numbers=NUMBERS)
@@ -75,7 +75,7 @@ def _counts(rows: Sequence[Row]) -> list[int]:
 
 
 def _rows(report: Report) -> list[list[Cell]]:
-    """As in rows.csv, printed numbers as numbers, and a link to the ledger of errata."""
+    """Cells of all rows as in rows.csv, with printed numbers as numbers and links to errata."""
     lines = {(e["paper"], e["id"]): i for i, e in enumerate(report.errata, HEAD + 1)}
     beside = seconds(report.crosschecks)
     return [_row(row, beside.of(row), lines) for row in report.rows]
@@ -106,7 +106,10 @@ def _levels(row: Row) -> Iterator[list[Cell]]:
 
 
 def _paper_table(book: Book, name: str, table: PaperTable) -> None:
-    """As printed; each claim or input of a printed row has a line, the first beside the row."""
+    """Add a sheet with a printed table.
+
+    Each comparison or input of a printed row has a line, the first one beside the row.
+    """
     above = [[f"{table.paper}, {table.name}"], [table.caption], [table.note]]
     lines: list[list[Cell]] = []
     for printed in table.rows:
@@ -136,13 +139,13 @@ def _ledgers(book: Book, report: Report) -> None:
 
 
 def _verdict(one: FormulaVerdict) -> dict[str, Any]:
-    """A verdict in one line; its ranges in words."""
+    """Record of a verdict in one line, with its ranges as text."""
     ranges = [f"{100 * r.limit:g} % in {r.case}: {r.words}" for r in one.ranges]
     return asdict(one) | {"ranges": ranges}
 
 
 def _records(book: Book, name: str, records: Sequence[Mapping[str, Any]]) -> None:
-    """Records of one kind; the paper and the id come first."""
+    """Add a sheet with records of one kind; the paper and the id come first."""
     keys = dict.fromkeys(("paper", "id", *(k for record in records for k in record)))
     header = [k for k in keys if any(k in record for record in records)]
     book.table(name, header, [[_cell(k, record.get(k)) for k in header] for record in records])

@@ -101,10 +101,10 @@ def test_the_others_stand_side_by_side_and_identities_are_one_sentence():
         ("another", ["+1.00 %", "−7.00 %"])
     ]
     assert (headline(BUDGET), compact(MISSING)) == (ROW, None)
-    assert identities(BUDGET).startswith("1 of 1 identities")
+    assert identities(BUDGET).startswith("For 1 of 1 identities")
     bad = replace(SAME, within=False)
     assert (outside(BUDGET), outside(replace(BUDGET, rows=(bad,)))) == ([], [bad])
-    assert identities(replace(BUDGET, rows=(bad,))).startswith("0 of 1 identities")
+    assert identities(replace(BUDGET, rows=(bad,))).startswith("For 0 of 1 identities")
 
 
 def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decomposed(alone, schema):
@@ -114,7 +114,8 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decompo
     report = replace(alone, budgets=(budget, MISSING))
     text, notes = section(report, "budget"), left(budget)
     assert notes == (
-        "Not decomposed: another, a third (no rerun); last (no cause is known whose rerun would)."
+        "The differences of these rows are not decomposed: another, a third (no rerun); last "
+        "(no cause is known that would explain the difference)."
     )
     assert left(BUDGET) == ""
     for words in (

@@ -82,7 +82,9 @@ def test_a_page_over_the_limit_is_named():
         "report/a.html": b"x" * (MOST + 900),
         "b.json": b"x" * MOST * 2,
     }
-    assert list(too_large(files)) == ["report/a.html has 400.9 kB; a page has at most 400 kB"]
+    assert list(too_large(files)) == [
+        "report/a.html has 400.9 kB, but a page must not exceed 400 kB"
+    ]
 
 
 def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(report):

@@ -207,7 +207,7 @@ PolyData = lambda *a, **k: None
     ("source", "reason"),
     [
         ("import os, signal; os.kill(os.getpid(), signal.SIGSEGV)", "signal 11"),
-        ("import time; time.sleep(600)", "not done after 1 s"),
+        ("import time; time.sleep(600)", "not finished after 1 s"),
         ("raise ImportError('libEGL.so.1')", "libEGL.so.1"),
         (BLANK.replace("SIZE", "*self.size[::-1]"), "blank picture"),
         (BLANK.replace("SIZE", "300, 600"), "picture of 200x100 instead of"),

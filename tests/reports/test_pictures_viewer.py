@@ -60,8 +60,8 @@ def test_words_of_users_cannot_become_markup():
 
 
 def test_what_cannot_be_swept_is_refused():
-    with pytest.raises(ValueError, match="needs a width"):
+    with pytest.raises(ValueError, match="requires a width"):
         viewer(SPRING, replace(RIBBON, width=None))
     for change in ({"cells": np.array([[0, 1, 2]])}, {"points": np.eye(3)}):
-        with pytest.raises(ValueError, match="only lines in a plane"):
+        with pytest.raises(ValueError, match="requires lines in a plane"):
             viewer(replace(SPRING, **change), RIBBON)

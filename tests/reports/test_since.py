@@ -36,7 +36,7 @@ def shown(wordy):
 
 def test_nothing_moved_is_one_line_and_a_loosened_tolerance_stands_first_and_in_a_banner(shown):
     still = section(replace(shown, drift=STILL), "since")
-    assert "89 rows compared, nothing moved" in still
+    assert "89 rows compared, no changes" in still
     assert "<table" not in still
     assert "1 tolerance loosened without a reason" in page(shown, {})
     text = section(shown, "since")
@@ -51,9 +51,12 @@ def test_what_a_search_found_in_words():
     met = ("the formula gives the number, within the rounding of its inputs; "
            "no other reading is needed")  # fmt: skip
     for change, expected in (
-        ({}, f"{words}; 1 other combination too"),
-        ({"hits": 3, "is_evidence": False}, f"{words}; 2 other combinations too; no evidence"),
-        ({"readings": (), "hits": 0}, "none"),
+        ({}, f"{words}; also 1 other combination"),
+        (
+            {"hits": 3, "is_evidence": False},
+            f"{words}; also 2 other combinations; this is no evidence",
+        ),
+        ({"readings": (), "hits": 0}, "no reading"),
         ({"met": True}, met),
     ):
         assert readings.found(replace(FOUND, **change)) == expected

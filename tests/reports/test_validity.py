@@ -75,7 +75,8 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     first, second = ([said(cell) for cell in row] for row in case["rows"])
     assert first == [
         f"K of the paper{over}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
-        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 without an answer",
+        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 points without a "
+                         "solution",
     ]  # fmt: skip
     assert second[:2] == [over, ""]
     assert "largest difference −0.00029 ± 0.00001 %" in said(case["exact"])
