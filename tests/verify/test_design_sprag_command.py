@@ -100,7 +100,7 @@ def test_a_clutch_that_does_not_lock_ends_with_2_and_a_line(small, tmp_path, cap
     path = task(tmp_path, torques='["60 N m", "90 N m"]', **NARROW)
     assert run(["design", str(path)]) == 2
     (line,) = capsys.readouterr().err.splitlines()
-    assert "under T = 60 N m the sprags leave their profile" in line
+    assert "under T = 60 N m the sprags roll beyond their profile" in line
 
 
 # What a half-space decides
