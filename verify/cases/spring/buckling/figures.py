@@ -139,11 +139,12 @@ def _shapes(context: Context) -> Shapes:
                         for name in ("let_go", "free_shape"))  # fmt: skip
         straight = tuple(let_go)
         panels += [
-            Panel(name=f"buckled, tail clamped at {tail}", lines=straight),
-            Panel(name=f"free head, compressed by 10 %, tail clamped at {tail}", lines=tuple(free),
+            Panel(name=f"buckled, clamp at {tail}", lines=straight),
+            Panel(name=f"free head, clamp at {tail}", lines=tuple(free),
                   faint=straight),
         ]  # fmt: skip
     return Shapes(
         title="Guided head and free head", unit="mm", panels=tuple(panels),
-        thickness=q.b / mm, note="To scale. Faint lines: guided head at its critical point.",
+        thickness=q.b / mm, note="To scale. The springs with a free head are "
+            "compressed by 10 %. Faint lines: guided head at its critical point.",
     )  # fmt: skip
