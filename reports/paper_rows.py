@@ -116,7 +116,10 @@ def _name(cells: Sequence[PaperCell], column: int) -> str:
 
 @dataclass(frozen=True)
 class PrintedTable:
-    """A printed table: rows with their comparisons, and comparisons that belong to several rows."""
+    """A printed table: rows with their comparisons, and comparisons that belong to several rows.
+
+    `columns` are the columns in which the rows of `common` have numbers.
+    """
 
     rows: Sequence[tuple[Sequence[PaperCell], PrintedRow]]
     common: Sequence[Claim]

@@ -1,4 +1,4 @@
-"""Write verify/jobs/seconds.json from the store. Run `make verify` with an empty store first."""
+"""Writes verify/jobs/seconds.json from the store. Run `make verify` with an empty store first."""
 
 import json
 

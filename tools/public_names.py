@@ -27,7 +27,7 @@ def packages() -> list[str]:
 
 
 def names(package: str) -> dict[str, object]:
-    """Public names of a package, and the objects that they denote."""
+    """Public names of a package with their objects."""
     module = import_module(package)
     return {name: getattr(module, name) for name in module.__all__}
 

@@ -50,7 +50,10 @@ class Difference:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Numbers are compared bit for bit if `exact`; otherwise within `allowed`, the row's error."""
+    """Rule for equal numbers.
+
+    If `exact`, numbers must be equal bit for bit; otherwise within `allowed`, the error of the row.
+    """
 
     exact: bool = True
     allowed: float = 0.0
@@ -130,7 +133,10 @@ def _identifiers(records: Sequence[Any]) -> list[str] | None:
 
 
 def _names(was: Sequence[str], now: Sequence[str], where: str) -> Iterator[Difference]:
-    """Differences of two lists of names: names on one side only, and the first change of order."""
+    """Differences of two lists of names.
+
+    These are the names in only one of the lists, and the first change of order.
+    """
     known, found = set(was), set(now)
     yield from (Difference(f"{where}[{name}]", "present", "missing") for name in was
                 if name not in found)  # fmt: skip
@@ -153,7 +159,7 @@ def read(path: Path) -> Any:
 
 
 def renamed(value: Any, names: Sequence[tuple[str, str]]) -> Any:
-    """A JSON value after the names in its texts were replaced by the new names."""
+    """JSON value in which old names in texts are replaced by the new names."""
     if isinstance(value, str):
         for was, now in names:
             value = value.replace(was, now)

@@ -37,7 +37,7 @@ NAMES = re.compile(r"#?[\w-]+(?:\.[\w-]+)+|#[\w-]+")  # of typst
 
 
 class Word(NamedTuple):
-    """A word to replace: its pattern, its replacement, and permitted phrases that contain it."""
+    """A word to be replaced: pattern, replacement, and permitted phrases that contain it."""
 
     found: re.Pattern[str]
     instead: str
@@ -45,7 +45,7 @@ class Word(NamedTuple):
 
 
 def words(listed: Sequence[dict[str, Any]]) -> list[Word]:
-    """The list as patterns; raises KeyError or re.error if an entry is wrong."""
+    """Patterns of the list. Raises KeyError or re.error if an entry is invalid."""
     return [
         Word(
             re.compile(rf"(?<![\w-])(?:{one['pattern']})(?![\w-])", re.IGNORECASE),
@@ -98,7 +98,7 @@ def found(path: Path, listed: Sequence[Word]) -> Iterator[tuple[int, str, str]]:
 
 
 def tracked(skipped: Sequence[str]) -> list[Path]:
-    """Files of the project whose texts are read."""
+    """Files of the project that are checked."""
     git = shutil.which("git") or "git"
     listed = subprocess.run(  # noqa: S603
         [git, "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True

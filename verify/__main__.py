@@ -1,4 +1,4 @@
-"""`python -m verify` is `freewheel`."""
+"""Entry point of `python -m verify`, which is the command `freewheel`."""
 
 from verify.app.cli import main
 

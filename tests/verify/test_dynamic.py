@@ -92,7 +92,7 @@ def test_without_the_option_it_does_not_run_and_is_refused_where_there_is_none(c
     assert "--dynamic" not in check(part=None)[1]
     status, out, error = check("--dynamic", part=None)
     assert (status, out) == (2, "")
-    assert error.endswith("ring.toml: case ring-lame has no dynamic part: leave out --dynamic\n")
+    assert error.endswith("ring.toml: case ring-lame has no dynamic part; omit --dynamic\n")
 
 
 def test_what_has_no_answer_ends_with_one_line_and_status_two(check, tmp_path):

@@ -122,10 +122,10 @@ def test_a_script_that_starts_processes_without_a_guard_gets_one_error(tmp_path)
 def test_what_is_no_engine_is_refused():
     for asked, words in (
         ({"jobs": 257}, "--jobs must be 0 (one per core) to 256, got 257"),
-        ({"engine": "ray"}, "--engine is one of local, dask, got 'ray'"),
+        ({"engine": "ray"}, "--engine must be one of local, dask, got 'ray'"),
         ({"scheduler": "tcp://host:8786"}, "--scheduler requires --engine dask"),
         ({"engine": "dask", "scheduler": "tcp://::1"},
-         "--scheduler is an address such as tcp://host:8786, got 'tcp://::1'"),
+         "--scheduler must be an address such as tcp://host:8786, got 'tcp://::1'"),
     ):  # fmt: skip
         with pytest.raises(InputError) as error:
             Where(**asked)

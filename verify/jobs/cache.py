@@ -40,7 +40,10 @@ UNREADABLE = (
 
 
 def default_folder() -> Path:
-    """The cache of this checkout; FREEWHEEL_CACHE selects another folder (~ is the home folder)."""
+    """Folder of the cache of this checkout.
+
+    The environment variable FREEWHEEL_CACHE selects another folder (~ is the home folder).
+    """
     named = os.environ.get("FREEWHEEL_CACHE")
     if named:
         return Path(os.path.expanduser(named))  # noqa: PTH111 - pathlib's raises without a home
@@ -48,7 +51,7 @@ def default_folder() -> Path:
 
 
 def key(case: Case, inputs: Inputs, level: int) -> str:
-    """Hexadecimal name of one result."""
+    """Hexadecimal key of one result."""
     canonical = json.dumps(inputs.model_dump(), sort_keys=True)
     parts = [str(FORMAT), case.id, canonical, str(level), source_of(case.reference)]
     parts += [f"{name} {version(name)}" for name in libraries_of(case.reference)]
@@ -56,7 +59,7 @@ def key(case: Case, inputs: Inputs, level: int) -> str:
 
 
 def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | None:
-    """The stored result, or None if there is none or it cannot be read."""
+    """Stored result; None if there is none or it cannot be read."""
     content = Store(folder).one(KIND, key(case, inputs, level))
     try:
         return None if content is None else _result(unpacked(content))
@@ -65,7 +68,7 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
 
 
 def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
-    """The fields of the result of a key; OSError if it is missing or cannot be read."""
+    """Fields of the result with a key. Raises OSError if it is missing or cannot be read."""
     content = Store(folder).load(KIND, [name]).get(name)
     if content is None:
         raise OSError(f"{folder}: a level is no longer stored: run again")
@@ -73,7 +76,7 @@ def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
 
 
 def store(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> None:
-    """Write the result; OSError if the store cannot be written."""
+    """Store the result. Raises OSError if the store cannot be written."""
     content = packed(_arrays(result))
     Store(folder).store(KIND, case.id, {key(case, inputs, level): content})
 
@@ -117,6 +120,6 @@ def _result(data: dict[str, Any]) -> FemResult:
 
 @cache
 def libraries_of(function: Any) -> tuple[str, ...]:
-    """Libraries whose version may change a result of a `fem` function."""
+    """Libraries whose version can change a result of a `fem` function."""
     reached = modules_of(function)
     return (*LIBRARIES, *(library for module, library in ALONE.items() if module in reached))

@@ -1,4 +1,4 @@
-"""A dask cluster as an engine: at an address, or of processes started for the run."""
+"""A dask cluster as an engine: an existing cluster at an address, or one started for the run."""
 
 import logging
 import time
@@ -75,7 +75,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
 
 
 class _Threads:
-    """Number of threads of the workers, requested from time to time, because workers may change."""
+    """Number of threads of the workers. It is requested repeatedly, because workers may change."""
 
     def __init__(self, client: Any) -> None:
         self.client, self.asked, self.count = client, 0.0, 1

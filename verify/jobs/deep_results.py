@@ -20,19 +20,19 @@ RECORDS = Records("deep")
 
 @dataclass(frozen=True)
 class Measured:
-    """Results of all parts, in the order of the case's levels, and the day they were made."""
+    """Results of all parts in the order of the case's levels, and the date of the measurement."""
 
     date: str
     parts: tuple[FemResult, ...]
 
 
 def measured(case: Case) -> Measured | None:
-    """Result measured for `case`; None unless the present code and inputs made it."""
+    """Result measured for `case`; None if it was not made by the present code and inputs."""
     return RECORDS.current(case.id, _made_by(case), _measured)
 
 
 def keep(case: Case, parts: Sequence[FemResult]) -> Path:
-    """Write the measured result; returns the path of its file."""
+    """Write the measured result and return the path of its file."""
     return RECORDS.keep(case.id, _made_by(case), [
         {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),
          "arrays": {name: array.tolist() for name, array in part.arrays.items()}}

@@ -67,16 +67,16 @@ class Dispatch:
 
     @property
     def workers(self) -> int:
-        """Tasks that are done at a time."""
+        """Number of tasks that are done simultaneously."""
         return self.drive.engine.workers()
 
     @property
     def under_way(self) -> list[tuple[Any, float]]:
-        """The tasks that are being done, and since when [s, of `time.monotonic`]."""
+        """The tasks in progress, each with its start [s, of `time.monotonic`]."""
         return list(self.drive.running.values())
 
     def at_pace(self) -> float:
-        """Remaining seconds at the mean pace of this run."""
+        """Remaining time [s] at the mean speed of this run."""
         made = self.done - self.known
         return (time.monotonic() - self.start) / made * (self.total - self.done) if made else 0.0
 
@@ -96,12 +96,12 @@ class Dispatch:
 
 
 def queue(waiting: deque[Any]) -> Callable[[], Any]:
-    """First of the waiting tasks, for `Dispatch.run`; None if none waits."""
+    """Function for `Dispatch.run` that returns the next waiting task, or None if none waits."""
     return lambda: waiting.popleft() if waiting else None
 
 
 class _Waiting:
-    """Waiting tasks in order; further tasks may be added after the last one."""
+    """Waiting tasks in order. Further tasks may be appended."""
 
     def __init__(self, take: Callable[[], Any]) -> None:
         self.take = take

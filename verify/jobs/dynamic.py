@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """Transient result: `raw` in SI units by key, printed `outputs`, and findings."""
+    """Transient result: `raw` in SI units by key, displayed `outputs`, and findings."""
 
     what: str
     raw: Values
@@ -29,7 +29,7 @@ class DynamicResult:
     first: tuple[str, ...] = ()  # findings in the place of the formulas' first
 
     def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
-        """All findings; `findings` are the findings of the formulas."""
+        """All findings. `findings` are the findings of the formulas."""
         return (self.first + findings[1:] if self.first else findings) + self.findings
 
     @property
@@ -38,7 +38,7 @@ class DynamicResult:
         return shown_values(self.outputs, self.raw)
 
     def unjudged(self) -> "DynamicResult":
-        """The result without judgement by finite elements."""
+        """The result with all outputs marked as not judged by finite elements."""
         return replace(self, outputs=tuple(replace(o, judged=False) for o in self.outputs))
 
 
@@ -62,14 +62,14 @@ def run_dynamic(
 
 
 def asked_for(case: Case, where: str) -> Dynamic:
-    """The dynamic part of a case; InputError without one."""
+    """The dynamic part of a case. Raises InputError if there is none."""
     if case.dynamic is None:
-        raise InputError(f"{where}: case {case.id} has no dynamic part: leave out --dynamic")
+        raise InputError(f"{where}: case {case.id} has no dynamic part; omit --dynamic")
     return case.dynamic
 
 
 def with_dynamic(result: CaseResult, dynamic: DynamicResult) -> CaseResult:
-    """The result as a report shows it, the dynamic part after the static one."""
+    """The result for a report, with the dynamic part after the static part."""
     return replace(
         result,
         values=result.values + dynamic.values,

@@ -1,4 +1,4 @@
-"""Results that an earlier version stored as separate files move into the store."""
+"""Moves results that an earlier version stored as separate files into the store."""
 
 import re
 from contextlib import suppress
@@ -31,7 +31,7 @@ def adopt(folder: Path) -> int:
 
 
 def _move(path: Path, folder: Path) -> bool:
-    """Whether a file was a result of an earlier version, which is then in the store."""
+    """Move one file to the store if it is a result of an earlier version; returns whether it is."""
     kind, array = KINDS.get(path.parent.name, LEVEL)
     try:
         content, made = path.read_bytes(), path.stat().st_mtime

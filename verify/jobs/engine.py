@@ -7,11 +7,11 @@ from typing import Any
 
 
 class GoneError(OSError):
-    """The engine no longer answers; earlier results are stored."""
+    """The engine no longer answers. Earlier results are stored."""
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-    """Futures that are done, when at least one is done, or after some seconds."""
+    """The futures that are done, as soon as at least one is done or the time is over."""
     return wait(futures, seconds, FIRST_COMPLETED).done
 
 

@@ -28,17 +28,20 @@ ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
 
 @dataclass(frozen=True)
 class Lost:
-    """No result: the process died twice with the task, or the task raised, with its traceback."""
+    """A task without a result.
+
+    Its process died twice, or the task raised an exception, whose traceback is `trace`.
+    """
 
     reason: str
     trace: str = ""
 
 
 class Here(Executor):
-    """Solves at once, in this process."""
+    """Executor that runs each task at once in this process."""
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The future of a result that exists already."""
+        """Future with the result, which is already computed."""
         future: Future[Any] = Future()
         try:
             future.set_result(function(*args, **kwargs))
@@ -49,7 +52,10 @@ class Here(Executor):
 
 @dataclass(frozen=True)
 class Where:
-    """An engine by its name, with `jobs` processes (0: one per core); else InputError."""
+    """Choice of an engine by its name, with `jobs` processes (0: one per core).
+
+    Raises InputError if a value is not permitted.
+    """
 
     jobs: int = 0
     engine: str = "local"
@@ -57,18 +63,21 @@ class Where:
 
     def __post_init__(self) -> None:
         if self.engine not in ENGINES:
-            raise InputError(f"--engine is one of {', '.join(ENGINES)}, got {self.engine!r}")
+            raise InputError(f"--engine must be one of {', '.join(ENGINES)}, got {self.engine!r}")
         if not 0 <= self.jobs <= MOST_JOBS:
             raise InputError(f"--jobs must be 0 (one per core) to {MOST_JOBS}, got {self.jobs}")
         if self.scheduler and self.engine != "dask":
             raise InputError("--scheduler requires --engine dask")
         if self.scheduler and not ADDRESS.fullmatch(self.scheduler):
             raise InputError(
-                f"--scheduler is an address such as tcp://host:8786, got {self.scheduler!r}"
+                f"--scheduler must be an address such as tcp://host:8786, got {self.scheduler!r}"
             )
 
     def entered(self) -> AbstractContextManager[Engine]:
-        """The engine, entered when tasks are solved; GoneError if it is not available."""
+        """Context of the engine, entered when tasks are solved.
+
+        Raises GoneError if it is not available.
+        """
         processes = self.jobs or os.cpu_count() or 1
         if self.engine == "local":
             return local(processes)
@@ -78,16 +87,19 @@ class Where:
 
 
 class ThisProcess(Where):
-    """No other process: for scripts and notebooks, whose code other processes would run again."""
+    """Engine in this process only.
+
+    Scripts and notebooks need it, because other processes would run their code again.
+    """
 
     def entered(self) -> AbstractContextManager[Engine]:
-        """The engine that solves at once."""
+        """Context of the engine that solves in this process."""
         return local(0)
 
 
 @contextmanager
 def local(processes: int) -> Iterator[Engine]:
-    """Processes of this machine; 0 is this process itself."""
+    """Engine with processes of this machine. With 0 processes, this process itself solves."""
     if processes == 0:
         yield Engine(Here(), lambda: 1)
         return
@@ -103,7 +115,7 @@ Split = Callable[[Any], Sequence[Any]]
 
 @dataclass
 class Drive:
-    """Solves tasks by `function` on an engine.
+    """Runs tasks with `function` on an engine.
 
     `running` contains each running task and its start [s, of `time.monotonic`]. `split` returns the
     tasks to repeat if a process died; `begun` is called before a task is submitted.

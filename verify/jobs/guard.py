@@ -1,4 +1,4 @@
-"""An error inside a case becomes a failed row of that case; the others continue."""
+"""Converts an error inside a case to a failed row of this case; the other cases continue."""
 
 import traceback
 from collections.abc import Callable
@@ -13,24 +13,33 @@ PARTS = ("equations", "findings", "warnings", "tables", "figures", "pictures")  
 
 
 def named(error: BaseException) -> str:
-    """Name and message of the exception in one line."""
+    """Name and message of an exception in one line."""
     text = " ".join(str(error).split())
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
 def unsolved(error: BaseException) -> bool:
-    """Whether a solver raised the error to report that it has no solution; others are faults."""
+    """Whether a solver raised the error to report that it found no solution.
+
+    All other errors are faults of the code.
+    """
     faults = ZeroDivisionError, OverflowError, FloatingPointError
     return isinstance(error, ArithmeticError) and not isinstance(error, faults)
 
 
 def of_machine(error: BaseException) -> bool:
-    """Whether the machine failed, for example for lack of memory: another run may succeed."""
+    """Whether the error is one of the machine, such as a lack of memory.
+
+    Another run may succeed.
+    """
     return isinstance(error, MemoryError | OSError | BrokenExecutor)
 
 
 class Guard:
-    """Runs code of a case; `rows` holds a failed row for each error, `traces` its traceback."""
+    """Runs code of a case.
+
+    `rows` contains a failed row for each error, `traces` its traceback.
+    """
 
     def __init__(self, case: Case) -> None:
         self.case = case
@@ -38,28 +47,28 @@ class Guard:
         self.traces: list[str] = []
 
     def values(self, inputs: Any) -> dict[str, float]:
-        """The values of the formulas; empty if the formulas fail."""
+        """Values of the formulas; empty if the formulas fail."""
         return dict(self._part("formulas", self.case.analytic, {})(inputs))
 
     def guarded(self) -> Case:
-        """The case with empty equations, tables and similar parts if making them fails."""
+        """The case, with empty equations, tables and similar parts if they cannot be made."""
         parts: dict[str, Any] = {p: self._part(p, getattr(self.case, p), ()) for p in PARTS}
         return replace(self.case, sketch=self._part("sketch", self.case.sketch, None), **parts)
 
     def silent(self) -> Case:
-        """The case without these parts, if there are no values for them."""
+        """The case without equations, tables and similar parts, for use if there are no values."""
         empty: dict[str, Any] = dict.fromkeys((*PARTS, "sketch"), lambda *_: ())
         return replace(self.case, **empty | {"sketch": lambda _inputs: None})
 
     def judged(self, check: Check, rows: Callable[[], list[Row]]) -> list[Row]:
-        """The rows of one check; if judging fails, failed rows with the same names."""
+        """Rows of one check. If judging fails, these are failed rows with the same names."""
         try:
             return list(rows())
         except Exception as error:  # any error concerns only this case
             return self.red(check, self._note(error))
 
     def red(self, check: Check, reason: str) -> list[Row]:
-        """The rows of a check as failed rows, for one reason."""
+        """Failed rows in place of the rows of a check, all with the same reason."""
         try:
             known = check.skipped(self.case.id, "")
         except Exception as error:
@@ -68,7 +77,7 @@ class Guard:
         return [replace(row, status=Status.FAIL, reason=reason) for row in known]
 
     def row(self, quantity: str, reason: str) -> Row:
-        """A failed row about a part of the case."""
+        """A failed row for a part of the case."""
         return Row(
             case=self.case.id, quantity=quantity, symbol="", unit="1", kind=Kind.FACT,
             status=Status.FAIL, reason=reason,

@@ -1,4 +1,4 @@
-"""Judged cases of the suite in the store; the key includes all data on which they depend.
+"""Judged cases of the suite in the store. The key includes all data on which they depend.
 
 A key includes the files on which the module of a case and the judging may depend, and the versions
 of their libraries. An entry lists the levels from which it was judged, and is valid while these are
@@ -30,7 +30,7 @@ LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values(), "pint", "pydantic")
 
 @dataclass
 class StoredFields(Sequence[Field]):
-    """The fields of a level in a store."""
+    """Fields of a level, read from the store when they are needed."""
 
     folder: Path
     level: str
@@ -54,14 +54,14 @@ class StoredFields(Sequence[Field]):
 
 @dataclass(frozen=True)
 class Judged:
-    """A stored result, and the keys of the levels that it was judged from."""
+    """A stored result with the keys of the levels from which it was judged."""
 
     result: CaseResult
     levels: Sequence[str]
 
 
 def keys(modules: Mapping[str, str]) -> dict[str, str]:
-    """Keys under which each case of the suite is stored; `modules` are the modules of the cases."""
+    """Keys of the stored results of the suite's cases. `modules` are the modules of the cases."""
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]
     return {
         name: hashlib.sha256(json.dumps([
@@ -72,7 +72,7 @@ def keys(modules: Mapping[str, str]) -> dict[str, str]:
 
 
 def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
-    """The stored results of cases by name, whose levels are stored as well."""
+    """Stored results by the name of the case, if all their levels are also stored."""
     store = Store(folder)
     found: dict[str, Judged] = {}
     with suppress(OSError):
@@ -88,7 +88,7 @@ def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
 
 
 def keep(folder: Path, job: Job, result: CaseResult, key: str) -> None:
-    """Store a result all of whose levels are stored; nothing if something went wrong."""
+    """Store a result if all its levels are stored and no error occurred."""
     levels = [cache.key(job.case, job.inputs, level) for level in job.case.levels]
     store = Store(folder)
     with suppress(OSError):  # a full disk costs the time to judge again

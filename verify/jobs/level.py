@@ -28,7 +28,7 @@ INDEPENDENT = (
 
 @dataclass(frozen=True)
 class Job:
-    """A case with its inputs; `use_fem` False judges the formulas only.
+    """A case with its inputs. If `use_fem` is False, only formulas are judged.
 
     `values` are known results of the formulas, if any; without `drawn`, no figure is made.
     """
@@ -47,7 +47,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Solved:
-    """One level: its result, or the reason in one line with the traceback, if any.
+    """One level: its result, or the reason of the failure in one line with its traceback.
 
     `unstored` is the reason if the cache could not store the result.
     """
@@ -61,7 +61,7 @@ class Solved:
 
 
 def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
-    """All rows, tables and pictures of one job from its solved levels, coarse to fine."""
+    """Judged result of one job from its solved levels, which are in order from coarse to fine."""
     guard = Guard(job.case)
     values = guard.values(job.inputs) if job.values is None else job.values
     no_formulas = "".join(row.reason for row in guard.rows)
@@ -135,22 +135,25 @@ def is_constant(grid: Grid) -> bool:
 
 
 def _without(context: Context, check: Check, key: object) -> str:
-    """Side without a number that a check names; empty for any other key."""
+    """Message that a number named by a check is missing.
+
+    It is empty if the key is not such a name.
+    """
     if not any(isinstance(name, str) and name == key for name in vars(check).values()):
         return ""
     if key not in context.analytic:
-        return f"the formulas give no {key}, or nan or inf"
+        return f"the formulas have no value of {key}, or it is nan or inf"
     if any(key not in level.values for level in context.fem):
         level = context.fem[-1]
         if key in level.arrays:
-            return f"the reference gives {key} as an array, not as a number"
-        others = f", but {', '.join(level.values)}" if level.values else ""
-        return f"the reference gives no {key}{others}"
+            return f"the reference has {key} as an array, not as a number"
+        others = f"; its values are {', '.join(level.values)}" if level.values else ""
+        return f"the reference has no value of {key}{others}"
     return ""
 
 
 def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> Solved:
-    """One level, from the cache or computed and stored; an error becomes a failure."""
+    """Load one level from the cache, or compute and store it. An error becomes a failure."""
     start = time.perf_counter()
     if folder is not None and (found := cache.load(folder, case, inputs, level)) is not None:
         return Solved(found, "", time.perf_counter() - start, cached=True)
@@ -169,7 +172,7 @@ def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> 
 
 
 def keep_level(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> str:
-    """Put a result into the cache: "" or in a word why it could not be stored."""
+    """Store a result in the cache and return "", or the reason why it could not be stored."""
     try:
         cache.store(folder, case, inputs, level, result)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""An executor of processes that may die: only the task of a dead process is lost.
+"""An executor whose processes may die. Only the task of the dead process is lost.
 
 The executors of the standard library stop all tasks if one process dies, and wait for running tasks
 when they are shut down. Here, each thread of a pool controls one process; shutting down kills all
@@ -47,15 +47,17 @@ def refuse_reimport() -> None:
 
 
 class WorkerDiedError(BrokenExecutor):
-    """The process died on this task; the message says how."""
+    """The process died during this task. The message states its exit status or signal."""
 
 
 class RemoteTraceback(Exception):  # noqa: N818 - the cause of another exception, never raised
-    """The traceback of an exception in another process, as text."""
+    """Traceback of an exception in another process, as text."""
 
 
 class Processes(ThreadPoolExecutor):
-    """`count` spawned processes, each with one task at a time; functions are sent by name.
+    """Executor with `count` spawned processes, each with one task at a time.
+
+    Functions are transferred by name.
 
     A task whose process dies raises WorkerDiedError; the next task gets a new process. Each process
     has one BLAS thread unless the environment states another number.
@@ -76,21 +78,21 @@ class Processes(ThreadPoolExecutor):
         self._changing = threading.Lock()
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The future of `function(*args, **kwargs)` in one of the processes."""
+        """Future of `function(*args, **kwargs)`, computed in one of the processes."""
         return super().submit(self._remotely, function, args, kwargs)
 
     def gone(self) -> str:
-        """Reason why no process can answer any more, "" if one can."""
+        """Reason why no process can answer any more, or ""."""
         return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
-        """Kill the processes; running tasks are lost, waiting tasks are cancelled."""
+        """Kill the processes. Running tasks are lost, and waiting tasks are cancelled."""
         self._ended = True
         self.renew()
         super().shutdown(wait, cancel_futures=cancel_futures)
 
     def renew(self) -> None:
-        """Kill the processes; the next tasks get new ones."""
+        """Kill the processes. New processes are started for the next tasks."""
         with self._changing:
             for worker in self._workers:
                 worker.process.kill()
@@ -108,7 +110,7 @@ class Processes(ThreadPoolExecutor):
         raise raised from RemoteTraceback(trace)
 
     def _worker(self) -> "_Worker":
-        """The process of this thread; a new one if the last has died."""
+        """Process of this thread, or a new one if the last process has died."""
         worker: _Worker | None = getattr(self._own, "worker", None)
         if worker is not None and worker.process.is_alive():
             return worker
@@ -130,7 +132,7 @@ class Processes(ThreadPoolExecutor):
 
 
 class _Worker:
-    """One process at the other end of a pipe."""
+    """One process, connected by a pipe."""
 
     def __init__(self) -> None:
         self.connection, theirs = SPAWN.Pipe()
@@ -139,7 +141,9 @@ class _Worker:
         theirs.close()
 
     def call(self, function: Callable[..., Any], args: Any, kwargs: Any) -> tuple[bool, Any]:
-        """True and the function's result, or False and its exception with the traceback.
+        """Run a function in the process.
+
+        Returns True and the result, or False and the exception with its traceback.
 
         EOFError or OSError if the process dies.
         """
@@ -149,7 +153,7 @@ class _Worker:
         return is_done, answer
 
     def end(self) -> str:
-        """Kill it, if it still lives, and say how it ended."""
+        """Kill the process if it is still running, and return a text on how it ended."""
         self.process.join(1)  # its connection ends a little before itself
         self.process.kill()
         self.process.join()
@@ -159,7 +163,10 @@ class _Worker:
 
 
 def _without_interrupts() -> None:
-    """Block Ctrl-C in this thread and in processes that it starts; a terminal sends it to all."""
+    """Block Ctrl-C in this thread and in the processes that it starts.
+
+    A terminal sends Ctrl-C to all processes.
+    """
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 

@@ -25,7 +25,10 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Record:
-    """Measured result of a subject, its day (UTC), and its dependencies; both as JSON."""
+    """Measured result of a subject, its date (UTC), and its dependencies.
+
+    Result and dependencies are JSON values.
+    """
 
     date: str
     made_by: Any
@@ -34,16 +37,16 @@ class Record:
 
 @dataclass(frozen=True)
 class Records:
-    """The records of one kind: a folder with one file for each subject."""
+    """The records of one kind, a folder with one file for each subject."""
 
     kind: str
 
     def path(self, subject: str) -> Path:
-        """The file of a subject."""
+        """Path of the file of a subject."""
         return FOLDER / self.kind / f"{subject}.json"
 
     def stored(self, subject: str) -> Record | None:
-        """The record of a subject, for any code; None without a readable one."""
+        """Record of a subject, made by any code. None if there is no readable record."""
         try:
             data = json.loads(self.path(subject).read_text("utf-8"))
             if (data["kind"], data["subject"]) != (self.kind, subject):
@@ -69,7 +72,7 @@ class Records:
             return None
 
     def keep(self, subject: str, made_by: Any, content: Any) -> Path:
-        """Write the record with the date of today and return its file; OSError if it can't."""
+        """Write the record with today's date and return its path. Raises OSError if this fails."""
         path = self.path(subject)
         text = json.dumps({
             "kind": self.kind, "subject": subject, "date": today(), "made by": made_by,
@@ -85,17 +88,17 @@ class Records:
 
 
 def checksum(data: Any) -> str:
-    """Hexadecimal name of a record without its checksum, of its values and not of its layout."""
+    """Hexadecimal checksum of the values of a record, independent of the layout of the file."""
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
 
 
 def today() -> str:
-    """The day in UTC, "2026-01-31"."""
+    """Date in UTC, such as "2026-01-31"."""
     return time.strftime("%Y-%m-%d", time.gmtime())
 
 
 def _lines(value: Any, depth: int = 0) -> str:
-    """JSON with a line for each entry down to LINE_DEPTH, so that a diff shows the changes."""
+    """JSON text with one line for each entry down to LINE_DEPTH, so that a diff shows changes."""
     is_object = isinstance(value, dict)
     entries = list(value.values()) if is_object else value if isinstance(value, list) else []
     if depth == LINE_DEPTH or not any(isinstance(entry, dict | list) for entry in entries):

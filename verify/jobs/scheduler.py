@@ -1,4 +1,4 @@
-"""All jobs: levels from the cache or solved on processes, then cases judged."""
+"""Runs all jobs: levels are loaded or solved in processes, then the cases are judged."""
 
 import time
 from collections import Counter, deque
@@ -32,7 +32,9 @@ def run(
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
 ) -> list[CaseResult]:
-    """Solve levels that are not in the cache and judge every job; results in the order of `jobs`.
+    """Solve levels that are not in the cache, and judge every job.
+
+    Returns the results in the order of `jobs`.
 
     OSError states the missing library if gmsh cannot start and a level must be solved. `engine` is
     entered if levels must be solved; without an engine, this process solves them. `show` receives
@@ -107,12 +109,15 @@ class _Work:
         self.dispatch.run(engine, do, self._take, self._receive)
 
     def levels(self, job: int) -> list[Solved]:
-        """The solved levels of a job, coarse to fine."""
+        """Solved levels of a job, coarse to fine."""
         known = ((job, level) for level in self.jobs[job].case.levels)
         return [self.solved[one] for one in known if one in self.solved]
 
     def _by_case(self) -> list[Task]:
-        """Cases with the longest levels first, so that pictures of some are drawn meanwhile."""
+        """Tasks in order of cases, longest levels first.
+
+        Pictures of finished cases are drawn in the meantime.
+        """
         seconds = self._expected()
         longest: dict[int, float] = {}
         for task in self.tasks:
@@ -154,7 +159,7 @@ class _Work:
         return 1
 
     def _judge_if_solved(self, i: int) -> None:
-        """Judge cases next whose levels are all available, if other processes can read them."""
+        """Judge a case next if all its levels are available and other processes can read them."""
         job, known = self.jobs[i], self.levels(i)
         if self.hand_over is None or self.folder is None or self.left[i]:
             return
@@ -166,7 +171,7 @@ class _Work:
         self.waiting.appendleft(Judging(job.case, job.inputs, self.folder, i, levels))
 
     def _keep(self, task: Task, answer: Solved) -> bool:
-        """Ensure that the result of a task is in the store; on a full disk, warn once."""
+        """Return whether the result of a task is in the store. If the disk is full, warn once."""
         if answer.result is None or self.folder is None:
             return False
         unstored = answer.unstored

@@ -1,4 +1,4 @@
-"""Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
+"""Runs jobs for a command, with cache, processes, progress display, and a clean end if stopped."""
 
 import sys
 from collections.abc import Callable
@@ -40,7 +40,7 @@ def solve(
 
 
 def stored_levels(work: list[Job]) -> list[str]:
-    """Keys of the levels in the store that the results of jobs consist of."""
+    """Keys of the stored levels from which the results of jobs are judged."""
     return [
         cache.key(job.case, job.inputs, level)
         for job in work if job.use_fem
@@ -49,7 +49,10 @@ def stored_levels(work: list[Job]) -> list[str]:
 
 
 def _cache_folder() -> Path | None:
-    """The folder of the store; None, with a message, if it can be neither written nor read."""
+    """Folder of the store.
+
+    It is None, after a message, if the store can be neither written nor read.
+    """
     folder = cache.default_folder()
     source_memory.use(folder)
     store = Store(folder)

@@ -1,4 +1,4 @@
-"""Tasks of an engine: levels are solved, and cases judged once their levels are stored."""
+"""Tasks of an engine: solving a level, and judging a case after its levels are stored."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,10 @@ from verify.jobs.level import Job, Solved, judge_case, solve_level
 
 @dataclass(frozen=True)
 class Task:
-    """One level of a job, given by its number; another process finds the case by its name."""
+    """Task to solve one level of a job, given by its number.
+
+    Another process finds the case by its name.
+    """
 
     case: Case
     inputs: Inputs
@@ -33,7 +36,10 @@ class Task:
 
 @dataclass(frozen=True)
 class Judging:
-    """A job, given by its number, whose levels are solved; levels with a result are stored."""
+    """Task to judge a job, given by its number, after its levels are solved.
+
+    Levels with a result are stored.
+    """
 
     case: Case
     inputs: Inputs
@@ -50,12 +56,12 @@ class Judging:
 
 
 def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
-    """The task of a case that another process finds by its id: functions cannot be pickled."""
+    """Task of a case that another process finds by its id, because functions cannot be pickled."""
     return kind(find(case_id), *rest)
 
 
 def load(case_ids: Sequence[str]) -> None:
-    """Import cases, with all modules that their references need."""
+    """Import cases with all modules that their references require."""
     for one in case_ids:
         Case.finder(one)
 
@@ -70,7 +76,7 @@ def do(task: Task | Judging) -> Solved | CaseResult | None:
 
 
 def _judge(task: Judging) -> CaseResult | None:
-    """The judged case; None if the store has lost a level."""
+    """The judged case; None if a level is missing in the store."""
     levels = []
     for level, solved in task.levels:
         found = cache.load(task.folder, task.case, task.inputs, level)

@@ -1,4 +1,4 @@
-"""Duration of levels, from earlier runs or a cost model, and the remaining time of a run.
+"""Durations of levels, from earlier runs or a cost model, and the remaining time of a run.
 
 A level is named by its case and number; durations are wall-clock seconds of one process.
 """
@@ -23,7 +23,7 @@ USUAL = Path(__file__).with_name("seconds.json")  # by case and level, on one ma
 
 
 def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
-    """Expected duration of each level in seconds.
+    """Expected duration [s] of each level.
 
     For a known level, it is the stored duration. For another level of the same case, it is scaled
     from the nearest known level by the cost model. For a case without known levels, the finest
@@ -45,7 +45,7 @@ def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> d
 
 
 def refined(earlier: Mapping[Level, float], measured: Mapping[Level, float]) -> dict[Level, float]:
-    """Earlier durations scaled to the pace of this run, and durations measured in this run."""
+    """Durations measured in this run, and earlier durations scaled to the speed of this run."""
     both = [level for level in measured if level in earlier]
     before = sum(earlier[level] for level in both)
     pace = sum(measured[level] for level in both) / before if before else 1.0
@@ -55,7 +55,7 @@ def refined(earlier: Mapping[Level, float], measured: Mapping[Level, float]) -> 
 def remaining_seconds(
     running: Sequence[tuple[float, float]], waiting: Sequence[float], processes: int
 ) -> float:
-    """Seconds until the end of the last level.
+    """Remaining time [s] until the end of the last level.
 
     `running` contains (expected, elapsed) seconds of the running levels, `waiting` the expected
     seconds of those that follow in this order, each on the first free process.
@@ -69,7 +69,7 @@ def remaining_seconds(
 
 
 def usual() -> dict[Level, float]:
-    """Duration of levels on another machine."""
+    """Durations of levels on another machine."""
     return {
         (case, int(level)): seconds
         for case, levels in json.loads(USUAL.read_text("utf-8")).items()
@@ -78,7 +78,7 @@ def usual() -> dict[Level, float]:
 
 
 def load(folder: Path) -> dict[Level, float]:
-    """Durations that are stored in `folder`; entries that make no sense are ignored."""
+    """Durations stored in `folder`. Invalid entries are ignored."""
     found = {}
     with suppress(OSError):
         for name, content in Store(folder).all(KIND, KIND).items():
@@ -91,7 +91,7 @@ def load(folder: Path) -> dict[Level, float]:
 
 
 def store(folder: Path, measured: Mapping[Level, float]) -> None:
-    """Add `measured` to the stored times; OSError if the store cannot be written."""
+    """Add `measured` to the stored durations. Raises OSError if the store cannot be written."""
     entries = {f"{case} {level}": f"{seconds:.4f}".encode()
                for (case, level), seconds in measured.items()}  # fmt: skip
     Store(folder).store(KIND, KIND, entries)

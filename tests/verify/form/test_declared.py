@@ -224,8 +224,8 @@ def test_what_a_part_does_not_have_is_no_value_and_no_equation():
 @pytest.mark.parametrize(
     ("solution", "F", "reason"),
     [
-        ({}, 1.0, "the reference gives no S_twice"),
-        ({"S_twice": 1.0}, -1.0, "the formulas give no S_twice, or nan or inf"),
+        ({}, 1.0, "the reference has no value of S_twice"),
+        ({"S_twice": 1.0}, -1.0, "the formulas have no value of S_twice, or it is nan or inf"),
     ],
 )
 def test_a_number_that_a_side_does_not_give_is_named(solution, F, reason):

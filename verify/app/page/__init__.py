@@ -1,1 +1,1 @@
-"""Command app: a local page on which a part is dimensioned."""
+"""Command `app`: a local page for the design of a part."""

@@ -37,7 +37,7 @@ def _is_elsewhere(line: str) -> bool:
 
 
 def brief(shown: Shown) -> Markup:
-    """One line for a narrow screen, on which the form is below the answer."""
+    """Summary in one line for a narrow screen, where the form is below the answer."""
     if not shown.verdict:
         return Markup("No answer: an input is wrong")
     margin = f", margin {shown.margin}" if shown.margin else ""
@@ -85,7 +85,7 @@ def _values(shown: Shown) -> Markup:
 
 
 def evidence(shown: Shown) -> Markup:
-    """The rows that finite elements have judged."""
+    """Rows that were judged with finite elements."""
     header, *rows = shown.rows or ((),)
     return (
         Markup("<p><b>{}</b></p>").format(shown.rows_title)

@@ -1,4 +1,4 @@
-"""Updates the answer of a page after a change of its state; slow notes follow after a pause."""
+"""Updates the answer of a page after a change of its state. Slow notes follow after a pause."""
 
 import asyncio
 import json
@@ -21,7 +21,7 @@ PAUSE = 0.5  # s without typing before slow notes are computed
 
 
 class Answering:
-    """Answers the states of one screen one after the other."""
+    """Computes the answers for the states of one screen, one after the other."""
 
     def __init__(self, screen: Any) -> None:
         self.screen, self.found = screen, Shown()
@@ -29,7 +29,7 @@ class Answering:
         self._stored: tuple[State, Shown] | None = None
 
     def changed(self) -> None:
-        """Answer the present state; states that are replaced during an answer are skipped."""
+        """Answer the present state. States that are replaced during an answer are skipped."""
         if not self._answering:
             self._answering = True
             background_tasks.create(self._answer(), name="answer")
@@ -71,7 +71,7 @@ class Answering:
         return found
 
     async def _of_stored(self, state: State) -> Shown | None:
-        """The answer of variant B, which is the same while only the form is edited."""
+        """Answer of variant B. It does not change while only the form is edited."""
         if state.other is None:
             return None
         stored = replace(state, raw=state.other, other=None)
@@ -80,14 +80,14 @@ class Answering:
         return self._stored[1]
 
     async def _busy(self) -> None:
-        """State after a while that the answer is not yet that of the present inputs."""
+        """After a delay, display that the answer does not yet belong to the present inputs."""
         await asyncio.sleep(SLOW)
         with self.screen.client:
             self.screen.busy.set_content("computing; the answer below is that of the inputs before")
             self.screen.brief.set_content("computing")
 
     async def _details(self, state: State) -> None:
-        """The same with the slow notes, where inputs were assumed."""
+        """Display the same answer with the slow notes, if inputs were assumed."""
         if not self.found.assumed:
             return
         ask = self.screen.place.details.ask

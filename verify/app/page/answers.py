@@ -73,7 +73,7 @@ def shown(
 
 
 def of_checked(checked: Checked) -> Shown:
-    """The answer of a check as plain data."""
+    """Answer of a check as plain data."""
     answer, result = checked.answer, checked.result
     worst = answer.limiting
     beside, general = _placed(checked)
@@ -104,7 +104,10 @@ def _evidence(checked: Checked) -> dict[str, Any]:
 
 
 def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ...]]:
-    """Warnings by the input with which they begin or which they name alone; and the others."""
+    """Warnings by the input that they concern, and all other warnings.
+
+    A warning concerns an input if it begins with its name or names it alone.
+    """
     beside: dict[str, tuple[str, ...]] = {}
     general = []
     by_symbol = model_of(checked.case)
@@ -123,12 +126,12 @@ def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ..
 
 
 def _is_symbol(word: str) -> bool:
-    """Whether a name of an input is no word of a sentence, as "slices" and "a" are."""
+    """Whether a word is certainly a name of an input, unlike "slices" or "a" in a sentence."""
     return "_" in word or not word.isascii() or word.isupper()
 
 
 def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
-    """Every input that is missing or wrong by itself; else the rule between inputs."""
+    """Each input that is missing or invalid, otherwise the violated rule between inputs."""
     faults = wrong_values(case.inputs, raw)
     if match := _MISSING.search(message):
         faults |= dict.fromkeys(match[1].split(", "), MISSING)

@@ -1,4 +1,4 @@
-"""How `freewheel app` is called."""
+"""Arguments of the command `freewheel app`."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""Two variants side by side: what differs first, what is identical folded away."""
+"""Two variants side by side: differences first, identical entries in a closed section."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
@@ -16,7 +16,7 @@ Row = tuple[str, str, str, str]  # symbol, meaning, A, B
 def compared(
     case: Described, raws: tuple[Mapping[str, Any], Mapping[str, Any]], shown: tuple[Shown, Shown]
 ) -> Markup:
-    """Verdicts and margins, then inputs and values with symbol and meaning."""
+    """Verdicts and margins, then inputs and values with symbol and description."""
     same: list[Row] = []
     parts = [Markup("<h3>Variants side by side</h3>"), table(("", *SIDES), list(_answers(*shown)))]
     for title, rows in (("Inputs", _inputs(case, raws, shown)), ("Values", _values(*shown))):
@@ -45,7 +45,7 @@ def _answers(a: Shown, b: Shown) -> Iterator[tuple[str, str, str]]:
 def _inputs(
     case: Described, raws: tuple[Mapping[str, Any], Mapping[str, Any]], shown: tuple[Shown, Shown]
 ) -> Iterator[Row]:
-    """Every input in the order of the form, those of tables by entry."""
+    """Every input in the order of the form; inputs of tables are listed by entry."""
     given = [_flat(raw) for raw in raws]
     for field in case.fields:
         places = [(field.name, field)]
@@ -70,7 +70,7 @@ def _told(place: str, given: Mapping[str, str], shown: Shown) -> str:
 
 
 def _flat(raw: Mapping[str, Any]) -> dict[str, str]:
-    """Texts by place."""
+    """Texts of inputs by place."""
     found: dict[str, str] = {}
     for name, value in raw.items():
         if isinstance(value, list):
@@ -82,7 +82,10 @@ def _flat(raw: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _values(a: Shown, b: Shown) -> Iterator[Row]:
-    """Values of the formulas with their units, none where a variant has no answer."""
+    """Values of the formulas with their units.
+
+    They are empty if a variant has no answer.
+    """
     if not (a.verdict and b.verdict):
         return
     sides = [{(s, what): f"{value} {unit}".strip() for s, value, unit, what in one.values}

@@ -1,4 +1,4 @@
-"""Data of the inputs of a case that a form needs, from the model, as plain data."""
+"""Data of a case's inputs that a form needs, as plain data."""
 
 import tomllib
 from collections.abc import Callable, Mapping
@@ -42,7 +42,7 @@ class Field:
 
     @property
     def is_number(self) -> bool:
-        """Whether a sweep can vary it."""
+        """Whether a sweep can vary the input."""
         return not self.is_table and not self.words and bool(self.takes)
 
 
@@ -59,12 +59,15 @@ class Described:
 
     @property
     def whole(self) -> frozenset[str]:
-        """Names of the inputs that are whole numbers, including those of tables."""
+        """Names of the inputs that are whole numbers, including those in tables."""
         every = [f for field in self.fields for f in (field, *field.fields)]
         return frozenset(field.name for field in every if field.whole)
 
     def entered(self, place: str, text: str) -> str:
-        """What is typed into an input; a number alone is in the unit that the form states."""
+        """Text for a value in the form.
+
+        A number without a unit is in the unit that the form states.
+        """
         table, _, key = place.rpartition("].")
         fields = self.fields
         if table:
@@ -73,7 +76,7 @@ class Described:
         return text if unit == "1" or not units.is_bare(text) else f"{text.strip()} {unit}"
 
     def refuse_shapes(self, raw: Mapping[str, Any]) -> None:
-        """InputError where a file or a link has something else for a table."""
+        """Raise InputError if a file or a link contains another value in place of a table."""
         for table in (f.name for f in self.fields if f.is_table and f.name in raw):
             entries = raw[table]
             if not isinstance(entries, list) or not all(isinstance(e, Mapping) for e in entries):
@@ -81,7 +84,7 @@ class Described:
 
 
 def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
-    """The form of a case that is called by its name or its file; InputError, ValueError."""
+    """Form of a case, given by its name or its file. Raises InputError or ValueError."""
     case = find(case_name)
     assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
     return Described(
@@ -93,7 +96,7 @@ def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
 
 
 def model_of(case: Case) -> Mapping[str, str]:
-    """The input that each symbol of a case names."""
+    """Name of the input that each symbol of a case denotes."""
     return {meta(f)["symbol"] or n: n for n, f in case.inputs.model_fields.items()}
 
 
@@ -118,7 +121,7 @@ def _fields(model: type[Inputs], assumable: set[str]) -> tuple[Field, ...]:
 
 
 def _rule(bounds: list[tuple[str, float]], unit: str) -> str:
-    """The range, without a line break in a number with its unit."""
+    """Text of the permitted range, without a line break between a number and its unit."""
     shown = "" if unit == "1" else f" {unit}".replace(" ", "\u00a0")
     return ", ".join(
         f"{word} {limit / units.factor(unit):.6g}{shown}".replace("e+0", "e")

@@ -1,4 +1,4 @@
-"""Load and save parameter files of the folder, and the link of the session."""
+"""Loads and saves parameter files in the folder, and displays the link of the session."""
 
 from dataclasses import replace
 from typing import Any
@@ -12,7 +12,7 @@ from verify.core.inputs import InputError
 
 
 class FileView:
-    """Files of one screen."""
+    """List of files of one screen."""
 
     def __init__(self, screen: Any) -> None:
         self.screen = screen
@@ -31,7 +31,7 @@ class FileView:
             self.told = html().props('id="file-told" role="status"')
 
     def _list(self, chosen: str = "") -> None:
-        """The files of the folder at present; `chosen` is selected if it is one of them."""
+        """Update the list of the files in the folder. `chosen` is selected if it is one of them."""
         names = self.screen.place.folder.names_of(".toml", below=True)
         self.listed.clear()
         with self.listed:

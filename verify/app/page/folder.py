@@ -1,4 +1,4 @@
-"""The folder of a page: no other file is read or written."""
+"""The folder of a page. No files outside it are read or written."""
 
 import itertools
 import os
@@ -15,7 +15,7 @@ LONGEST = 100  # characters of a file's name
 
 
 class Folder:
-    """Files of one folder by their names."""
+    """The files of one folder, by name."""
 
     def __init__(self, root: Path) -> None:
         """InputError if `root` is no folder."""
@@ -42,7 +42,7 @@ class Folder:
         return path
 
     def names_of(self, suffix: str, *, below: bool = False) -> list[str]:
-        """Files that end with `suffix`, by name; with `below` those of its folders follow."""
+        """Files that end with `suffix`, by name. With `below`, files of subfolders follow."""
         found, folders, looked = list[str](), [""], 0
         for folder in folders:  # which grows
             with suppress(OSError), os.scandir(self.root / folder) as entries:
@@ -57,7 +57,10 @@ class Folder:
         return sorted(found, key=lambda name: (name.count("/"), name))[:MOST_FILES]
 
     def write(self, name: str, text: str, *suffixes: str, replace: bool = False) -> Path:
-        """Write a file completely or not at all; InputError if it exists, unless `replace`."""
+        """Write a file completely or not at all.
+
+        Raises InputError if it exists, unless `replace`.
+        """
         path = self.path(name, *suffixes)
         data = text.encode()
         if len(data) > MAX_BYTES:

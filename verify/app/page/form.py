@@ -1,4 +1,7 @@
-"""The form of a case as HTML; data-place marks input fields and places of messages."""
+"""The form of a case as HTML.
+
+The attribute data-place marks input fields and places of messages.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -13,7 +16,7 @@ ADD, REMOVE = "add", "remove"  # actions of buttons, with the table and the numb
 
 
 def form(case: Described, raw: Mapping[str, Any]) -> Markup:
-    """Required inputs, then optional inputs, then tables."""
+    """HTML of required inputs, then optional inputs, then tables."""
     needed = [f for f in case.fields if f.needed and not f.is_table]
     optional = [f for f in case.fields if not f.needed and not f.is_table]
     tables = [f for f in case.fields if f.is_table]
@@ -53,7 +56,7 @@ def _entries(table: Field, raw: Mapping[str, Any]) -> Iterator[Markup]:
 
 
 def _cell(field: Field, place: str, text: str) -> Markup:
-    """Symbol and description, the input, its range and unit, and room for messages."""
+    """HTML of one input: symbol, description, field, range, unit, and a place for messages."""
     return Markup(
         '<div class="field" data-at="{at}"><label for="in-{at}"><b>{symbol}</b> {what}</label>'
         '{control}<p class="rule" id="rule-{at}">{rule}</p>'

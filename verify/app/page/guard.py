@@ -1,4 +1,4 @@
-"""Who may use the page: the browser that opened it with the token, from the page itself."""
+"""Access control: only the browser that opened the page with the token is accepted."""
 
 import html
 import secrets
@@ -39,7 +39,7 @@ class Guard:
         self.origins = {f"http://{host}" for host in self.hosts}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Check host and origin, then the token."""
+        """Check host and origin of a request, then the token."""
         if scope["type"] not in ("http", "websocket"):
             await self.app(scope, receive, send)
             return
@@ -54,7 +54,7 @@ class Guard:
             await _refuse(scope, receive, send, "the page needs its token")
 
     def _foreign(self, scope: Scope, headers: Mapping[str, str]) -> str:
-        """Reason why a request is not from the page; "" if it is."""
+        """Reason why a request does not come from the page; "" if it does."""
         if headers.get("host") not in self.hosts:
             return "unknown host"
         origin = headers.get("origin")
@@ -78,7 +78,10 @@ class Guard:
         return secrets.compare_digest(text.encode(), self.token.encode())
 
     async def _admit(self, scope: Scope, send: Send) -> None:
-        """The cookie for the right token in the address; else a page with a field for the token."""
+        """Set the cookie if the address has the correct token.
+
+        Otherwise return a page with a field for it.
+        """
         query = dict(parse_qsl(scope["query_string"].decode("latin-1")))
         given = query.pop("token", "")
         if not self._is_token(given):

@@ -1,4 +1,4 @@
-"""A job of a page: its button, its progress, and the button that cancels it."""
+"""Display of a job: a start button, its progress, and a button that cancels it."""
 
 import asyncio
 import time

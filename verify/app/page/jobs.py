@@ -1,4 +1,4 @@
-"""Work in other processes: with progress, a limit of time, and an end at any moment."""
+"""Work in other processes, with progress and a time limit. It can be ended at any moment."""
 
 import asyncio
 import os
@@ -24,11 +24,11 @@ class CancelledError(Exception):
 
 
 class FailedError(Exception):
-    """The job has no result; the message gives the reason in one line."""
+    """The job has no result. The message states the reason in one line."""
 
 
 class Worker:
-    """A process that does one job at a time; after a forced end, it is replaced by a new one."""
+    """A process that does one job at a time. After a forced end, a new process replaces it."""
 
     def __init__(self) -> None:
         self._process: Any = None
@@ -93,13 +93,13 @@ class Worker:
 
 
 class Jobs:
-    """The jobs of all pages: a few at a time."""
+    """The jobs of all pages, with a limit of simultaneous jobs."""
 
     def __init__(self, most: int = MOST_RUNNING) -> None:
         self._most, self._running = most, set[Worker]()
 
     def begin(self) -> Worker:
-        """A worker for a job; InputError if too many are running."""
+        """Return a worker for a job. Raises InputError if too many jobs are running."""
         if len(self._running) >= self._most:
             raise InputError(f"{self._most} jobs are running; wait for one or cancel it")
         worker = Worker()
@@ -112,13 +112,16 @@ class Jobs:
         worker.end()
 
     def end(self) -> None:
-        """End all of them."""
+        """End all jobs."""
         for worker in tuple(self._running):
             self.finish(worker)
 
 
 def _work(pipe: connection.Connection, parent: int) -> None:
-    """What the process does: a separate group, which ends with its parent."""
+    """Function that runs in the process.
+
+    The process is a separate group, which ends with its parent.
+    """
     os.setsid()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_watch, args=(parent,), daemon=True).start()

@@ -1,4 +1,4 @@
-"""A state of the page as the text of a link, and back."""
+"""Converts a state of the page to the text of a link, and back."""
 
 import base64
 import binascii
@@ -15,14 +15,17 @@ BROKEN = "the link holds no session: it was cut or changed"
 
 
 def to_link(state: State) -> str:
-    """The state in characters that an address permits."""
+    """Text of the state, with characters that are permitted in an address."""
     data = [state.case, state.name, state.raw, state.other]
     packed = zlib.compress(json.dumps(data, ensure_ascii=False).encode(), 9)
     return base64.urlsafe_b64encode(packed).decode().rstrip("=")
 
 
 def from_link(text: str) -> State:
-    """The state of `to_link`; InputError if the text contains none, or one that is too large."""
+    """State from the text of `to_link`.
+
+    Raises InputError if the text is invalid or the state is too large.
+    """
     try:
         packed = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
         data = zlib.decompressobj().decompress(packed, MOST_BYTES)
@@ -42,7 +45,7 @@ def _is_text(value: Any) -> bool:
 
 
 def _is_raw(value: Any) -> bool:
-    """Texts by name, and lists of such."""
+    """Whether a value contains only texts by name, and lists of such texts."""
     return isinstance(value, Mapping) and all(
         _is_text(one)
         or (isinstance(one, list) and len(one) <= MOST_ENTRIES and all(map(_is_entry, one)))

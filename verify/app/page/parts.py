@@ -1,4 +1,4 @@
-"""Choices that the page offers: parts first, then every case."""
+"""Choices of the page: parts first, then every case."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ PARTS = {
 
 
 def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[str, str]]]]:
-    """Headings with names and titles of their entries; `files` are Python files of cases."""
+    """Headings with names and titles of their entries. `files` are Python files with cases."""
     own = sorted({*files, *([also] if also.endswith(".py") else [])})
     found = [
         ("Parts", [(case, title) for title, case in PARTS.items()]),

@@ -1,4 +1,4 @@
-"""What the pages of a server share."""
+"""Data that all pages of a server share."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""One page in a browser: the choice of a case, the form, the answer, and the tools."""
+"""One page in a browser: selection of a case, form, answer, and tools."""
 
 import itertools
 from collections.abc import Callable
@@ -34,7 +34,7 @@ PRESSED = (
 
 
 class Screen:
-    """A page with its session; pages share the processes and the folder of `place`."""
+    """A page with its session. All pages share the processes and the folder of `place`."""
 
     def __init__(self, place: Place) -> None:
         self.place, self.number = place, next(NUMBERS)
@@ -44,7 +44,7 @@ class Screen:
         self.changed = Answering(self).changed
 
     async def build(self, link: str) -> None:
-        """Everything, for the session of a link, a file, or the first part."""
+        """Build the page for the session of a link or of a file, otherwise for the first part."""
         self._head()
         self.bar = ui.element("div").classes("bar")
         self.told = html().props('id="error"')
@@ -71,16 +71,19 @@ class Screen:
         ui.add_head_html("<script>document.documentElement.lang = 'en'</script>")
 
     def path(self, state: State) -> str:
-        """Id of the case of a state, or the path of its file; may raise InputError."""
+        """Id of the case of a state, or the path of its file. May raise InputError."""
         name = state.case
         return str(self.place.folder.path(name, ".py")) if name.endswith(".py") else name
 
     def asked(self, state: State) -> tuple[str, str, dict[str, Any]]:
-        """Case, name and inputs of a state as the command line takes them."""
+        """Case, name and inputs of a state, as in a parameter file of the command line."""
         return self.path(state), state.name, as_values(state.raw, self.case.whole)
 
     async def show(self, state: State, *, fill: bool = False) -> None:
-        """Another case or file; with `fill` the inputs of the template. Errors are displayed."""
+        """Select another case or file. With `fill`, the inputs of the template are used.
+
+        Errors are displayed.
+        """
         case = await self._described(state)
         if case is None:
             if not hasattr(self, "case"):
@@ -96,7 +99,7 @@ class Screen:
         self.changed()
 
     async def _described(self, state: State) -> Described | None:
-        """The form of a state's case; None after an error, which is displayed."""
+        """Form of the case of a state; None after an error, which is displayed."""
         try:
             path = self.path(state)
             case: Described = await self.place.formulas.ask(describe, path, seconds=FORMULAS)
@@ -165,7 +168,7 @@ class Screen:
         self.put(replace(state, raw=raw))
 
     def put(self, state: State) -> None:
-        """Another state of the same case."""
+        """Display another state of the same case."""
         is_typed = state.raw == self.session.state.raw
         self.session.put(state)
         self.changed() if is_typed else self._refill()
@@ -181,7 +184,10 @@ class Screen:
             await self._after_step(case, self.session.undo)
 
     async def _after_step(self, case: str, back: Callable[[], bool]) -> None:
-        """Display the state of a step; if its case cannot be displayed, take the step `back`."""
+        """Display the state after a step.
+
+        If its case cannot be displayed, undo the step with `back`.
+        """
         if self.session.state.case == case:
             self._refill()
             return

@@ -1,4 +1,4 @@
-"""The server of the page: its port, its token, and the folder that it may use."""
+"""The server of the page, with its port, its token, and the folder that it may use."""
 
 import asyncio
 import secrets
@@ -31,7 +31,10 @@ RECONNECTED = 30.0  # s in which a browser that was busy with a drawing finds it
 
 
 def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int:
-    """Serve the page until Ctrl-C; InputError if the folder, the file or the port is wrong."""
+    """Serve the page until Ctrl-C.
+
+    Raises InputError if the folder, the file or the port is invalid.
+    """
     chosen = Folder(folder)
     first = ""
     if file is not None:
@@ -55,7 +58,10 @@ def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int
 
 
 def bound(port: int) -> socket.socket:
-    """A socket on this machine alone; InputError if the port is taken or none."""
+    """Socket that accepts connections from this machine only.
+
+    Raises InputError if the port is invalid or in use.
+    """
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port is 0 to {LAST_PORT}, got {port}")
     found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
@@ -72,7 +78,7 @@ def bound(port: int) -> socket.socket:
 
 
 def application(place: Place) -> FastAPI:
-    """The page and the files of its reports, without a guard."""
+    """Application with the page and the files of its reports, without access control."""
 
     @asynccontextmanager
     async def running(_app: FastAPI) -> Any:

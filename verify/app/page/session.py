@@ -1,4 +1,4 @@
-"""What a page holds: the case, its name, the texts as typed, a second variant, and the history."""
+"""State of a page: case, name, typed texts, a second variant, and the history."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -31,7 +31,7 @@ class Session:
     edited: str = ""  # the input of the last edit, whose further edits are the same step
 
     def put(self, state: State, edited: str = "") -> None:
-        """Make another state the present one; `edited` is the only input that has changed."""
+        """Make another state the present state. `edited` is the only input that has changed."""
         if state == self.state:
             return
         if not edited or edited != self.edited:
@@ -49,7 +49,7 @@ class Session:
         self.put(replace(self.state, raw=raw), place)
 
     def undo(self) -> bool:
-        """Go back one step; returns whether there was one."""
+        """Go back one step. Returns whether there was a previous state."""
         if not self.before:
             return False
         self.after.append(self.state)
@@ -57,7 +57,7 @@ class Session:
         return True
 
     def redo(self) -> bool:
-        """Repeat the last step undone; returns whether there was one."""
+        """Repeat the last undone step. Returns whether there was an undone state."""
         if not self.after:
             return False
         self.before.append(self.state)
@@ -66,7 +66,10 @@ class Session:
 
 
 def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
-    """Raw inputs with the text of one place replaced; LookupError."""
+    """Raw inputs in which the text of one place is replaced.
+
+    Raises LookupError if it does not exist.
+    """
     table, bracket, rest = place.partition("[")
     if not bracket:
         return _with(raw, place, text)
@@ -77,7 +80,7 @@ def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
 
 
 def text_at(raw: Mapping[str, Any], place: str) -> str:
-    """The text of one place, "" if it is omitted."""
+    """Text of one place; "" if it is omitted."""
     table, bracket, rest = place.partition("[")
     if not bracket:
         return str(raw.get(place, ""))
@@ -86,12 +89,12 @@ def text_at(raw: Mapping[str, Any], place: str) -> str:
 
 
 def with_entry(raw: Mapping[str, Any], table: str, entry: Mapping[str, Any]) -> dict[str, Any]:
-    """Raw inputs with one more entry of a table."""
+    """Raw inputs with one additional entry in a table."""
     return {**raw, table: [*raw.get(table, ()), dict(entry)]}
 
 
 def without_entry(raw: Mapping[str, Any], table: str, number: int) -> dict[str, Any]:
-    """Raw inputs without entry `number`, counted from 1, of a table."""
+    """Raw inputs without entry `number` of a table, counted from 1."""
     left = [one for k, one in enumerate(raw[table], start=1) if k != number]
     return {**raw, table: left} if left else {k: v for k, v in raw.items() if k != table}
 

@@ -1,4 +1,4 @@
-"""The sketch of a case, in which each dimension carries the name of its input."""
+"""The sketch of a case, in which each dimension is marked with the name of its input."""
 
 import re
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ _LABEL = re.compile(
 
 
 def named_sketch(data: Sketch | None, inputs: Mapping[str, str]) -> str:
-    """The drawing as SVG; `inputs` are names by symbol. "" where there is none."""
+    """Drawing as SVG; "" if the case has none. `inputs` contains names by symbol."""
     if data is None:
         return ""
     of_label = {
@@ -33,6 +33,9 @@ def named_sketch(data: Sketch | None, inputs: Mapping[str, str]) -> str:
 
 
 def _input_of(label: str, inputs: Mapping[str, str]) -> str:
-    """The input whose symbol a label begins with: "L_1/2 = 5.8 mm" is of L_1."""
+    """Name of the input with whose symbol a label begins.
+
+    For example, "L_1/2 = 5.8 mm" belongs to L_1.
+    """
     symbol = re.split(r"\s*[=/,]\s*", label)[0].strip()
     return inputs.get(symbol, "")

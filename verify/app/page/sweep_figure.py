@@ -1,4 +1,4 @@
-"""The figure of a sweep: a line over one input, or colours over two, with values at the pointer."""
+"""The figure of a sweep: a line over one input, or a colour map over two inputs."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ RAMP = ["#0b5cad", "#56cbb6", "#f0e442", "#e69f00", "#b3261e"]
 
 
 def options(found: Swept, *, dark: bool) -> dict[str, Any]:
-    """What ECharts draws."""
+    """Options of ECharts for the figure."""
     colours = DARK if dark else LIGHT
     axis = {
         "nameLocation": "middle", "nameGap": 30, "axisLabel": {"color": colours["ink"]},

@@ -32,7 +32,7 @@ MARGIN, DESIGN = "margin", "design value"  # results of a sweep in addition to t
 
 
 def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:
-    """The answer with judged rows; solved levels are stored and reported. InputError."""
+    """Answer with judged rows. Solved levels are stored and reported. May raise InputError."""
     file = _file(case, name, raw)
     return of_checked(in_system(_solved(file, tell), file.system))
 
@@ -62,7 +62,10 @@ def _solved(file: ParameterFile, tell: Tell) -> Checked:
 
 
 def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:
-    """Write the report of `freewheel check --out` on a parameter file; the names of its files."""
+    """Write the report of `freewheel check --out` for a parameter file.
+
+    Returns the names of its files.
+    """
     with (
         Path(os.devnull).open("w", encoding="utf-8") as nowhere,
         redirect_stdout(nowhere), redirect_stderr(nowhere),
@@ -113,7 +116,7 @@ def sweep(
 
 
 class _Point:
-    """One result at changed inputs; `problem` keeps the first message."""
+    """One result at changed inputs. `problem` keeps the first message."""
 
     def __init__(self, file: ParameterFile, axes: Sequence[Axis], result: str) -> None:
         self.file, self.axes, self.result, self.problem = file, axes, result, ""

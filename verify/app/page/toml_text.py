@@ -1,4 +1,4 @@
-"""A state of the page as the parameter file (TOML) of the command line, and back."""
+"""Converts a state of the page to a parameter file (TOML) of the command line, and back."""
 
 import json
 import re
@@ -14,7 +14,10 @@ _KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def parameter_file(state: State) -> str:
-    """The text of a parameter file with the inputs of a state; tables are below the others."""
+    """Text of a parameter file with the inputs of a state.
+
+    Tables are written after all other inputs.
+    """
     lines = [f"case = {_text(state.case)}", f"name = {_text(state.name)}", "", "[inputs]"]
     tables = {k: v for k, v in state.raw.items() if isinstance(v, list)}
     lines += [_line(k, v) for k, v in state.raw.items() if k not in tables]
@@ -25,7 +28,7 @@ def parameter_file(state: State) -> str:
 
 
 def read_state(path: Path) -> State:
-    """The state that a parameter file holds, numbers as texts; InputError."""
+    """State from a parameter file, with numbers as texts. May raise InputError."""
     case, name, raw = read_parameter_file(path)
     return State(case, name, as_texts(raw))
 
@@ -40,7 +43,10 @@ def as_texts(raw: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def as_values(raw: Mapping[str, Any], whole: frozenset[str]) -> dict[str, Any]:
-    """Raw inputs with texts of whole numbers converted; `whole` names them, also in tables."""
+    """Raw inputs with texts of whole numbers converted.
+
+    `whole` contains their names, also those in tables.
+    """
     return {k: _value(k, v, whole) for k, v in raw.items()}
 
 
@@ -68,5 +74,8 @@ def _key(key: str) -> str:
 
 
 def _text(value: str) -> str:
-    """A basic string of TOML: escapes of JSON, and of DEL, which TOML requires."""
+    """Basic string of TOML.
+
+    It has the escapes of JSON, and also an escape of DEL, which TOML requires.
+    """
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

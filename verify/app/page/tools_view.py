@@ -1,4 +1,4 @@
-"""Tools of the page besides the answer: finite elements, a sweep, a comparison, a report."""
+"""Tools of the page in addition to the answer: finite elements, sweep, comparison, report."""
 
 import shlex
 from collections.abc import Callable
@@ -26,7 +26,7 @@ Tell = Callable[[Any], None]
 
 
 class Tools:
-    """The tools of one screen, made for its case."""
+    """The tools of one screen, created for its case."""
 
     def __init__(self, screen: Any) -> None:
         self.screen = screen
@@ -59,7 +59,7 @@ class Tools:
         self.old[name] = html(css="error").props(f'id="{name}-old" role="status"')
 
     def tell_old(self) -> None:
-        """State next to a result of a job that it does not belong to the present inputs."""
+        """Mark the result of a job if it does not belong to the present inputs."""
         for name, raw in self.made.items():
             self.old[name].set_content(OLD if raw != self.screen.session.state.raw else "")
 
@@ -140,7 +140,7 @@ class Tools:
         self.screen.put(replace(self.screen.session.state, other=None))
 
     def show_compared(self, present: Shown, other: Shown | None) -> None:
-        """Both variants side by side."""
+        """Display both variants side by side."""
         state = self.screen.session.state
         for one in (self.exchange, self.drop):
             enable(one, state.other is not None)

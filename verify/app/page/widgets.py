@@ -1,4 +1,4 @@
-"""Elements of the page that the keyboard and screen readers can use."""
+"""Elements of the page that can be used with the keyboard and with screen readers."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -19,12 +19,12 @@ def button(text: str, on_click: Callable[[], Any], *, css: str = "", name: str =
 
 
 def enable(one: ui.html, on: bool) -> None:
-    """Let a button be used, or not."""
+    """Enable or disable a button."""
     one.props(remove="disabled") if on else one.props("disabled")
 
 
 class Choice:
-    """A labelled list of which one can be selected; `value` is its key."""
+    """A labelled list for the selection of one entry. `value` is its key."""
 
     def __init__(
         self, label: str, options: Mapping[str, str], name: str, value: str = "",
@@ -53,7 +53,7 @@ class Choice:
 
 
 class Typed:
-    """A labelled line of text."""
+    """A labelled text field."""
 
     def __init__(self, label: str, name: str, value: str = "", example: str = "") -> None:
         self.value = value
@@ -75,7 +75,7 @@ async def is_dark() -> bool:
 
 
 def tool(title: str, name: str) -> ui.element:
-    """A part of the page that opens and closes."""
+    """A section of the page that can be opened and closed."""
     found = ui.element("details").classes("tool").props(f'id="{name}"')
     with found:
         ui.html(escape(title), sanitize=False, tag="summary")
@@ -83,17 +83,17 @@ def tool(title: str, name: str) -> ui.element:
 
 
 def html(content: str = "", css: str = "") -> ui.html:
-    """HTML whose texts are escaped already."""
+    """HTML element; its texts must already be escaped."""
     return ui.html(content, sanitize=False).classes(css)
 
 
 def message(text: str) -> str:
-    """An error as HTML."""
+    """An error message as HTML."""
     return str(Markup('<p class="error" role="alert">{}</p>').format(text)) if text else ""
 
 
 def chosen_of(groups: Sequence[tuple[str, Sequence[tuple[str, str]]]], chosen: str) -> Markup:
-    """Options in groups; the first that is `chosen` is selected."""
+    """Options in groups. The first option equal to `chosen` is selected."""
     parts = []
     for title, names in groups:
         options = Markup("")
