@@ -59,7 +59,7 @@ function judged(q) { // class, side and words of an error
   const way = `the formula is too ${q.e > 0 ? "high" : "low"}${side ? `, the ${side} side` : " (no side is stated to be safe)"}`;
   return {
     css: limit <= 0.05 ? "good" : limit || side === "safe" ? "fair" : "bad", head: head + (side && size > SMALL ? `, on the ${side} side` : ""),
-    words: decided ? way : "whether it is too high or too low is within the bar",
+    words: decided ? way : "the error bar includes both signs",
   };
 }
 

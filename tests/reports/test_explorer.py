@@ -236,7 +236,7 @@ def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(an
     assert "error −9.07 % ± < 0.01 % (a stored point)" in stored
     assert "formula × 1.100." in stored
     assert "Within 1 %" in answers[len(GRID) + 2]["text"]
-    assert "whether it is too high or too low" in answers[len(GRID) + 2]["text"]
+    assert "the error bar includes both signs" in answers[len(GRID) + 2]["text"]
     assert all(one["curves"] >= 1 and one["out"] == 0 for one in answers)
 
 

@@ -57,9 +57,10 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     for words in (
         "K of the paper", "Eq. 11, Belcin; −1.2 ± 0.04 % at the inputs of the case",
         "1/6, 1 undecided", ">5, 10 %<", "Larger z: within 5", "2, 5, 10 %",
-        "1 of 6 points without an answer</summary>1 × refused: &lt;b&gt;too thin",
-        "Exact in its model: 1 formula ", "−0.00029 ± 0.00001 %", "5 of 6",
-        "Not measured over its inputs: hub at e.", 'href="#case-polyhedral-ring"',
+        "1 of 6 points without a solution</summary>1 × refused: &lt;b&gt;too thin",
+        "Exact within its model: 1 formula ", "−0.00029 ± 0.00001 %", "5 of 6",
+        "These formulas were not measured over the inputs: hub at e.",
+        'href="#case-polyhedral-ring"',
     ):  # fmt: skip
         assert words in text
     assert text.count("all that was measured") == 1  # one line for all three limits
