@@ -38,10 +38,10 @@ function described(axis) {
 function asked(course) { // of one study
   const study = one.studies[course.study], moved = axes.filter((a) => !is_central(a, study));
   const broken = axes.find((a) => a.whole && !Number.isInteger(values[a.name]));
-  if (broken) return { why: `${broken.symbol} takes whole numbers` };
+  if (broken) return { why: `${broken.symbol} must be a whole number` };
   const held = moved.filter((a) => !study.axes.some((b) => b.name === a.name)), names = (list) => list.map((a) => a.symbol).join(" and ");
   if (held.length) return { why: `not compared with another ${names(held)}${moved.length > held.length ? " at the same time" : ""}` };
-  if (study.star && moved.length > 1) return { why: `${names(moved)} were changed one at a time: not compared together` };
+  if (study.star && moved.length > 1) return { why: `${names(moved)} were varied one at a time and not compared together` };
   return between(study, course, study.axes.map(position));
 }
 
@@ -80,13 +80,13 @@ function answer(q) {
   Object.assign(box.dataset, { error: q.e ?? "", bar: q.u ?? "", bent: q.bent ?? "" });
   box.className = "e" in q ? judged(q).css : "";
   if (!("e" in q)) {
-    box.innerHTML = `<b>No data</b><p>At ${where}: ${q.why}. Nothing is extrapolated. <code>freewheel init ${one.id} &gt; my.toml</code>, then <code>freewheel check --fem my.toml</code> computes it.</p>`;
+    box.innerHTML = `<b>No data</b><p>At ${where}: ${q.why}. Nothing is extrapolated. <code>freewheel init ${one.id} &gt; my.toml</code>, then <code>freewheel check --fem my.toml</code> compares these inputs with finite elements.</p>`;
     return;
   }
   const { head, words } = judged(q), held = one.studies[q.course.study].held;
   const from = q.stored ? "a stored point" : `between stored points; ±${percent(q.bent)} % of the bar is interpolation`;
   const error = `error ${with_bar(q.e, q.u)}${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
-  const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)} by all its comparisons: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
+  const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)} from all its comparisons: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
   box.innerHTML = `<b>${head}</b><p>At ${where}${held && ` (stored for ${plain(held)})`}: ${error}.</p>` +
     (!formula.no_factor && q.e - q.u > -1 ? factor(q) : "") + (formula.verdicts ?? []).map((n) => verdict(DATA.verdicts[n])).join("");
 }

@@ -51,7 +51,7 @@ function between(study, course, at) {
   const cells = at.map((x, k) => cell(study, k, x)), out = cells.indexOf(null);
   if (out >= 0) {
     const t = study.ticks[out];
-    return { why: `${with_unit(study.axes[out], at[out])} is outside the stored ${digits(t[0])} to ${digits(t.at(-1))}` };
+    return { why: `${with_unit(study.axes[out], at[out])} is outside the stored range of ${digits(t[0])} to ${digits(t.at(-1))}` };
   }
   let corners = [{ node: [], weight: 1 }];
   for (const one of cells)
@@ -60,7 +60,7 @@ function between(study, course, at) {
   const lost = points.find((n) => course.error[n] === null || course.U[n] === null);
   if (lost !== undefined) {
     const where = study.axes.map((axis, k) => with_unit(axis, study.points[lost][k])).join(", ");
-    return { why: `no answer at the stored point ${where}: ${plain(course.problems?.[lost] ?? "")}` };
+    return { why: `no result at the stored point ${where}: ${plain(course.problems?.[lost] ?? "")}` };
   }
   const nodes = corners.map(({ node }) => node);
   const bent = cells.reduce((sum, one, k) => sum + (one.length > 1 ? bent_along(study, course.error, nodes, k, one) : 0), 0);

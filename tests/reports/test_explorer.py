@@ -178,8 +178,8 @@ LINE = (
      ("delta_1", 4.4)),
 )  # fmt: skip
 NONE = (
-    (RING, K, (("value", "z", 13),), "outside the stored 3 to 12"),
-    (RING, K, (("value", "z", 6.5),), "whole numbers"),
+    (RING, K, (("value", "z", 13),), "outside the stored range of 3 to 12"),
+    (RING, K, (("value", "z", 6.5),), "a whole number"),
     (RING, K, (("value", "rho", 1.5), ("value", "z", 8)), "not compared"),
     (STAR, ANGLE, (("value", "T", 52), ("value", "X", 11.44)), "not compared"),
     (STAR, ANGLE, (("value", "R_a", 19), ("value", "T", 52), ("value", "z", 7)), "not compared"),
@@ -227,7 +227,7 @@ def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(an
     for words in (
         "Beyond 10 %, on the unsafe side", "error −11.9 % ± 0.5 % (between stored points; ±0.5 %",
         "the formula is too low, the unsafe side", "formula × 1.136 (1.129 to 1.142)",
-        "Belcin, Eq. 11 by all its comparisons: unsafe. Use instead: the series",
+        "Belcin, Eq. 11 from all its comparisons: unsafe. Use instead: the series",
         "(δ1/de = 0.05625)",
         "(stored for e = 2 mm, distance of the hub contact from the middle of a flat)",
     ):  # fmt: skip
