@@ -86,7 +86,7 @@ def test_what_design_cannot_do_ends_with_2_and_one_line(tmp_path, capsys):
     path = tmp_path / "mine.toml"
     for text, words in (
         ('case = "ring-lame"\n[inputs]\n', "case must be design-spring, design-sprag or sprag-"),
-        (whole(crown_template()), "--choose: a crown has one optimum"),
+        (whole(crown_template()), "--choose is only for springs: a crown has one optimum"),
     ):
         path.write_text(text, encoding="utf-8")
         assert run(["design", "--choose", "2", str(path)]) == 2
