@@ -159,11 +159,11 @@ def test_a_file_is_saved_as_the_command_line_reads_it_and_loaded(
     page.until(lambda: page.one("#undo").is_enabled())
     page.unfold("tool-file")
     page.press("save")
-    page.until(lambda: "saved" in page.text("#file-told"))
+    page.until(lambda: "saved" in page.text("#file-status"))
     case, _, raw = read_parameter_file(server.folder / "my-ring-lame.toml")
     assert (case, raw["nu"]) == ("ring-lame", 0.28)
     page.press("save")
-    page.until(lambda: "exists already" in page.text("#file-told"))
+    page.until(lambda: "exists already" in page.text("#file-status"))
     page.open("contact-flat")
     page.unfold("tool-file")
     Select(page.one("#load-name")).select_by_value("my-ring-lame.toml")
@@ -177,7 +177,7 @@ def test_a_file_outside_the_folder_is_not_written(page: Browser, server: Server)
     name.send_keys(Keys.CONTROL, "a")
     name.send_keys("../out.toml")
     page.press("save")
-    page.until(lambda: "only files in the folder" in page.text("#file-told"))
+    page.until(lambda: "only files in the folder" in page.text("#file-status"))
     assert not (server.folder.parent / "out.toml").exists()
 
 
@@ -190,7 +190,7 @@ def test_a_file_outside_the_folder_is_not_opened(page: Browser, server: Server) 
     list.dispatchEvent(new Event("change", { bubbles: true }))"""
     page.driver.execute_script(forged)
     page.press("load")
-    page.until(lambda: "only files in the folder" in page.text("#file-told"))
+    page.until(lambda: "only files in the folder" in page.text("#file-status"))
     assert page.value("r_i") != "1 mm"
 
 

@@ -45,12 +45,12 @@ def brief(shown: Shown) -> Markup:
 
 
 def _faults(shown: Shown) -> Markup:
-    told = [v if v.startswith(f"{k} = ") else f"{k}: {v}" for k, v in shown.faults.items()]
-    count = f"{len(told)} inputs are wrong" if len(told) > 1 else "an input is wrong"
-    if len(told) > MOST_FAULTS:
-        told[MOST_FAULTS:] = [f"and {len(told) - MOST_FAULTS} more, marked in the form"]
+    lines = [v if v.startswith(f"{k} = ") else f"{k}: {v}" for k, v in shown.faults.items()]
+    count = f"{len(lines)} inputs are wrong" if len(lines) > 1 else "an input is wrong"
+    if len(lines) > MOST_FAULTS:
+        lines[MOST_FAULTS:] = [f"and {len(lines) - MOST_FAULTS} more, marked in the form"]
     return Markup('<p class="verdict none">No answer: {}</p>{}<p class="soft">{}</p>').format(
-        count, _list(told or [shown.fault], "warnings"),
+        count, _list(lines or [shown.fault], "warnings"),
         "The sketch is that of the last inputs with an answer.",
     )  # fmt: skip
 

@@ -56,13 +56,13 @@ def _inputs(
                 for k in range(1, count + 1) for one in field.fields
             ]  # fmt: skip
         for place, one in places:
-            a, b = (_told(place, g, s) for g, s in zip(given, shown, strict=True))
+            a, b = (_text_of(place, g, s) for g, s in zip(given, shown, strict=True))
             if a or b:
                 symbol = f"{place.rpartition('.')[0]} {one.symbol or one.name}".strip()
                 yield symbol, one.what, a or "left out", b or "left out"
 
 
-def _told(place: str, given: Mapping[str, str], shown: Shown) -> str:
+def _text_of(place: str, given: Mapping[str, str], shown: Shown) -> str:
     if place in given:
         return given[place]
     text = shown.assumed[place][0] if place in shown.assumed else ""
@@ -92,5 +92,5 @@ def _values(a: Shown, b: Shown) -> Iterator[Row]:
              for one in (a, b)]  # fmt: skip
     names: Iterable[tuple[str, str]] = sides[0] | sides[1]
     for symbol, what in names:
-        told = [side.get((symbol, what), "none") for side in sides]
-        yield symbol, what, told[0], told[1]
+        values = [side.get((symbol, what), "none") for side in sides]
+        yield symbol, what, values[0], values[1]

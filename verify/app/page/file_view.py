@@ -28,7 +28,7 @@ class FileView:
                 button("Save", self._save, name="save")
                 button("Download", self._download, name="download")
                 button("Copy the link of this session", self._copy, name="copy")
-            self.told = html().props('id="file-told" role="status"')
+            self.status = html().props('id="file-status" role="status"')
 
     def _list(self, chosen: str = "") -> None:
         """Update the list of the files in the folder. `chosen` is selected if it is one of them."""
@@ -44,7 +44,7 @@ class FileView:
         try:
             state = read_state(self.screen.place.folder.path(self.file.value, ".toml"))
         except InputError as error:
-            self.told.set_content(message(str(error)))
+            self.status.set_content(message(str(error)))
             return
         await self.screen.show(state)
 
@@ -58,9 +58,9 @@ class FileView:
             text, name = self._named(), self.name.value
             self.screen.place.folder.write(name, text, ".toml", replace=bool(self.replace.value))
         except InputError as error:
-            self.told.set_content(message(str(error)))
+            self.status.set_content(message(str(error)))
             return
-        self.told.set_content(str(Markup("saved as {} in the folder").format(name)))
+        self.status.set_content(str(Markup("saved as {} in the folder").format(name)))
         self._list(name)
 
     def _download(self) -> None:
@@ -68,4 +68,4 @@ class FileView:
 
     def _copy(self) -> None:
         ui.run_javascript("navigator.clipboard?.writeText(location.href)")
-        self.told.set_content("the address of this page, which holds the session, was copied")
+        self.status.set_content("the address of this page, which holds the session, was copied")

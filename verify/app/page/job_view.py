@@ -25,7 +25,7 @@ class JobView:
     def __init__(self, text: str, name: str, jobs: Jobs, work: Work, *, kept: str = "") -> None:
         self._jobs, self._work, self._kept = jobs, work, kept
         self._worker: Worker | None = None
-        self._told: Any = None
+        self._state: Any = None
         self._start = 0.0
         with ui.element("div").classes("row"):
             self._run = button(text, self._begin, css="main", name=name)
@@ -48,20 +48,20 @@ class JobView:
         except InputError as error:
             self._progress.set_content(message(str(error)))
             return
-        self._told, self._start = None, time.monotonic()
+        self._state, self._start = None, time.monotonic()
         enable(self._run, False)
         enable(self._cancel, True)
         self._timer.activate()
         self._show()
-        told = ""
+        reason = ""
         try:
             await self._work(worker, self._take)
         except CancelledError:
-            told = f"cancelled{self._kept}"
+            reason = f"cancelled{self._kept}"
         except (InputError, FailedError) as error:
-            told = str(error)
+            reason = str(error)
         except asyncio.CancelledError:
-            told = "the page was closed"
+            reason = "the page was closed"
             raise
         finally:
             self._jobs.finish(worker)
@@ -70,19 +70,19 @@ class JobView:
             enable(self._run, True)
             enable(self._cancel, False)
             seconds = f"done in {duration(time.monotonic() - self._start)}"
-            self._progress.set_content(message(told) or seconds)
+            self._progress.set_content(message(reason) or seconds)
 
-    def _take(self, told: Any) -> None:
-        self._told = told
+    def _take(self, state: Any) -> None:
+        self._state = state
 
     def _show(self) -> None:
         if self._worker is None:
             return
         spent = duration(time.monotonic() - self._start)
-        if not self._told:
+        if not self._state:
             self._progress.set_content(f"running, {spent}")
             return
-        done, total, what = self._told
+        done, total, what = self._state
         bar = Markup('<progress value="{}" max="{}" aria-label="progress"></progress>')
         text = ", ".join(filter(None, (f"{done} of {total}", what, spent)))
         self._progress.set_content(Markup("{} {}").format(bar.format(done, total), text))

@@ -37,7 +37,7 @@ class Worker:
 
     async def ask(
         self, function: Callable[..., Any], *arguments: Any, seconds: float = LONGEST,
-        tell: Callable[[Any], None] = lambda _told: None,
+        tell: Callable[[Any], None] = lambda _state: None,
     ) -> Any:  # fmt: skip
         """What `function`, of a module's top level, returns; `tell` takes what it sends before.
 

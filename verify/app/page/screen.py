@@ -47,12 +47,12 @@ class Screen:
         """Build the page for the session of a link or of a file, otherwise for the first part."""
         self._head()
         self.bar = ui.element("div").classes("bar")
-        self.told = html().props('id="error"')
+        self.error = html().props('id="error"')
         self.body = ui.element("main")
         try:
             state = self._first(link)
         except InputError as error:
-            self.told.set_content(message(str(error)))
+            self.error.set_content(message(str(error)))
             state = State(FIRST, f"my {FIRST}")
         await self.show(state, fill=not state.raw)
 
@@ -106,7 +106,7 @@ class Screen:
             for raw in filter(None, (state.raw, state.other)):
                 case.refuse_shapes(raw)
         except (InputError, FailedError, CancelledError) as error:
-            self.told.set_content(message(str(error)))
+            self.error.set_content(message(str(error)))
             return None
         return case
 
@@ -144,7 +144,7 @@ class Screen:
 
     async def _choose(self, event: Any) -> None:
         name = str(event.args)
-        self.told.set_content("")
+        self.error.set_content("")
         await self.show(State(name, f"my {name}"), fill=True)
 
     def _typed(self, event: Any) -> None:
@@ -152,9 +152,9 @@ class Screen:
         try:
             self.session.edit(place, self.case.entered(place, text))
         except (ValueError, LookupError) as error:
-            self.told.set_content(message(str(error)))
+            self.error.set_content(message(str(error)))
             return
-        self.told.set_content("")
+        self.error.set_content("")
         self.changed()
 
     def _pressed(self, event: Any) -> None:
