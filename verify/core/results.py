@@ -17,7 +17,7 @@ from verify.core.figures import (
 )
 from verify.core.verdicts import FormulaVerdict, Safe
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2  # version 1 had other names of rows (verify/cases/renamed.toml)
 
 FE = "FE"  # finite elements, as method of a reference
 
