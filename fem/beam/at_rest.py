@@ -12,7 +12,7 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 
 @dataclass(frozen=True)
 class AtRest:
-    """Small displacements of an unloaded frame, as accurate as the positions of its nodes.
+    """Small displacements of an unloaded frame, in which rounded node coordinates dominate errors.
 
     `strain`, `stretch` and `tangent` describe the undeformed `elements`; `free` are the unknowns
     that can move. Strains and residuals are computed in extended precision, because the strains of
@@ -62,7 +62,10 @@ class AtRest:
         return (self.S @ change[..., None])[..., 0].astype(float)
 
     def lowest(self, G: Any, push: Any) -> Any:
-        """Mode (n,) with the smallest positive load factor of K + load x G, as accurate as K."""
+        """Mode (n,) of K + load x G with the smallest positive load factor.
+
+        Round-off errors of K limit the accuracy of the mode.
+        """
         own, start = G[self.free][:, self.free], self.factor.solve(push[self.free])
         inverse = LinearOperator(own.shape, self.factor.solve)
         _, modes = eigsh(-own, 1, self.K, which="LA", Minv=inverse, v0=start)

@@ -102,7 +102,7 @@ class LargeFrame:
         self._reached: BeamState | None = None  # last state of the terms
 
     def rest(self) -> BeamState:
-        """Reference state without load; the history of terms is cleared."""
+        """Reference state without load; the history of all terms (contact, friction) is cleared."""
         n = len(self.points)
         u = np.zeros((n, 3), np.longdouble)
         for term in self.terms:
@@ -196,7 +196,7 @@ class LargeFrame:
     def buckling(self, path: Path) -> tuple[CriticalPoint, ...]:
         """Limit points and bifurcations between the states of a path, with their modes.
 
-        Terms with history (friction) are not permitted, except for multipliers.
+        Terms may have multipliers, but no other history: friction is not permitted.
 
         Raises
         ------
@@ -211,7 +211,7 @@ class LargeFrame:
     def linear_buckling(
         self, loads: Loads | None, *, count: int = 1, distributed: Forces | None = None
     ) -> tuple[Array, Array]:
-        """Factors (count,) and modes (count, n, 3) of linearised buckling, without terms.
+        """Load factors (count,) and modes (count, n, 3) of linearised buckling; terms are ignored.
 
         Displacements before buckling are assumed to be small. The largest displacement of a mode is
         1.

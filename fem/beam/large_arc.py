@@ -24,7 +24,10 @@ CROSSING = 1 / 32  # over the longest step: longer ones may jump over a turn to 
 
 @dataclass(frozen=True)
 class Arc:
-    """Step control by the distance `size` from the start of the step."""
+    """Step control by arc length: the displacement over the step has the norm `size`.
+
+    `weights` (3n,) are the weights of the squared displacements in the squared norm.
+    """
 
     size: float
     weights: Array
@@ -41,8 +44,9 @@ class Arc:
 
 
 def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
-    """States along the arc; the `first` change of the factor sets direction and step size.
+    """States along the equilibrium path, by arc-length control.
 
+    The change `first` of the load factor defines the direction and the size of the first step.
     Step sizes increase up to `largest`, an arc length. Raises ArithmeticError if a step does not
     converge.
     """

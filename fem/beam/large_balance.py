@@ -30,7 +30,10 @@ class Tangent:
 
 @dataclass(frozen=True)
 class Response:
-    """Response of the frame to displacements; `size` is the magnitude of its nodal forces."""
+    """Response of the frame to displacements.
+
+    `size` is the root sum of squares of all nodal forces: of elements, terms and loads.
+    """
 
     strain_energy: float
     term_energy: float
@@ -54,12 +57,16 @@ class Balance:
 
     @property
     def length(self) -> float:
-        """Diagonal of the frame, by which couples and displacements are divided for comparison."""
+        """Diagonal [length] of the rectangle along x and y that encloses the frame.
+
+        Displacements are divided by it for comparison with rotations, and couples for comparison
+        with forces.
+        """
         return float(np.hypot(*np.ptp(self.points, axis=0)))
 
     @property
     def weights(self) -> Array:
-        """Weights (3n,) for comparing displacements, relative to the frame size, per node."""
+        """Weights (3n,) of the mean square of displacements / `length` and rotations of all nodes."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:
@@ -68,7 +75,11 @@ class Balance:
         return x
 
     def respond(self, u: Extended, factor: float, stress: Array | None = None) -> Response:
-        """Residual and tangent; `stress` gives the section forces in the geometric stiffness."""
+        """Response to the displacements `u` (n, 3) under the load `factor`.
+
+        The geometric stiffness is computed for the section forces `stress`, by default for the
+        section forces at `u`.
+        """
         e = self.elements
         strain, _, t = e.strains(u)
         S, true = e.increments(strain, t), e.moduli * strain

@@ -99,7 +99,7 @@ class Elements:
         return (S @ (self._fields @ local))[..., 0]
 
     def forces(self, S: Array, stress: Array) -> tuple[Array, Array]:
-        """Internal forces (3n,) of N, V, M (m, q, 3), and the share of each element (m, k, 3)."""
+        """Internal forces (3n,) due to N, V, M (m, q, 3), and forces of each element (m, k, 3)."""
         local = (S * (stress * self.weight[..., None])[..., None]).sum(axis=2)
         nodal = (self._fields * local[..., None]).sum(axis=(1, 2))
         total = np.zeros(3 * self.count)
@@ -122,7 +122,7 @@ class Elements:
         return A
 
     def change_with(self, S: Array, A: Array, step: Extended) -> Array:
-        """Result of `change_of_forces` for the geometric stiffness `A`."""
+        """Result of `change_of_forces`; `A` (m, q, 4, 4) are densities of geometric stiffness."""
         at = step[self.nodes]
         change = (self.slope @ (at - at[:, :1]))[..., [0, 1, 2, 2]]
         change[..., 2] = at[:, :, 2] @ self.shape.T

@@ -67,7 +67,7 @@ def nothing(count: int) -> Loading:
 def loading(
     elements: Elements, loads: Loads | None, follower: Forces | None, distributed: Forces | None
 ) -> Loading:
-    """Nodal loads, follower forces, and dead forces per reference length of elements."""
+    """Loading by nodal loads, follower forces, and dead forces per reference length of elements."""
     found = nothing(elements.count)
     for node, load in (loads or {}).items():
         known(elements.count, node)

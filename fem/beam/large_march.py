@@ -1,4 +1,4 @@
-"""Steps along an equilibrium path: prediction, Newton's method, step halving, work."""
+"""Steps along an equilibrium path: prediction, Newton's method, step halving, work of forces."""
 
 import math
 from dataclasses import dataclass, replace
@@ -51,7 +51,10 @@ class March:
         try:
             predicted = change * self.tangent.push
             if not float(abs(predicted[2::3]).max()) < 2.0:
-                raise ConvergenceError("the tangent rotates a section by more than 2 rad")
+                raise ConvergenceError(
+                    "the step predicted by the tangent stiffness rotates a section by more than "
+                    "2 rad"
+                )
             stress = self.response.predict(predicted)
             u, factor, found, residuals = equilibrium(
                 balance, before, predicted, change, stress, control

@@ -42,7 +42,11 @@ class Control(Protocol):
         ...
 
     def speed(self, push: Array, moved: Array) -> float:
-        """Change of the factor over the whole step, at the rate given by `push`."""
+        """Change of the factor in a step of full size along the tangent `push`.
+
+        `push` is the displacement per unit factor. In arc-length control, the change has the sign
+        for which the step leads in the direction of the displacement `moved`.
+        """
         ...
 
 

@@ -115,7 +115,7 @@ class Path:
 
     @property
     def residuals(self) -> tuple[tuple[float, ...], ...]:
-        """Relative residuals of the Newton iterations in the last step to each state."""
+        """For each state, relative residuals of the Newton iterations of the last step to it."""
         return tuple(state.residuals for state in self.states)
 
     @property

@@ -1,4 +1,7 @@
-"""Stages of a frame whose two tips touch one after the other, by linear theory with rigid links."""
+"""Stages of a frame with two contacts that close one after the other, by linear theory.
+
+Rigid links represent the closed contacts.
+"""
 
 import math
 from collections.abc import Sequence
@@ -42,7 +45,11 @@ class LinkedFrame:
         return solved
 
     def stages(self) -> dict[str, float]:
-        """Stiffnesses [N/m], forces [N] and displacements [m] of the stages."""
+        """Stiffnesses [N/m], forces [N] and displacements [m] of the stages.
+
+        `k1`, `k2` and `k3` apply with no, one and both contacts closed. The first contact closes at
+        A, the second at B. `push` is the force of the first contact at A.
+        """
         k1, rates = self.respond(())
         gaps = [-link.value for link in self.links]
         alone = [
@@ -64,7 +71,10 @@ class LinkedFrame:
         }  # fmt: skip
 
     def respond(self, touching: tuple[int, ...]) -> tuple[float, list[float]]:
-        """Stiffness, and closure of both gaps per unit force, while the pairs `touching` touch."""
+        """Stiffness at the head, and closure of each gap per unit force at the head.
+
+        `touching` are the numbers of the contacts that are closed.
+        """
         solved = self.solve(1.0, [replace(self.links[i], value=0.0) for i in touching])
         closing = [
             float((solved.u[tip, :2] - solved.u[leaf, :2]) @ link.direction)
@@ -90,7 +100,7 @@ class Opposite:
 def opposite(
     points: Array, leaf: Indices, tip: int, normal: Literal["force", "leaf"], b: float
 ) -> Opposite:
-    """Point of `leaf` (m, 2) opposite to the node `tip` of another leaf, which is along y.
+    """Point of `leaf` (m, 2) opposite to `tip`, the end node of another leaf that is along y.
 
     `b` is the thickness [length]. `normal` is the direction to the point: the normal of the
     unloaded "leaf", or the direction x of the "force".

@@ -127,7 +127,10 @@ class Ties:
 
 
 def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties:
-    """Equations of `links`; linked points must be nodes, or are nodes given by `ends` (k, 2)."""
+    """Equations of `links` between nodes.
+
+    The linked nodes are `ends` (k, 2). Without `ends`, the points of the links must be nodes.
+    """
     rows, columns, entries = [], [], []
     for i, link in enumerate(links):
         direction = np.array(link.direction) / math.hypot(*link.direction)

@@ -11,7 +11,7 @@ Point = tuple[float, float]
 def part_stiffness(
     points: Array, elements: Indices, section: Section, start: Point, end: Point
 ) -> dict[str, float]:
-    """Stiffness against unit loads at the centre between `start` (clamped) and `end`.
+    """Stiffnesses of a part clamped at `start`, for loads midway between `start` and `end`.
 
     The loads are a couple ("turn"), a force along x ("axial") and a force along y ("lateral"). A
     rigid arm transmits them from the centre to `end`. `elements` (m, 3) are the elements of the

@@ -59,12 +59,13 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
-        """Force and couple (3, 3) on the head per small displacement, after its release in a state.
+        """Stiffness (3, 3) of the released head in a state, and its round-off error (3, 3).
 
-        The second result is the round-off error (3, 3), from the asymmetry and the change in the
-        last correction. Only the frame without its head is solved, so that the system is regular at
-        the buckling load of the frame. Residuals are computed from strains in extended precision,
-        because K u has large round-off for thin strips.
+        The stiffness is the force and couple on the head per small displacement and rotation. The
+        round-off error is taken from the asymmetry and from the change in the last correction. Only
+        the frame without its head is solved, so that the system is regular at the buckling load of
+        the frame. Residuals are computed from strains in extended precision, because K u has large
+        round-off for thin strips.
         """
         e = self.guided.elements
         strain, _, t = e.strains(state.exact)
@@ -99,7 +100,7 @@ class PressedFrame:
         return (S + S.T) / 2, worst * size
 
     def determinant(self, state: BeamState, head: Freedom) -> float:
-        """Determinant of the stiffness of the head, "free" or "hinged", under its loads."""
+        """Determinant of the stiffness of a "free" or "hinged" head in a loaded state."""
         return let_go(self.head_stiffness(state)[0], head)
 
     def lateral_stiffness(self, state: BeamState) -> tuple[float, float]:
@@ -108,11 +109,11 @@ class PressedFrame:
         return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
 
     def critical_displacement(self, until: float, first: float) -> float | None:
-        """First critical point of the guided frame up to `until` [length]; None if there is none.
+        """Head displacement at the first critical point of the guided frame; None above `until`.
 
-        It lies between two computed states, between which the tangent stiffness ceases to be
-        positive definite. Arc-length control passes limit points, at which displacement control
-        fails. The path begins with the displacement `first`.
+        At the critical point, the tangent stiffness ceases to be positive definite. Arc-length
+        control passes limit points, at which displacement control fails. The path begins with the
+        displacement `first`. All displacements are lengths.
         """
         path = self.guided.along_arc(
             None, moved={self.head: {"x": 1.0}}, first=first,

@@ -17,10 +17,10 @@ class UnstableError(ArithmeticError):
 
 
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:
-    """Forces of the guided head at the rising displacements `shares` x `length`, if stable.
+    """Forces on the guided head at the increasing displacements `shares` x `length`.
 
-    Raises UnstableError if a critical point occurs before, ArithmeticError if no equilibrium is
-    found.
+    Raises UnstableError if a critical point occurs before the last displacement, and
+    ArithmeticError if no equilibrium is found.
     """
     first = np.linspace(0, shares[0], CLOSER + 1)[1:]
     U = np.unique([*first, *shares]) * length
@@ -39,7 +39,7 @@ def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> 
 
 
 def free_force(one: PressedFrame, U: Array) -> float:
-    """Force of a free head at the last of its displacements `U` along x; it drifts along y."""
+    """Force along x on a head at the last of its displacements `U` along x, otherwise free."""
     path = one.frame("").displaced({one.head: {"x": 1.0}}, U)
     return float(path.reactions[-1, one.head, 0])
 

@@ -32,7 +32,7 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 
 
 class Touching(Term, ABC):
-    """Contact of the probes of lines with a partner.
+    """Contact of lines, tested at their probes, with a partner: other lines or an obstacle.
 
     `record` contains the contacts of the accepted state; `records` contains those of all states
     since the start of the path, beginning with the reference state.
@@ -126,7 +126,8 @@ class SelfContact(Touching):
         Contact stiffness. The pressure per length is share x EA/b^2 x overlap; the force at free
         ends is share x EA/b x overlap. It affects the iterations, but not the results.
     per_element
-        Number of probes per element. Each probe searches for the smallest gap in its part of it.
+        Number of probes per element. Each probe searches for the smallest gap in its part of the
+        element.
 
     Raises
     ------

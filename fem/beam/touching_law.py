@@ -29,7 +29,11 @@ TANGENTIAL = 0.002  # share of the normal stiffness
 
 @dataclass(frozen=True)
 class Answer:
-    """Energy of the contacts; force (k, m) and tangent (k, m, m); N, T and sticking (k,)."""
+    """Results of the contact law for k contacts with m unknowns each.
+
+    `energy` is the sum over all contacts; `force` is (k, m), `tangent` (k, m, m). `normal` and
+    `tangential` (k,) are the forces N and T; `sticking` (k,) is True without sliding.
+    """
 
     energy: float
     force: Array
@@ -40,9 +44,9 @@ class Answer:
 
 
 class Law:
-    """Contact law of slots with the normal `stiffness` (slots,) [force / length].
+    """Law of all possible contacts (slots) with the normal `stiffness` (slots,) [force / length].
 
-    The tangential stiffness in sticking is a constant share of `firm` (slots,) [force / length].
+    The tangential stiffness in sticking is a constant fraction of `firm` (slots,) [force / length].
     """
 
     def __init__(self, stiffness: Array, firm: Array, friction: float, thickness: float) -> None:
@@ -103,8 +107,8 @@ class Law:
     def _mend(self, touch: Touch, answer: Answer) -> bool:
         """Correct the friction states; True if one of them was changed.
 
-        Corrected are points that exceed the friction limit in sticking or slide against their
-        direction, and new points.
+        The states of three kinds of points are corrected: points that stick with more than the
+        friction limit, points that slide against their direction, and new points.
         """
         before = self.way[touch.slot]
         trial, limit = self._trial(touch), self.friction * answer.normal
@@ -121,7 +125,7 @@ class Law:
         return self.tangential[touch.slot] + self.sticking[touch.slot] * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
-        """Friction work of the step, which is accepted; slip is then measured from this state."""
+        """Accept the step and return its friction work; later slip is measured from this state."""
         before = self.kept[1][touch.slot]
         slid = np.abs(self.kept[2][touch.slot]) == 1
         # places that begin to slide do so at the end's force: sticking was a small part of the slip

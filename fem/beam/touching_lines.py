@@ -27,7 +27,7 @@ LEAST = 0.2  # relative to the thickness: lines nearer than that turn by no more
 
 @dataclass(frozen=True)
 class Past:
-    """Partner of every slot in the last accepted state; -1 without a partner."""
+    """Contact partner of each slot in the last accepted state; `member` is -1 without a partner."""
 
     x: Array
     member: Indices

@@ -1,4 +1,4 @@
-"""Arc length along the lines of a frame: points too close to touch, and sliding distances."""
+"""Arc lengths along the lines of a frame, to measure sliding and to exclude near neighbours."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,11 @@ from fem.beam.touching_points import Probes, lengths, shapes
 
 @dataclass(frozen=True)
 class Arcs:
-    """Arc length along lines: line `member` (m,), `start` (m,) at xi = 0, `sense` (m,) +1 or -1."""
+    """Arc lengths along the lines of a frame, for each of its m elements.
+
+    `size` (m,) is the length of the element, `member` (m,) the number of its line, and `start` (m,)
+    the arc length at xi = 0. `sense` (m,) is +1 if the arc length increases with xi, otherwise -1.
+    """
 
     points: Array
     elements: Indices
@@ -33,7 +37,7 @@ class Arcs:
 
 
 def arcs(points: Array, elements: Indices) -> Arcs:
-    """Arc lengths along each line of elements, up to ends, branches and closures."""
+    """Arc lengths along lines of elements; a line ends at a free end, a branch, or its start."""
     ends = elements[:, :2]
     at: dict[int, list[int]] = {}
     for e, pair in enumerate(ends.tolist()):
@@ -60,7 +64,10 @@ def arcs(points: Array, elements: Indices) -> Arcs:
 
 
 class Apart:
-    """Test whether elements are farther from a probe's cell than `least` along the line."""
+    """Test whether elements are at least `least` from the cell of a probe, along the line.
+
+    The test fails for the element of the probe and for elements with a common node.
+    """
 
     def __init__(self, points: Array, elements: Indices, probes: Probes, least: float) -> None:
         self.least = least

@@ -61,7 +61,7 @@ class Pairs:
         self.touching, self.reach = touching, REACH * touching
 
     def accept(self, x: Array) -> None:
-        """Determine the sides of the surfaces from the state `x`."""
+        """Determine from the accepted state `x` on which side of each element a probe lies."""
         self.last = None
         self.accepted = x[:, :2].copy()
         self._look_round(self.accepted)
@@ -99,7 +99,7 @@ class Pairs:
         near = np.flatnonzero(met.distance < NEAR * self.touching + half)
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance and its derivative by eta."""
+            """Distance plus additional gap, and the derivative of this sum by eta."""
             pair = near[rows]
             probe = self.probe[pair]
             here, own = on(curves[p.element[probe]], eta)

@@ -121,7 +121,7 @@ class Body:
         curves = powers(x[p.nodes, :2])
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance and its derivative by eta."""
+            """Distance plus additional gap, and the derivative of this sum by eta."""
             own, slope = on(curves[rows], eta)
             surface = self._surface(x, own)
             n = self.normals(x, surface)
@@ -151,7 +151,7 @@ class Body:
         return gap
 
     def eased(self, eta: Array) -> Array:
-        """Additional gaps of all probes."""
+        """Additional gaps (`Probes.ease`) of all probes at the parameters eta."""
         eased: Array = self.probes.ease * (eta - self.probes.middle) ** 2 / 2
         return eased
 

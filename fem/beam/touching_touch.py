@@ -28,7 +28,7 @@ class Touch:
     slipping: Array
 
     def without(self, last: int) -> "Touch":
-        """Contacts without the `last` unknowns, which belong to bodies that do not move."""
+        """Contacts without the last unknowns (`last` is their number), those of a fixed body."""
         keep = slice(None, -last)
         return replace(
             self,
@@ -42,14 +42,14 @@ class Touch:
 
 
 def along(weights: Array, direction: Array) -> Array:
-    """Rows (k, 3 nodes) that give the weighted displacement of the nodes along a direction."""
+    """Rows (k, 3 nodes) that map nodal displacements to their weighted sum along a direction."""
     parts = np.zeros((*weights.shape, 3))
     parts[:, :, :2] = weights[:, :, None] * direction[:, None, :]
     return parts.reshape(len(weights), 3 * weights.shape[1])
 
 
 def turned(weights: Array) -> Array:
-    """Rows (k, 3 nodes) that give the weighted rotation of the nodes."""
+    """Rows (k, 3 nodes) that map nodal rotations to their weighted sum."""
     parts = np.zeros((*weights.shape, 3))
     parts[:, :, 2] = weights
     return parts.reshape(len(weights), 3 * weights.shape[1])

@@ -1,4 +1,4 @@
-"""Evaluation of a force-displacement curve with a kink at the first contact of its parts.
+"""Evaluation of a force-displacement curve with a kink where parts of the structure first touch.
 
 Curves contain displacements U, forces F and sums of normal forces N, (3, k), with increasing U.
 """
@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # relative to a displacement
 
 @dataclass(frozen=True)
 class FittedLines:
-    """Two straight lines fitted to a curve before and after its parts touch.
+    """Two straight lines fitted to a curve, one before and one after the first contact.
 
     `k1`, `k2` [force/length] are the slopes, `c1`, `c2` [force] the constants. `U_A`, `F_A` belong
     to the first contact. Values that the curve does not reach are NaN.
@@ -36,7 +36,7 @@ class FittedLines:
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     def apart(self, other: "FittedLines") -> float:
-        """Largest relative difference of the slopes of this result and of `other`."""
+        """Larger relative difference of `k1` or `k2` between this result and `other`."""
         off = [abs(other.k1 / self.k1 - 1), abs(other.k2 / self.k2 - 1)]
         return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
 
@@ -61,7 +61,7 @@ def fitted(curve: Array, stroke: float) -> FittedLines:
 
 
 def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """U_A, F_A and the slope beyond, from the first two states that certainly have contact.
+    """U_A, F_A and the slope after U_A, from the first two states that certainly have contact.
 
     The contact force N is zero at U_A and increases linearly. The result is NaN without contact.
     """
@@ -72,7 +72,7 @@ def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """Onset of N from two states: displacement, force and slope.
+    """U and F at the onset of N, extrapolated from two states, and the slope dF/dU.
 
     >>> onset(np.array([5.0, 6.0]), np.array([11.0, 14.0]), np.array([1.0, 2.0]))
     (4.0, 8.0, 3.0)
