@@ -92,6 +92,7 @@ def collect(
             break
     if until is not None:
         raise ArithmeticError(
-            f"no state met the end condition in {steps} steps: last factor {found[-1].factor:.6g}"
+            f"`until` was True for no state within {steps} steps, the last one at the factor "
+            f"{found[-1].factor:.6g}: increase steps"
         )
     return tuple(found)

@@ -66,7 +66,7 @@ class Balance:
 
     @property
     def weights(self) -> Array:
-        """Weights (3n,) of the mean square of displacements / `length` and rotations of all nodes."""
+        """Weights (3n,) of a mean square over nodes: of displacements / `length` and rotations."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:

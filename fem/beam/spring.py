@@ -37,7 +37,7 @@ def compress_spring(
     if head not in HEADS:
         raise ValueError(f"head must be one of {', '.join(HEADS)}, got {head!r}")
     if "head tip" not in line.nodes:
-        raise ValueError("the centre line must have free tips, which touch: use tips=True")
+        raise ValueError("the centre line must have free tips that can touch: use tips=True")
     if not np.all(np.diff([0.0, *U]) > 0):
         raise ValueError(f"displacements U [m] must be positive and ascending, got {list(U)}")
     A, G = b * h, E / (2 * (1 + nu))

@@ -28,7 +28,7 @@ Forces = Mapping[str, tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Action:
-    """`share` times the response stored under `key`.
+    """`share` times a unit action, whose response is stored under `key`.
 
     A response that is not stored yet is calculated from `forces` and `displacements`.
     """
@@ -86,8 +86,8 @@ class Supports:
                 held = list(bodies.means[name].held)
             if not held or set(new) - set(held):
                 raise ValueError(
-                    f"displacements of {name!r}: only values of supports of the problem "
-                    f"can change; defined components: {', '.join(held) or 'none'}, "
+                    f"displacements of {name!r}: only components that the problem prescribes can "
+                    f"have new values; prescribed components: {', '.join(held) or 'none'}, "
                     f"got {', '.join(new)}"
                 )
             for c, value in new.items():
@@ -103,7 +103,7 @@ class Supports:
         return b
 
     def actions(self, displacements: Mapping[str, Support]) -> list[Action]:
-        """Unit responses to prescribed displacements, one for each component of a support."""
+        """Prescribed displacements as unit actions, one for each component of a support."""
         b = self.values(displacements)
         if not np.any(b):
             return []

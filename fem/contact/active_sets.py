@@ -30,7 +30,7 @@ def exchanged(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int],
     finer: float = 1.0,
 ) -> Solution:  # fmt: skip
-    """Multipliers, motions and the states that are consistent with them, on springs (k, k).
+    """Multipliers, motions and consistent contact states, with rigid motions on springs (k, k).
 
     The iteration begins with `states` (m,). `changes` receives the number of changed rows of each
     iteration. Raises NotFoundError if the states repeat or continue to change.
@@ -123,7 +123,7 @@ def fitting_states(
     system: ContactSystem, w_0: Array, multipliers: Array, motion: Array, states: States,
     finer: float = 1.0,
 ) -> States:  # fmt: skip
-    """Contact states (m,) that agree with multipliers and gaps, calculated from the old `states`.
+    """Contact states (m,) that agree with the multipliers and gaps found for the old `states`.
 
     `finer` is a factor of the tolerances.
     """

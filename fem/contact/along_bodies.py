@@ -70,7 +70,7 @@ class AlongBodies:
         """
         if unknown := set(displacements) - set(self.nodes.supported):
             raise ValueError(
-                f"no support holds {min(unknown)!r} along z; there are: "
+                f"there is no support along z on {min(unknown)!r}; supports along z are on: "
                 f"{', '.join(self.nodes.supported) or 'none'}"
             )
         f = np.zeros(self.nodes.count)
@@ -91,7 +91,8 @@ class AlongBodies:
         nodes, known = self.nodes, self.nodes.supported
         if boundary not in known:
             raise ValueError(
-                f"no support holds {boundary!r} along z; there are: {', '.join(known) or 'none'}"
+                f"there is no support along z on {boundary!r}; supports along z are on: "
+                f"{', '.join(known) or 'none'}"
             )
         own = np.zeros(nodes.held.size, bool)
         own[nodes.group[nodes.named(boundary)]] = True
@@ -101,7 +102,7 @@ class AlongBodies:
         return float(missing[own[nodes.group]].sum())
 
     def internal_forces(self, u: Array) -> Array:
-        """Forces (nodes,) that balance the shear stresses of `u` (nodes,), over the thickness."""
+        """Forces (nodes,) that balance shear stresses of `u` (nodes,), over the whole thickness."""
         cells = self.bodies.cells
         weight = cells.mu[:, None, None] * cells.dx[:, :, None]
         stress = (weight * self.gradient(u)).reshape(len(weight), -1)

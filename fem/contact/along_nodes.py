@@ -74,7 +74,8 @@ class AlongNodes:
             missed = float(np.abs(given[at] - u).max(initial=0.0))
             if missed > CONTRADICTION * largest:
                 raise ValueError(
-                    f"supports along z contradict each other at {name!r} by {missed:.3g}"
+                    "supports along z prescribe displacements that contradict each other at "
+                    f"{name!r}: they differ by {missed:.3g}"
                 )
         return np.asarray(np.nan_to_num(given)[self.group])
 
@@ -115,7 +116,7 @@ class AlongNodes:
             if name not in self.bodies.obstacles or name in self.along.supports:
                 known = ", ".join(self.bodies.obstacles) or "none"
                 raise ValueError(
-                    f"free along z must be obstacles without support along z, got {name!r}; "
+                    f"`free` must name obstacles without support along z, got {name!r}; "
                     f"obstacles: {known}"
                 )
 

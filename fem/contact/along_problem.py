@@ -51,10 +51,12 @@ class AlongProblem:
         closing: tuple[Indices, Array],
         in_plane: Callable[[], Rest],
     ) -> tuple[Rest, AlongStep]:
-        """State of the plane and state along z, under `w` and `e` of the plane and `pull` along z.
+        """State of the plane and state along z under all loads.
 
-        `in_plane` calculates the state of the plane without friction along z. Gaps of the normal
-        rows in `closing` close in this step, each at its given share of the step.
+        In the plane, `w` are the gaps and slips without contact forces, and `e` the loads on the
+        rigid motions. `pull` is the load along z. `in_plane` calculates the state of the plane
+        without friction along z. Gaps of the normal rows in `closing` close in this step, each
+        after its given fraction of the step.
         """
         interface = self._interface(plane)
         w_z, e_z = interface.loaded(pull)

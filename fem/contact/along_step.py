@@ -36,7 +36,7 @@ class AlongStep:
 
     @cached_property
     def u(self) -> Array:
-        """Displacements u_z (nodes,): of vertices, nodes on edges, nodes in cells, obstacles."""
+        """Displacements u_z (nodes,) in the order vertices, edge nodes, cell nodes, obstacles."""
         i = self.interface
         return i.bodies.displacements(self.pull, i.C.T @ self.traction, self.shift)
 

@@ -28,7 +28,7 @@ UNHELD = 1e-9  # relative to a rigid motion: below, the surface does not resist 
 
 @dataclass(frozen=True)
 class Response:
-    """Response, linear in the loads `f` (all,) and the prescribed displacements `u_0` (all,).
+    """Response of bodies, linear in the loads `f` and the prescribed displacements `u_0` (all,).
 
     `load` (n,) are the forces on the free unknowns; the equivalent forces on the surface are
     `on_surface` (s,). `at_rest` (s,) are the displacements of the surface without contact and

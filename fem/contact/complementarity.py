@@ -51,6 +51,7 @@ class Complementarity(ContactSystem):
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
         """Multipliers, motions and states under `w_0` (n,), `e` (k,).
 
+        `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
         `start` optionally gives the initial states. Each residual of the result is below 1e-9 of
         its scale: the largest contact force, or the elastic approach by this force. Two kinds of
         loads cause no rigid motion: loads that the facets balance up to a fraction of 1e-6, and
@@ -114,7 +115,7 @@ class Complementarity(ContactSystem):
             yield Rest(*none, tuple(changes), METHODS[-1])
 
     def is_proven_non_unique(self, rest: Rest, w_0: Array, e: Array) -> bool:
-        """True if the problem of `rest` is proven to have further solutions.
+        """True if the problem is proven to have solutions besides `rest`.
 
         False proves nothing. The loads are `w_0` (n,) and `e` (k,). The proof uses the index of the
         solution, which is the sign of the determinant of its states. If contact without friction

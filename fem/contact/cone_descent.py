@@ -39,7 +39,10 @@ BEYOND = 1.01  # relative to the friction that is mobilised: there the path down
 
 @dataclass(frozen=True)
 class Descent:
-    """Search for the solution of a cone under `w_0` (n,) and `e` (k,)."""
+    """Search for the solution of a cone under `w_0` (n,) and `e` (k,).
+
+    `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
+    """
 
     cone: Cone
     w_0: Array

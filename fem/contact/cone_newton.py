@@ -35,14 +35,17 @@ class SlidingError(NotFoundError):
 
 @dataclass(frozen=True)
 class Newton:
-    """Newton's method for a cone under `w_0` (n,) and `e` (k,)."""
+    """Newton's method for a cone under `w_0` (n,) and `e` (k,).
+
+    `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
+    """
 
     cone: Cone
     w_0: Array
     e: Array
 
     def at_rest(self, at: State, friction: Array) -> State:
-        """State of rest, found with springs on the motions that are relaxed to zero load.
+        """State of rest, found by relaxing springs on the rigid motions until they carry no load.
 
         Raises SlidingError if the springs still carry loads at the end, NotFoundError if a step
         fails.

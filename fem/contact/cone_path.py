@@ -47,7 +47,7 @@ class Path:
     task: Callable[[float], tuple[Task, Rate]]
 
     def follow(self, at: State, t: float) -> State:
-        """Approximate solution at t = 1, from a solution `at` for `t` < 1.
+        """Approximate solution at the end of the path, t = 1, from a solution `at` for `t` < 1.
 
         Newton's method can correct the result. Raises NotFoundError if the path does not reach t =
         1 within MAX_STEPS steps.

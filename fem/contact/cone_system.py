@@ -107,7 +107,7 @@ class System:
         return resisted @ resisted.T
 
     def springs(self, share: float) -> Array:
-        """Springs (k, k) on rigid motions, with `share` of the stiffness of the contact.
+        """Springs (k, k) on rigid motions, with the stiffness of the contact times `share`.
 
         Motions that only facets resist have constant springs.
         """

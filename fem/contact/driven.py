@@ -20,9 +20,10 @@ GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure'
 class DrivenSector:
     """Half a sector in equilibrium with the hub, whose force is `kappa` times the roller force N.
 
-    The hub force is inclined by `phi_1` [rad] from the normal of the flat towards its middle.
-    `mesh` generates the sector for a pressure and a hub force; its first argument selects the fine
-    mesh. N is the roller force under the pressure `p`; it is infinite if the hub force locks.
+    The hub force is inclined by `phi_1` [rad] from the normal of the flat towards the middle of the
+    flat. `mesh` generates the sector for a pressure and a hub force; its first argument selects the
+    fine mesh. N is the roller force under the pressure `p`. N is infinite if the hub force, which
+    increases with N, makes the sector self-locking.
     """
 
     mesh: Callable[[bool, float, Force], LockedSector]
@@ -37,7 +38,10 @@ class DrivenSector:
 
     @cached_property
     def fine(self) -> LockedSector:
-        """Sector on a mesh refined for the N of the coarse mesh; coarse if N is infinite."""
+        """Sector on a fine mesh, generated for the roller force that results on the coarse mesh.
+
+        If this force is infinite, the result is the coarse sector.
+        """
         N = self.force_on(self.coarse, self.p)
         return self.mesh(True, self.p, self.push(N)) if isfinite(N) else self.coarse
 
@@ -47,7 +51,7 @@ class DrivenSector:
         return self.force_on(self.fine, self.p)
 
     def push(self, N: float) -> Force:
-        """Hub force on a flat: components normal to the flat, and along it away from its middle."""
+        """Components of the hub force: normal to the flat, and along it, away from mid-flat."""
         R = self.kappa * N
         return float(R * np.cos(self.phi_1)), float(-R * np.sin(self.phi_1))
 
@@ -56,7 +60,7 @@ class DrivenSector:
         return self.fine.at(p, self.push(N))
 
     def force_on(self, sector: LockedSector, p: float) -> float:
-        """Force N of a roller under the pressure `p`; infinite if the hub force locks."""
+        """Force N of a roller under the pressure `p`; infinite if the sector is self-locking."""
 
         def excess(N: float) -> float:
             """Roller force minus the force N to which the hub force is proportional."""

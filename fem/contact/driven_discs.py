@@ -1,4 +1,4 @@
-"""Two bodies under given forces: the section of the upper body is displaced until forces agree."""
+"""Two bodies under given forces, which a displacement of the section of the upper body causes."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ class DrivenDiscs:
         return self.problem.solve(displacements=moved, after=after)
 
     def loaded(self, Q: float, cut: Array, after: ContactSolution) -> tuple[ContactSolution, Array]:
-        """Contact state under Q and P [N/m], one step after `after`; displacement of the section.
+        """Contact state under Q and P [N/m] in the step after `after`, and section displacement.
 
         `cut` is the initial displacement of the search (Broyden's method). Raises NotFoundError if
         the search does not reach the loads.

@@ -23,7 +23,10 @@ SPREAD = 0.5  # relative to the covering vector's entries: breaks ties of symmet
 
 @dataclass(frozen=True)
 class FrictionLcp:
-    """Contact system under `w_0` (n,), `e` (k,) on springs (k, k), with entries of about one."""
+    """Contact system under `w_0` (n,), `e` (k,) on springs (k, k), as a complementarity problem.
+
+    The entries of the problem are scaled to about one.
+    """
 
     system: ContactSystem
     w_0: Array

@@ -93,7 +93,7 @@ class Interface:
         )
 
     def shift(self, response: Response) -> Array:
-        """Effect of a response on the gaps and slips (r,), without the rigid motions."""
+        """Change of the gaps and slips (r,) by a response, without the rigid motions."""
         w = self.C @ response.at_rest
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 

@@ -24,9 +24,11 @@ Force = tuple[float, float]  # along the flat's normal, and along it away from i
 
 
 class FlatSector(NamedTuple):
-    """Half angle between rollers [rad], diameters through the corners and outside, and apothem.
+    """Dimensions of a sector; lengths are in the unit of the mesh.
 
-    `clearance` is the difference of diameters. Lengths are in the unit of the mesh.
+    `half_angle` [rad] is half the angle between rollers, `d_i` the diameter through the corners of
+    the bore, `d_e` the outside diameter, and `apothem` the distance of the flats from the centre.
+    `clearance` is the diameter of the race minus `d_e` and twice the diameter of the roller.
     """
 
     half_angle: float
@@ -77,7 +79,7 @@ def elastic_roller(
 
 @dataclass(frozen=True)
 class LockedSector:
-    """Sector with its roller of diameter `d`; the hub force acts at `e` from mid-flat."""
+    """Sector with a roller of diameter `d`; `e` is the distance of the hub force from mid-flat."""
 
     sector: FlatSector
     problem: ContactProblem
@@ -99,7 +101,7 @@ class LockedSector:
         return 2 * self.at(p, hub).touches[0].force[0]
 
     def efficiency(self, p: float) -> tuple[float, float]:
-        """Share of an additional pressure force on the flat that reaches the roller, and its u.
+        """Fraction of an additional pressure force on the flat that reaches the roller, and u.
 
         Nodes come into contact one by one, which causes steps of the force. A cubic polynomial over
         several pressures smooths these steps. u is the standard uncertainty of the slope of the
@@ -121,7 +123,7 @@ class LockedSector:
         return near.half_width((r, 0.0)), on_race
 
     def balance(self, p: float, hub: Force) -> tuple[float, float, float]:
-        """Unbalanced forces x, y on half a sector, and the hoop force along x."""
+        """Unbalanced forces along x and y on half a sector, and the force along x on its cuts."""
         sector, state = self.sector, self.at(p, hub)
         c, s = np.cos(sector.half_angle), np.sin(sector.half_angle)
         names = ("ring.mid", "ring.corner")

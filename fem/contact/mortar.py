@@ -26,7 +26,7 @@ BARE = 1e-9  # over the integral of a hat: less than that over the segments carr
 
 @dataclass(frozen=True)
 class Mortar:
-    """Operators of a contact pair; m slave vertices carry its traction.
+    """Operators of a contact pair; m vertices of the slave carry the contact traction.
 
     `x` (2, m) are the positions of the vertices, `arc` (m,) their arc lengths along the surface,
     `hats` (points, m) the hat functions phi_i. `normal` and `tangential` (points, unknowns) give n

@@ -15,7 +15,7 @@ from fem.plane.geometry import jacobians
 
 @dataclass(frozen=True, kw_only=True)
 class Rows:
-    """Rows at the n integration points of all pairs, then tangential rows of pairs with friction.
+    """Normal rows at the n integration points of all pairs, then tangential rows with friction.
 
     From displacements, `stress` (rows, unknowns) gives the traction [stress] of the slave, and
     `motion` (rows, unknowns) the gap or slip [length]. `start` (rows,) is the gap or slip without

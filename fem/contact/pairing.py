@@ -47,7 +47,7 @@ class Points:
 
 
 def pair_with_shape(slave: Trace, master: Shape) -> Points:
-    """Gauss points on the slave's facets that face a rigid `master`, along its normals."""
+    """Gauss points on the slave's facets that face a rigid `master`, along the master's normals."""
     k = np.arange(slave.count)
     return _gauss(
         slave, k, np.zeros(k.size), np.ones(k.size), lambda k, s: _onto(slave, master, k, s)

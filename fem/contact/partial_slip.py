@@ -51,9 +51,10 @@ def loop_area(x: Array, Q: Array) -> float:
 
 
 def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
-    """Deviations (2n,) of the displacement from the line between -Q_max and Q_max, down and up.
+    """Deviations (2n,) of the displacement from the line between the tips -Q_max and Q_max.
 
-    Each branch of the loop is evaluated at the n rising values `at` of Q/Q_max.
+    The first n values belong to the branch with falling Q, the last n to the branch with rising Q,
+    both in the order of the loop. `at` (n,) are rising values of Q/Q_max.
     """
     half = x.size // 2
     beyond = x - x[0] / Q[0] * Q
@@ -63,10 +64,11 @@ def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
 
 
 def order_in_steps(x: Array, Q: Array, work: float) -> tuple[float, float]:
-    """Order of convergence of the area of a loop by linear steps, and the error with fine steps.
+    """Order of convergence of a loop area by the trapezoidal rule, and the error of the area.
 
-    The reference is the `work` of friction, which is exact for any steps: the friction force of a
-    slipping node is always mu p.
+    The area is computed from every fourth and from every second step; the error is that of every
+    second. The reference is the `work` of friction, which is exact for any steps: the friction
+    force of a slipping node is always mu p.
     """
     coarse, fine = (abs(abs(float(np.trapezoid(Q[::n], x[::n]))) - work) for n in (4, 2))
     return float(np.log2(coarse / fine)), float(fine)

@@ -239,7 +239,8 @@ class ContactProblem:
             moved = Interface(self.bodies, self.surfaces, bases)
             found = self._equilibrium(actions, pull, moved, after)
         raise NotFoundError(
-            f"no equilibrium was found: bodies still move after {MAX_APPROACHES} approaches"
+            "no equilibrium was found: bodies with an initial gap still move after "
+            f"{MAX_APPROACHES} attempts to bring their surfaces together"
         )
 
     def _equilibrium(
@@ -385,6 +386,6 @@ class ContactProblem:
         """Raise NoEquilibriumError if loads on rigid motions need contact forces `missing` (k,)."""
         if np.any(missing):
             raise NoEquilibriumError(
-                f"{self.bodies.named(missing)}, and the loads do move it: contact can only "
+                f"{self.bodies.named(missing)}, and the loads cause this motion: contact can only "
                 "push, and no admissible contact forces balance the loads"
             )

@@ -25,7 +25,7 @@ class Push:
     x: Array
 
     def stick_half_width(self, share: float, a: float) -> Value:
-        """Half-width c [m] of the stick zone at Q/(mu P) = `share`; standard uncertainty."""
+        """Half-width [m] of the stick zone at Q/(mu P) = `share`, and its standard uncertainty."""
         c2, u, _ = smoothed(self.k, self.stick, share)
         c = a * np.sqrt(c2)
         return float(c), float(u * c / (2 * c2))
@@ -35,9 +35,9 @@ class Push:
         return np.sqrt([smoothed(self.k, self.stick, share)[0] for share in shares])
 
     def beyond_chord(self, share: float, chord: float) -> Value:
-        """Displacement [m] at `share` minus the line from 0 to `chord`; standard uncertainty.
+        """Displacement [m] at `share` minus that of the line from 0 to `chord`.
 
-        `share` and `chord` are values of Q/(mu P).
+        `share` and `chord` are values of Q/(mu P). The second result is the standard uncertainty.
         """
         far, u_far, _ = smoothed(self.k, self.x, chord)
         x, u, _ = smoothed(self.k, self.x, share)
@@ -45,7 +45,7 @@ class Push:
         return x - part * far, float(np.hypot(u, part * u_far))
 
     def loop_jitter(self, share: float) -> float:
-        """Scatter [m] of the area of a loop up to Q/(mu P) = `share`, divided by mu P.
+        """Scatter [m] of (loop area)/(mu P), for a loop up to Q/(mu P) = `share`.
 
         By Masing's rule, each branch of a cycle is the first loading curve, enlarged by a factor of
         2.
@@ -67,7 +67,7 @@ def push(discs: DrivenDiscs, to: float, *, limit: float, steps: int) -> Push:
 
 @dataclass(frozen=True)
 class Swing:
-    """Cycle from a state to its opposite and back, in steps: x [m] and Q [N/m] (2n + 1,).
+    """Cycle from a state to the opposite state and back: x [m] and Q [N/m] of each step (2n + 1,).
 
     `work` [J/m] is the work of friction; `opposite` and `last` are the states in the middle and at
     the end.
@@ -87,7 +87,7 @@ class Swing:
 
 
 def swing(discs: DrivenDiscs, first: ContactSolution, top: Array, Q: float, steps: int) -> Swing:
-    """Cycle from the state `first` under Q [N/m]; `top` (x, y) [m] is its displacement."""
+    """Cycle from the state `first` under Q [N/m], in which the displacement is `top` (x, y) [m]."""
     there = np.linspace(1.0, -1.0, steps + 1)[1:]
     state, work, found = first, 0.0, [(top[0], Q)]
     opposite = first

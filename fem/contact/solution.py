@@ -75,7 +75,7 @@ class Touch:
 
     @property
     def sticking_share(self) -> float:
-        """Share of the normal force on nodes that stick, 0 to 1; 0 without contact.
+        """Fraction of the normal force that acts on sticking nodes, 0 to 1; 0 without contact.
 
         If it is zero, the whole contact slides.
         """
@@ -111,7 +111,7 @@ class Touch:
         return t @ (points.x - origin[:, None])
 
     def half_width(self, centre: tuple[float, float] | None = None) -> float:
-        """Half-width of an elliptic pressure distribution with the same moments; 0 without contact.
+        """Half-width of the elliptic pressure with the moments of this pressure; 0 without contact.
 
         It is 2 sqrt(int p x^2 / int p), with x from `centre` (default: the centre of pressure). For
         a body of revolution, it is the radius sqrt(5/2 int p r^2 / int p) about the axis.
@@ -252,7 +252,7 @@ class ContactSolution:
 
     @property
     def u_z(self) -> Array:
-        """Displacements u_z (nodes,): of vertices, nodes on edges, nodes in cells, obstacles.
+        """Displacements u_z (nodes,) in the order vertices, edge nodes, cell nodes, obstacles.
 
         They are zero in plane problems.
         """

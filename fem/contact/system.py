@@ -32,7 +32,7 @@ OFFSET = 1e-3  # the same for neutral rotations, whose moments refer to points o
 
 
 def directions(D: Array) -> Array:
-    """Rows of `D` (n, k) scaled to unit length, which give the motions that contact resists.
+    """Rows of `D` (n, k) scaled to unit length; contact resists the motions that they span.
 
     Unit rows make the result independent of the compliance. Rows that act on no rigid motion are
     zero.
@@ -74,7 +74,7 @@ class ContactSystem:
 
     @cached_property
     def arms(self) -> Array:
-        """Absolute movements (n, k) of all rows under unit rigid motions."""
+        """Absolute values of the movements (n, k) of all rows under unit rigid motions."""
         return np.abs(self.D)
 
     @cached_property

@@ -94,7 +94,7 @@ class Trace:
         return before[k] + s * length[k]
 
     def sag(self) -> Array:
-        """Upper bound (m,) of the distance between a facet and the curve with its end normals."""
+        """Upper bound (m,) of the distance of facets from curves with the normals `end_normals`."""
         if self.shape is not None:
             return np.zeros(self.count)
         length = np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))

@@ -50,7 +50,7 @@ def share_stuck(touch: Touch) -> float:
 
 
 def slipping(touch: Touch) -> float:
-    """Share of the normal force on nodes that slip."""
+    """Fraction of the normal force that acts on slipping nodes."""
     load = touch.pressure * touch.mortar.size
     return float(load[touch.closed & ~touch.sticks].sum() / load.sum())
 

@@ -22,7 +22,7 @@ def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
 
 
 def has_area(mesh: Mesh2D, facets: NDArray[np.int64]) -> bool:
-    """True if rotating the `facets` about the axis generates an area: not all are on the axis."""
+    """True if `facets` rotated about the axis generate an area, as they are not all on the axis."""
     return not np.all(on_axis(mesh, mesh.p[:, mesh.facets[:, facets]]))
 
 

@@ -1,4 +1,4 @@
-"""Bases on cells and boundaries of a plane mesh, with quadrature that preserves the order."""
+"""Bases on cells and boundaries of a plane mesh; quadrature preserves the order of convergence."""
 
 from functools import cached_property
 

@@ -1,4 +1,4 @@
-"""Outward normals at the nodes of named boundaries, the directions that guides fix."""
+"""Outward normals at the nodes of named boundaries: directions in which guides fix the nodes."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING

@@ -131,9 +131,10 @@ def point_load(
     *,
     turn: bool = False,
 ) -> Array:
-    """Forces (unknowns,) of `forces` at nodes, by coordinates; with `turn`, totals on rings.
+    """Forces (unknowns,) of point forces at nodes, which are given by coordinates.
 
-    Raises ValueError if there is no node at the point, and for a radial force on the axis.
+    With `turn`, a node is a ring, and each force is the total on the ring. Raises ValueError if
+    there is no node at the point, and for a radial force on the axis.
     """
     f = np.zeros(basis.N)
     for point, force in forces.items():

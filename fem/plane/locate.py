@@ -40,7 +40,10 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     cell, X = np.full(points.shape[1], -1), np.zeros(points.shape)
 
     def settle(point: Indices, tried: Indices, gap: float, starts: Array) -> None:
-        """Assign each `point` to the deepest of its cells `tried`, at most `gap` outside."""
+        """Assign each `point` to that of the cells `tried` in which it is deepest inside.
+
+        A point may be outside a cell by `gap` at most.
+        """
         found, depth = _invert(mesh, nodes[:, :, tried], points[:, point], starts)
         order = np.lexsort((tried, -np.round(depth, ROUND_OFF_DIGITS), point))
         first = order[np.unique(point[order], return_index=True)[1]]

@@ -69,7 +69,7 @@ class _Motion:
         self.size = float(((own**2).sum(axis=0) * dA).sum())
         if not self.size > 0:
             raise ValueError(
-                f"the mean motion {component!r} requires a boundary with a length, but it has none"
+                f"the mean motion {component!r} requires a boundary with a length above zero"
             )
 
     def __call__(self, x: Array) -> Array:
@@ -85,9 +85,10 @@ class _Motion:
 
 
 def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
-    """Columns of `T` (unknowns, n) for which the means `C` (k, unknowns) vanish, and a lift.
+    """Combinations of columns of `T` (unknowns, n) with zero means, and displacements.
 
-    The lift (unknowns, k) changes each mean by one. The last `surface` columns remain the last
+    `C` (k, unknowns) gives the means. Each of the displacements (unknowns, k) changes one mean by
+    one and no other mean. The last `surface` columns remain the last
     columns and must not contribute to a mean.
     """
     rows = (C @ T).tocsc()

@@ -39,7 +39,7 @@ def solve_under_patch(
 
 
 def polar_nodes(body: PlaneSolution, name: str) -> Array:
-    """Angle [rad], u_r and u_theta (3, m) [length] at all nodes of the boundary `name`, by angle.
+    """Angle [rad], u_r and u_theta (3, m) [length] at the nodes of the boundary `name`, by angle.
 
     The polar coordinates are about the origin. The cells must be quadratic.
     """

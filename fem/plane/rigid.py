@@ -34,7 +34,7 @@ def check_rigid_motions(
 ) -> None:
     """Raise ValueError if the conditions permit a rigid motion of a body."""
     if words := free_motions(basis, conditions, tied, means, turn=turn).words:
-        raise ValueError(f"{words[-1]}: support it against this motion")
+        raise ValueError(f"{words[-1]}: support this body against this motion")
 
 
 def free_motions(

@@ -45,7 +45,7 @@ class Held:
 
 @dataclass(frozen=True)
 class PlaneSolution:
-    """Displacements `u` (unknowns,) on `basis`, in balance with the loads.
+    """Displacements `u` (unknowns,) on `basis`, in equilibrium with the loads.
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell. `residual`
@@ -103,7 +103,7 @@ class PlaneSolution:
         return x, y
 
     def mean_reaction(self, boundary: str) -> dict[str, float]:
-        """Force (x, y) and moment (r, about its point) of the mean motions of `boundary`."""
+        """Force (x, y) and moment (r, about `Mean.about`) of the mean motions of `boundary`."""
         means = {} if self.held is None else self.held.means
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"
@@ -185,7 +185,7 @@ class PlaneSolution:
         return side.mean((side.u * d).sum(axis=0))
 
     def cells(self) -> dict[str, Array]:
-        """Values for pictures and files, as plain arrays.
+        """Mesh, displacements and stresses for pictures and files, as plain arrays.
 
         `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and for each cell
         the mean `stress` (m, 4: xx, yy, xy, zz or hoop) and `von_mises` (m,).

@@ -58,10 +58,10 @@ class Conditions:
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
     def by_node(self) -> tuple[Indices, Indices, Array]:
-        """Conditions of each node, in one row per node.
+        """Numbers, unknowns and directions of the conditions of each node.
 
-        Numbers (nodes, c) of the conditions, -1 if a node has fewer than c >= 2; unknowns (2,
-        nodes) of the nodes; directions (nodes, c, 2), zero without a condition.
+        Numbers (nodes, c) of the conditions, with -1 if a node has fewer than c conditions (c >=
+        2). Unknowns (2, nodes) of the nodes. Directions (nodes, c, 2), zero without a condition.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
         order = np.argsort(group, kind="stable")
@@ -74,7 +74,7 @@ class Conditions:
         return number, self.dofs[:, first], direction
 
     def forces(self, reaction: Array) -> Array:
-        """Forces (m,) along the conditions, of which `reaction` (unknowns,) is the sum."""
+        """Forces (m,) in the directions of the conditions; their sum is `reaction` (unknowns,)."""
         number, dofs, direction = self.by_node()
         # least norm: equal conditions share the force
         inverse = np.linalg.pinv(direction.swapaxes(1, 2), rcond=INDEPENDENT)

@@ -57,10 +57,11 @@ class Tie:
 
 @dataclass(frozen=True)
 class Tied:
-    """Followers (2, m) and leaders (2, m), unknowns u_x and u_y of nodes; `angle` (m,) [rad].
+    """Nodes that follow other nodes: unknowns u_x, u_y of followers (2, m) and leaders (2, m).
 
-    No leader follows another node; `still` (2, k) are fixed nodes. `x` (2, unknowns) are the
-    positions of nodes; positions of followers are computed exactly from their leaders.
+    `angle` (m,) [rad] is the rotation from a leader to its follower. No leader follows another
+    node; `still` (2, k) are fixed nodes. `x` (2, unknowns) are the positions of nodes; positions of
+    followers are computed exactly from their leaders.
     """
 
     follower: Indices
@@ -76,7 +77,7 @@ class Tied:
 
     @cached_property
     def P(self) -> csr_array:
-        """Matrix (unknowns, unknowns) from displacements of leading nodes to those of all nodes."""
+        """Matrix (unknowns, unknowns) that gives displacements of all nodes from the leaders."""
         leads = np.ones(self.count)
         leads[self.follower] = 0.0
         c, s = np.cos(self.angle), np.sin(self.angle)
@@ -93,7 +94,7 @@ class Tied:
 
     @cached_property
     def rows(self) -> csr_array:
-        """Rows (k, unknowns) that are zero if followers follow their leaders."""
+        """Rows (k, unknowns) whose product with u is zero if followers follow their leaders."""
         if not self.angle.size:
             return csr_array((0, self.count))
         apart = (diags_array(np.ones(self.count)) - self.P).tocsr()
@@ -129,14 +130,14 @@ class Tied:
         return (T @ diags_array(1 / size)).tocsr(), self.P @ u0
 
     def forces(self, conditions: Conditions, reaction: Array) -> Array:
-        """Forces (m,) along the conditions, of which `reaction` (unknowns,) is the sum.
+        """Forces (m,) in the directions of the conditions; their sum is `reaction` (unknowns,).
 
         The force of a support of a follower also appears at its leader.
         """
         return self.led(conditions).forces(self.P.T @ reaction)
 
     def ordered(self, place: Indices) -> Indices:
-        """Order of elimination (unknowns,) in which tied unknowns are late."""
+        """Place (unknowns,) in the order of elimination, with leaders after all other unknowns."""
         place = place.copy()
         np.maximum.at(place, self.leader, place[self.follower])
         place[self.leader] += self.count

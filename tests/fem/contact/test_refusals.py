@@ -103,9 +103,9 @@ def test_a_part_is_refused(make, message):
         ({"point_forces": {(0, 2): (0, NAN)}}, "finite"),
         ({"forces": {"a.top": (0, -1.0, 1.0)}}, "components x and y"),
         ({"point_forces": {(0.3, 7): (0, -1)}}, "no node at"),
-        ({"displacements": {"a.top": {"y": -1e-3}}}, "defined components: none"),
+        ({"displacements": {"a.top": {"y": -1e-3}}}, "prescribed components: none"),
         ({"displacements": {"b.bottom": {"x": 0, "y": NAN}}}, "must be finite"),
-        ({"displacements": {"lid": {"n": 1.0}}}, "defined components: x, y, r"),
+        ({"displacements": {"lid": {"n": 1.0}}}, "prescribed components: x, y, r"),
         ({"displacements": {"lid": {"y": lambda x: x[0]}}}, "must be a number"),
         ({"forces": {"lid": (0, -1, 0, 0)}}, "components"),
         ({"forces": {"lid": (0, -1e3)}}, "but only free motions can be loaded"),
@@ -144,7 +144,7 @@ def pair(along=HELD, assumption="plane strain", friction=0.3):
 
 DOWN = {"forces": {"up.top": (0.0, -1e-3)}}
 MOVES = "body 'up' can move along z, and no admissible contact forces"
-UNHELD = r"no support holds 'up\.top' along z; there are: low\.bot"
+UNHELD = r"no support along z on 'up\.top'; supports along z are on: low\.bot"
 
 
 @pytest.mark.parametrize(

@@ -137,7 +137,7 @@ def test_a_wrong_tie_is_named_in_a_line(tie, words):
 def test_what_a_cyclic_tie_leaves_free_and_cannot_be_around_a_turn_is_refused():
     mesh = sector("tri6", 5)
     rough = np.random.default_rng(1).uniform(-3e-8, 3e-8, mesh.doflocs.shape)
-    with pytest.raises(ValueError, match=r"\+1 rotation\): support it against this motion"):
+    with pytest.raises(ValueError, match=r"\+1 rotation\): support this body against this motion"):
         cyclic_body(replace(mesh, doflocs=mesh.doflocs + rough), supports={}, ties=[FIFTH])
     mesh = sector("tri6", 12, start=0.1)
     with pytest.raises(ValueError, match="tie 'last cut' to 'first cut': if"):
