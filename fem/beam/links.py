@@ -54,9 +54,9 @@ class Link:
 class Divided:
     """Mesh of straight elements with a node at every linked point.
 
-    New nodes and elements follow the given ones; a divided element retains its number for its first
-    part. `parent` (m,) is the original element of each element; `ends` (k, 2) are the nodes of
-    every link.
+    New nodes and elements are numbered after the given ones; a divided element retains its number
+    for its first part. `parent` (m,) is the original element of each element; `ends` (k, 2) are the
+    nodes of every link.
     """
 
     points: Array

@@ -51,13 +51,13 @@ class FrameSolution:
 
     `u` (nodes, 3) are displacements and rotations. `reactions` (nodes, 3) are the forces and
     couples that the supports exert; at free nodes they are round-off. `f` (3 nodes,) are the loads.
-    `residual` is the energy of the solver's last correction relative to the total energy, which is
-    the square of a relative displacement. `section_forces` (elements, k, 3) are axial force, shear
-    force and bending moment at the `stations` (elements, k, 2) of each element: both ends of a
-    straight element, the Gauss points of a curved element. `link_forces` (links,) are positive if
-    they separate the points of a link along its direction. Tension is positive. The moment EI
-    d(rotation)/ds and the shear force along the normal (the tangent rotated by +90 deg) follow the
-    direction of the element: V = -dM/ds.
+    `residual` is the energy of the solver's last correction relative to the total energy. This
+    ratio is the square of a relative displacement. `section_forces` (elements, k, 3) are axial
+    force, shear force and bending moment at the `stations` (elements, k, 2) of each element: both
+    ends of a straight element, the Gauss points of a curved element. `link_forces` (links,) are
+    positive if they separate the points of a link along its direction. Tension is positive. The
+    moment EI d(rotation)/ds and the shear force along the normal (the tangent rotated by +90 deg)
+    follow the direction of the element: V = -dM/ds.
     """
 
     points: Array

@@ -53,7 +53,7 @@ def solve_frame(
         For each element, a uniform force per length (x, y).
     links
         Rigid links between nodes or points inside elements. A linked element is divided at the
-        linked point. In the solution, new nodes and elements follow the given ones.
+        linked point. In the solution, new nodes and elements are numbered after the given ones.
 
     Raises
     ------

@@ -22,9 +22,9 @@ class TouchingLine:
     """Line of quadratic `elements` (m, 3: ends and middle) that may touch itself.
 
     All elements have the same `section`. `thickness` and `friction` coefficient belong to the
-    strip. `units` are the elements of its parts; each part may touch the next. The line begins at
-    the node `start`, is clamped at `tail` and is displaced along x at `head`; the components `held`
-    ("yr") of the head are fixed.
+    strip. `units` are the elements of each part of the line; each part may touch the next. The line
+    begins at the node `start`, is clamped at `tail` and is displaced along x at `head`; the
+    components `held` ("yr") of the head are fixed.
     """
 
     points: Array
@@ -93,9 +93,9 @@ def compress(
 ) -> Curve:  # fmt: skip
     """Curve of the line while its head is displaced to each of the displacements `U` [m] in turn.
 
-    `times` is a factor of the default contact stiffness. The displacements `beyond` the last U
-    follow until the force is TWICE the force at the last U. If no equilibrium is found before that,
-    the curve ends early; this is not a property of the line.
+    `times` is a factor of the default contact stiffness. After the last `U`, the curve continues
+    with the displacements `beyond` until the force is twice the force at the last `U`. If no
+    equilibrium is found there, the curve ends early; this is not a property of the line.
 
     Raises ArithmeticError if no equilibrium is found at a displacement in `U`.
     """

@@ -1,10 +1,10 @@
 """Primal-dual active sets: the fast method for the condensed contact problem.
 
 Each row has a state: open, stick, or slip in one of two directions. The linear system of these
-states is solved. Rows whose solution contradicts their state change it: all of these rows together
-as long as their number decreases, otherwise one at a time (block principal pivoting, Judice and
-Pires 1994). Without friction, the method ends after a finite number of steps. With friction, the
-states may repeat in a cycle; the method then ends without a solution.
+states is solved. Rows whose solution contradicts their state change their state: all of these rows
+together as long as their number decreases, otherwise one row at a time (block principal pivoting,
+Judice and Pires 1994). Without friction, the method ends after a finite number of steps. With
+friction, the states may repeat in a cycle; the method then ends without a solution.
 """
 
 from dataclasses import dataclass
@@ -104,7 +104,7 @@ def linear(
 ) -> tuple[Array, Array]:
     """Multipliers (n,) and motions (k,) for given contact `states`, on springs (k, k).
 
-    Raises NotFoundError if the states do not determine them.
+    Raises NotFoundError if the states do not determine the multipliers and motions.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

@@ -16,8 +16,8 @@ UNHELD = 1e-9  # relative to a shift: below, no surface with friction resists it
 class AlongInterface:
     """Weighted slips along z, s_i = int phi_i (u_z,m - u_z,s), at the nodes that carry friction.
 
-    `rows` (r, nodes) follow the tangential rows of the plane; `cone` is the system of all rows,
-    including those of the plane.
+    `rows` (r, nodes) have the order of the tangential rows of the plane; `cone` is the system of
+    all rows, including those of the plane.
     """
 
     def __init__(self, bodies: AlongBodies, plane: Interface) -> None:

@@ -15,7 +15,8 @@ def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | No
     """Rigid displacements (all,) of the surfaces of each pair from the mesh to first contact.
 
     The entry of a pair that needs no displacement is None. The result is None if no pair needs a
-    displacement: all initial gaps of loaded points are then small enough for a linear gap.
+    displacement: all initial gaps of loaded points are then so small that they change linearly with
+    the motion.
     """
     sides = list(zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True))
     obstacles = solution.bodies.obstacles

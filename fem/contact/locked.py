@@ -2,8 +2,8 @@
 
 The model is half a sector between the middle of a flat on the x axis and a corner, in plane stress.
 In the mesh, the bodies touch. The support of the roller then moves outwards by the clearance; gaps
-are therefore linear in the loads. Forces are per unit width, and those of the complete roller or
-hub.
+are therefore linear in the loads. Forces are per unit width, and belong to the complete roller or
+hub, not to its half in the model.
 """
 
 from dataclasses import dataclass

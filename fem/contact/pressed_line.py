@@ -1,9 +1,9 @@
 """Two bodies of a line contact, pressed together until the contact carries a given load.
 
-The section through the centre of a disc moves as a rigid line. The quarter is therefore an exact
-part of a disc pressed from both sides. The problems are plane, without friction, and symmetric
-about x = 0, with contact at the origin and displacement along y. All units must be consistent;
-docstrings state SI units.
+The section through the centre of a disc moves as a rigid line. A quarter of a disc is therefore an
+exact model of a disc pressed from both sides. The problems are plane, without friction, and
+symmetric about x = 0, with contact at the origin and displacement along y. All units must be
+consistent; docstrings state SI units.
 """
 
 from collections.abc import Callable

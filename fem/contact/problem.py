@@ -176,7 +176,8 @@ class ContactProblem:
             Supports that are not named have their original values.
         axial_forces, axial_displacements
             Forces and displacements along the third axis, with `along`: total uniform forces on
-            boundaries, or on obstacles that are free along it; new values of supports along it.
+            boundaries, or on obstacles that are free along this axis; new values of supports along
+            this axis.
         after
             Previous step, from which friction continues.
         steps

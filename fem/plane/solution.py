@@ -49,9 +49,9 @@ class PlaneSolution:
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell. `residual`
-    is the energy of the last correction of the solver relative to the total energy, which is the
-    square of a relative displacement. With `turn`, x is the radius of a body of revolution and y
-    its axial coordinate; integrals and forces then refer to the full circumference.
+    is the energy of the last correction of the solver relative to the total energy. This ratio is
+    the square of a relative displacement. With `turn`, x is the radius of a body of revolution and
+    y its axial coordinate; integrals and forces then refer to the full circumference.
     """
 
     basis: Basis
@@ -89,8 +89,8 @@ class PlaneSolution:
     def reaction(self, boundary: str) -> tuple[float, float, float]:
         """Force (x, y) and moment about the origin that the supports of `boundary` exert.
 
-        At a corner with several supports, each support has only its share of the force. In a body
-        of revolution, x is the sum of the radial forces off the axis, y the axial force, and the
+        At a corner with several supports, the force is divided among the supports. In a body of
+        revolution, x is the sum of the radial forces off the axis, y the axial force, and the
         moment is zero.
         """
         named_facets(self.basis.mesh, boundary)  # an unknown name is an error, not a zero

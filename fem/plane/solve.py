@@ -60,7 +60,7 @@ def solve_plane(
         Triangles or quadrilaterals of scikit-fem, straight or quadratic, with names in
         `mesh.boundaries` and `mesh.subdomains`.
     materials
-        One material, or a material for each body named in `mesh.subdomains`, for every cell.
+        One material, or a material for each body named in `mesh.subdomains`; every cell needs one.
     assumption
         "plane strain", "plane stress" or "axisymmetric". If axisymmetric, x is the radius r >= 0
         and y the axial coordinate, nodes at r = 0 stay on the axis, and all integrals, forces and
@@ -94,7 +94,7 @@ def solve_plane(
     ValueError
         For unknown names, missing materials, displacements of degree 1 with nu > 0.45, supports
         that contradict each other, or unsupported bodies; for a body of revolution also for r < 0,
-        a thickness, and radial forces on the axis.
+        a thickness other than 1, and radial forces on the axis.
     ArithmeticError
         If the energy of the last correction of the linear solver is above 1e-12 of the total.
 
