@@ -145,7 +145,7 @@ def _basis(points: Array, elements: Array) -> tuple[Basis, Array]:
     t = np.ascontiguousarray(number[elements[:, :2]].T)
     mesh = MeshLine1(np.arange(ends.size, dtype=float)[None], t, sort_t=False)
     if not np.array_equal(mesh.t, t):
-        raise ValueError("scikit-fem reordered the line mesh")
+        raise ValueError("this version of scikit-fem is not supported: it reordered the line mesh")
     quadrature = np.polynomial.legendre.leggauss(2)
     rule = (quadrature[0][None] + 1) / 2, quadrature[1] / 2
     basis = Basis(mesh, ElementVector(ElementLineP2(), 3), quadrature=rule)

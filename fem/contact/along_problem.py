@@ -150,9 +150,9 @@ class AlongProblem:
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
             raise NotFoundError(
-                "no equilibrium with small displacements was found: in the solution, "
-                f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g}, while surfaces "
-                f"deform by {size:.3g}"
+                "no equilibrium with small displacements was found: "
+                f"{self.bodies.named(step.shift)}; in the solution, the slip along z is "
+                f"{slip:.3g}, while surfaces deform by only {size:.3g}"
             )
 
 

@@ -371,8 +371,8 @@ class ContactProblem:
         moved = float(np.abs(self.bodies.motions @ motion).max())
         if moved > RUNAWAY * size:
             raise NotFoundError(
-                f"no equilibrium with small motions was found: in the solution, "
-                f"{self.bodies.named(motion)}, by {moved:.3g}, while surfaces deform by {size:.3g}"
+                f"no equilibrium with small motions was found: {self.bodies.named(motion)}; in the "
+                f"solution, it moves by {moved:.3g}, while surfaces deform by only {size:.3g}"
             )
 
     def _deformation(self, found: ContactSolution) -> float:

@@ -49,7 +49,8 @@ class Unknowns:
         if np.any(missed > CONTRADICTION * np.abs(given).max(initial=0)):
             raise ValueError(
                 "the supports contradict each other at a node or on a rigid body: "
-                f"prescribed {given[np.argmax(missed)]:g}, difference {missed.max():.3g}"
+                f"a prescribed value of {given[np.argmax(missed)]:g} is missed by "
+                f"{missed.max():.3g}"
             )
         return u
 

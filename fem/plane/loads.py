@@ -54,7 +54,7 @@ def moduli(
     if bare := int(np.isnan(table[0]).sum()):
         raise ValueError(
             f"every cell needs a material, but {bare} of {mesh.nelements} cells have no material: "
-            "name every body"
+            "give every body of the mesh a name and a material"
         )
     return table[0], table[1], table[2]
 

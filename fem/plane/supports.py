@@ -252,6 +252,6 @@ def _refuse(basis: Basis, conditions: Conditions, number: Indices) -> NoReturn:
     by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[own]}))
     values = conditions.value[own].tolist()
     raise ValueError(
-        f"at ({x:.10g}, {y:.10g}), supports {by}: two supports of a node contradict each "
-        f"other: {values}"
+        f"at the node ({x:.10g}, {y:.10g}), the supports {by} contradict each other: they "
+        f"prescribe {values}"
     )
