@@ -1,4 +1,4 @@
-"""Small displacements of unstressed frames, without the round-off errors of thin strips."""
+"""Small displacements of unstressed frames, without the round-off errors that thin strips cause."""
 
 from dataclasses import dataclass
 from functools import cached_property

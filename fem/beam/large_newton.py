@@ -34,7 +34,7 @@ class Control(Protocol):
     kink: float
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:
-        """Change of the factor; all arrays have the shape (3n,).
+        """Change of the factor in an iteration; all arrays have the shape (3n,).
 
         `moved` is the displacement since the start of the step, `step` the next displacement at
         constant factor, and `push` the displacement per unit factor.

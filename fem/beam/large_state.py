@@ -51,7 +51,7 @@ class BeamState:
         return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
 
     def at(self, factor: float) -> "BeamState":
-        """State as the start of a path whose factor begins at `factor`."""
+        """Copy of the state, as the start of a path whose factor begins at `factor`."""
         return replace(self, factor=factor, residuals=(), steps=0)
 
 

@@ -15,7 +15,7 @@ def compress_spring(
     line: Any, U: Sequence[float] | Array, *, b: float, h: float, E: float, nu: float,
     mu: float = 0.0, head: str = "free",
 ) -> Curve:  # fmt: skip
-    """Curve of an accordion spring whose head is displaced to the displacements `U` [m] in turn.
+    """Force-displacement curve of an accordion spring, for head displacements `U` [m] in turn.
 
     `line` is the centre line with free tips, `meshes.spring.spring_centre_line(tips=True)`. The
     strip has the thickness `b` and the width `h` [m], E [Pa], nu and the friction coefficient `mu`.

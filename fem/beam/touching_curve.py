@@ -50,7 +50,7 @@ class TouchingLine:
 
 @dataclass(frozen=True)
 class Curve:
-    """States (k,) of a line while its head is displaced: forces at the head and contacts [SI].
+    """States (k,) of a line while its head is displaced, with forces and contacts in SI units.
 
     `side` is the transverse force at the clamped tail, `press` (k, units - 1) the normal force
     between neighbouring units, `depth` the largest overlap, `negative` the number of unstable

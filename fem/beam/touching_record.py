@@ -42,7 +42,10 @@ class Record:
         return self.normal[:, None] * self.n - self.tangential[:, None] * t
 
     def between(self, bodies: Bodies) -> dict[tuple[str, str], tuple[float, float]]:
-        """Forces (x, y) of the second body on the first, for pairs in the order of `bodies`."""
+        """For each pair of bodies in contact, the force (x, y) of the second body on the first.
+
+        The names in a pair have the order of `bodies`.
+        """
         force, found = self.force, {}
         for pair, there, back in self._pairs(bodies):
             if pair[0] == pair[1]:
@@ -52,7 +55,10 @@ class Record:
         return found
 
     def pressing(self, bodies: Bodies) -> dict[tuple[str, str], float]:
-        """Sums of normal forces between two bodies, for pairs in the order of `bodies`."""
+        """For each pair of bodies in contact, the sum of the normal forces.
+
+        The names in a pair have the order of `bodies`.
+        """
         return {
             pair: float(self.normal[there | back].sum())
             for pair, there, back in self._pairs(bodies)

@@ -116,7 +116,7 @@ class LockedSector:
         return float(fit[1]), float(np.sqrt(spread))
 
     def half_widths(self, p: float, hub: Force = (0.0, 0.0)) -> tuple[float, float]:
-        """Half-widths of the contacts on the ring and on the race; 0 for a rigid body."""
+        """Half-widths of the contacts on the ring and on the race (0 for a rigid roller)."""
         near, *far = self.at(p, hub).touches
         r = self.sector.d_e / 2
         on_race = far[0].half_width((r + self.d, 0.0)) if far else 0.0

@@ -49,7 +49,7 @@ def solve_nitsche(
     displacements: Mapping[str, Support] | None = None,
     after: NitscheSolution | None = None,
 ) -> NitscheSolution:
-    """Equilibrium of `problem` under the loads of `ContactProblem.solve`.
+    """Equilibrium of `problem`; the loads are given as in `ContactProblem.solve`.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ class Held:
     means: Mapping[str, Mean]
 
     def on_means(self, conditions: Conditions, reaction: Array) -> Array:
-        """Force (k,) along each mean motion that contributes to `reaction` (unknowns,)."""
+        """Forces (k,) along the mean motions, calculated from `reaction` (unknowns,)."""
         led = self.tied.led(conditions)
         rows = [led.beside(row) for row in (self.rows @ self.tied.P).toarray()]
         force, *_ = np.linalg.lstsq(np.array(rows).T, led.beside(self.tied.P.T @ reaction))
