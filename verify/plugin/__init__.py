@@ -34,7 +34,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """Collector of a case file or a parameter file that is named or matches a pattern."""
+    """Collector of a case or parameter file that is given to pytest or matches a pattern."""
     if not _is_ours(file_path, parent.config):
         return None
     from verify.plugin.cases import CaseFile  # half a second, of every run of pytest
@@ -48,7 +48,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Collector | None:
-    """Empty collector instead of the module that pytest makes of each named Python file."""
+    """Empty collector for our files, instead of the module that pytest makes of each given file."""
     if not _is_ours(module_path, parent.config):
         return None
     return NoModule.from_parent(parent, path=module_path)

@@ -28,7 +28,7 @@ class CaseFile(pytest.File):
     """Collector of a file that declares a case."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """One test for each row, without solving; one failing test if the file is wrong."""
+        """One test for each row, without solving; one failing test if the file cannot be used."""
         try:
             rows = unsolved_rows(self.case, self.case.inputs(), paper=True)
         except (Exception, SystemExit) as error:
@@ -86,7 +86,7 @@ class Item(pytest.Item):
         return self.path, None, f"{self.path.name}: {self.name}"
 
     def not_judged(self, message: str) -> None:
-        """Skip the test for this reason; if `freewheel_strict` is set, it fails instead."""
+        """Skip the test for the reason `message`; if `freewheel_strict` is set, the test fails."""
         if self.config.getini(STRICT):
             raise FreewheelError(f"{message}\n{STRICT} is set: a result without a verdict fails")
         pytest.skip(message)

@@ -29,7 +29,7 @@ class PartFile(pytest.File):
 
 
 class PartItem(Item):
-    """Test with the result of `freewheel check FILE`; it is skipped visibly without an answer."""
+    """Test with the result of `freewheel check FILE`; visibly skipped if there is no answer."""
 
     def runtest(self) -> None:
         """Check the part by its formulas."""

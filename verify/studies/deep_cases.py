@@ -1,4 +1,4 @@
-"""Study of deep cases: their levels are solved as those of other cases, and stored together."""
+"""Study of deep cases: their levels are solved like those of other cases, and stored together."""
 
 from collections.abc import Sequence
 

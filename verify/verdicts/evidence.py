@@ -55,7 +55,7 @@ class Evidence:
 
     @property
     def is_studied(self) -> bool:
-        """Whether each case was studied at inputs other than the default, all points solved."""
+        """Whether every case was studied beyond its default inputs, with all points solved."""
         studied = {plan.case.id for plan, _ in self.studies if len(plan.points) > 1}
         return not self.unsolved and set(self.cases) <= studied
 
@@ -83,7 +83,7 @@ def point_of(row: Row) -> Point:
 
 
 def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) -> Row:
-    """Row with the given id, which passed, or has a measured error and the status SHOWN.
+    """Row with the given id, if it passed, or if it has the status SHOWN and a measured error.
 
     With `may_be_note`, a row that states a contradiction in the paper (NOTE) is also accepted.
     Raises NoEvidenceError for any other row.
@@ -123,7 +123,7 @@ def _studies(row: Row) -> list[Study]:
 
 
 def joined(studies: Sequence[Study]) -> list[Study]:
-    """Studies, with those over the same points joined: the largest error at each point."""
+    """Studies; those of one case over the same points become one, with the largest errors."""
     found: dict[tuple[str, str], Study] = {}
     for plan, course in studies:
         key = (plan.case.id, str((plan.names, plan.points.tolist())))

@@ -15,7 +15,7 @@ FILE = Path(__file__).parent / "independent.toml"
 
 
 class Declared(Entry):
-    """Inputs of a case on which the errors of `rows` do not depend; no names mean all rows."""
+    """Inputs of a case on which the errors of `rows` (all rows if empty) do not depend."""
 
     case: str
     rows: tuple[Words, ...] = ()

@@ -20,7 +20,7 @@ class Part:
 
     @classmethod
     def of(cls, inputs: Inputs, free: frozenset[str]) -> Self:
-        """Values of the inputs, except inputs in `free`, which change no error."""
+        """Values of the inputs, without those in `free`, on which no error depends."""
         mine, default = (
             {one.name: one.value for one in given.display() if one.name not in free}
             for given in (inputs, type(inputs)())
@@ -44,7 +44,7 @@ class Part:
         return set(changed) <= varied and not (found.is_star and len(changed) > 1)
 
     def placed(self, found: VerdictRange) -> list[str]:
-        """Names of the inputs that must lie in the ranges of a study.
+        """Names of the inputs whose values are compared with the ranges of a study.
 
         For a star, this is the changed input, if any. Otherwise, these are all varied inputs. The
         default of a varied input may lie outside the range of the study.
@@ -53,7 +53,7 @@ class Part:
         return changed if found.is_star and changed else [side.name for side in found.studied]
 
     def is_within(self, found: VerdictRange, sides: Sequence[Side]) -> bool:
-        """Whether the inputs lie in the ranges `sides`, those of a study or within a limit."""
+        """Whether all compared inputs lie in the ranges `sides` (of a study, or of a limit)."""
         ends = {side.name: side for side in sides}
         return all(name in ends and self.is_inside(ends[name]) for name in self.placed(found))
 

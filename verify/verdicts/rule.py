@@ -35,13 +35,13 @@ def below(points: Sequence[Point]) -> float:
 
 
 def on_unsafe_side(points: Sequence[Point], safe: Safe) -> float:
-    """Largest error on the unsafe side; if neither side is safe, the larger of both sides."""
+    """Largest error on the unsafe side; the larger error of both sides if neither is safe."""
     high, low = above(points), below(points)
     return {Safe.ABOVE: low, Safe.BELOW: high, Safe.NEITHER: max(high, low)}[safe]
 
 
 def accuracy(points: Sequence[Point]) -> float | None:
-    """Smallest accuracy class that contains all errors with uncertainties; None beyond the last."""
+    """Smallest accuracy class that contains all errors and uncertainties; None if none does."""
     largest = max(p.size for p in points)
     return next((limit for limit in CLASSES if largest <= limit), None)
 

@@ -18,7 +18,7 @@ def told(caught: Caught) -> None:
 
 
 def moved(data: Mapping[str, Any]) -> list[str]:
-    """Lines with the number of failed rows under the requirement, and of the other rows."""
+    """Lines with the counts of failing rows: of rows that are required to fail, and of others."""
     gate, rest, listed, formula = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
     excluded = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
@@ -37,7 +37,7 @@ def _reds(shares: Mapping[str, Any]) -> str:
 
 
 def counted(group: MutantGroup) -> str:
-    """Line with the counts and shares of one group."""
+    """Line with the numbers of detected and undetected mutants of one group, also in per cent."""
     tried = max(group.tried, 1)
     parts = ", ".join(
         f"{word} {count} ({count / tried:.1%})"
@@ -51,7 +51,7 @@ def counted(group: MutantGroup) -> str:
 
 
 def named(survivor: Survivor) -> str:
-    """Line with the place and the text of an undetected change, and the reason."""
+    """Line with the place and the text of an undetected change, and why it is not detected."""
     place = f"{survivor.where} line {survivor.line}"
     reason = survivor.reason or "no reason given"
     return f"  not detected: {place}: {survivor.before} -> {survivor.after} ({reason})"

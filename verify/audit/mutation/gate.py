@@ -30,7 +30,7 @@ WIDER = "a wider demand"
 
 
 def listed_as(row: Row) -> str:
-    """Reason why a row is only listed; empty if it must fail, and for convergence rows."""
+    """Reason why a row is only listed; empty for rows that must fail and for convergence rows."""
     if is_convergence(row):
         return ""
     if row.status is not Status.PASS:
@@ -47,7 +47,7 @@ def held(row: Row) -> bool:
 
 
 def share(rows: Sequence[Tried], p: float) -> float:
-    """Share of the rows that fail at the perturbation `p` of the reference; 1 without rows."""
+    """Share of the rows that fail at the perturbation `p` of the reference; 1 without any rows."""
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 

@@ -22,7 +22,7 @@ class NotPatchedError(RuntimeError):
 
 
 def patch(of: Source, changed: Changed) -> int:
-    """Replace the code in all functions that have it; return their number.
+    """Replace the code in every function that contains it; return the number of replacements.
 
     Raises NotPatchedError if there is no such function.
     """
@@ -104,5 +104,5 @@ def _set_constant(of: Source, name: str, owner: ast.stmt) -> int:
 
 
 def holding(name: str, value: object) -> list[ModuleType]:
-    """Modules in which this object has this name."""
+    """Modules in which `name` refers to the object `value`."""
     return [m for m in list(sys.modules.values()) if getattr(m, "__dict__", {}).get(name) is value]

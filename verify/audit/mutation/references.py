@@ -35,14 +35,17 @@ Progress = Callable[[int, int, str], None]  # cases done, cases in all, the runn
 
 @dataclass(frozen=True)
 class Both:
-    """A row checked by both methods; `by_formula` is None if no formula value affects the row."""
+    """A row checked by both methods: with changed references (`moved`) and with changed formulas.
+
+    `by_formula` is None if no value of the formulas affects the row.
+    """
 
     moved: Tried
     by_formula: Red | None = None
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes at which the row fails for a changed reference, but not for a changed formula."""
+        """Sizes of changes that make the row fail in its reference, but not in a formula."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:
@@ -71,7 +74,7 @@ def measured(
 
 
 def both_ways(checks: Iterable[Check], context: Context) -> list[Both]:
-    """All rows of the checks, checked by both methods."""
+    """All rows of the checks, tested with changed references and with changed formulas."""
     return [both for check in checks for both in _both(check, context)]
 
 

@@ -1,4 +1,4 @@
-"""Deliberate change of each row's reference before the row is judged again: it should fail.
+"""Deliberate change of each row's reference; the row is then judged again and should fail.
 
 All comparisons are judged in `verify.judging.judge`. The function `moved` changes only the
 reference there, neither tolerance nor scale nor expected values. Stored finite elements are judged

@@ -1,4 +1,4 @@
-"""Second, independent method: values of formulas are changed before checks read them.
+"""Second, independent check of references: formula values are changed before checks read them.
 
 Module `references_moved` changes a reference only where it is judged. This module multiplies one
 value of the formulas at a time by 1 + p in the data of a check. All numbers that the check derives

@@ -1,4 +1,4 @@
-"""Engine of forked child processes, which contain the loaded modules of the parent process.
+"""Engine that runs tasks in forked child processes, which have the parent's loaded modules.
 
 A child process returns a JSON value through a pipe. It is ended if it exceeds its time or memory
 limit, or if the parent process ends.
@@ -54,7 +54,7 @@ class Answer:
 
 @contextmanager
 def forks(jobs: int) -> Iterator[Engine]:
-    """Engine of `jobs` simultaneous child processes, one for each task, which it ends at exit."""
+    """Engine of `jobs` simultaneous child processes, one per task; all are ended at exit."""
     executor = Forks()
     try:
         yield Engine(executor, lambda: jobs, deadly=(), wait=executor.wait)

@@ -60,7 +60,7 @@ def keep(name: str, score: Score, code: str) -> None:
 
 
 def measured(code: Callable[[], str] = digest) -> Caught:
-    """Scores for the present code; of groups measured on other code only the names."""
+    """Scores valid for the present code; groups that were measured on other code are only named."""
     made_by = {"code": code()}
     names = (REFERENCES, *NAMES)
     records = {name: RECORDS.current(name, made_by, partial(_readable, name)) for name in names}

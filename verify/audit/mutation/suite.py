@@ -95,7 +95,7 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Times [s] and called functions of the tests of a file or folder, until PER_FILE is reached.
+    """Time [s] and called functions of each test in a file or folder, until they take PER_FILE [s].
 
     Raises RuntimeError if the tests cannot be run. Otherwise, such a file would count as a file
     that detects nothing.
@@ -123,7 +123,7 @@ def first_failure(tests: Sequence[str]) -> str:
 
 
 def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:
-    """Tests that reach one of the functions: tests that call it directly first, by duration.
+    """Tests that reach one of `functions`: first those that call it directly, shortest first.
 
     If the shared code of a file reaches the function, all short tests of the file are included.
     """

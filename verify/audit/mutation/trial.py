@@ -45,7 +45,7 @@ def tried(
 
 
 def detected(judged: Judged, bench: Bench) -> Verdict | None:
-    """Detection by the case, or None.
+    """How the case detected the mutant (kind, and row or error); None if it did not detect it.
 
     Failed rows have priority over errors that the project raises, and these over other errors.
     """
@@ -95,13 +95,16 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
 
 @dataclass(frozen=True)
 class Shift:
-    """Change of one level by a mutant, for other levels: values, and arrays of equal shape."""
+    """Differences of values and arrays that a mutant causes on one level; `of` adds them to others.
+
+    Arrays are changed only if their shapes are equal.
+    """
 
     before: FemResult
     after: FemResult
 
     def of(self, stored: FemResult) -> FemResult:
-        """A stored level with the changes of the solved level."""
+        """The level `stored` plus the differences of the solved level."""
         values = {
             key: value + self.after.values[key] - self.before.values[key]
             if key in self.after.values and key in self.before.values else value

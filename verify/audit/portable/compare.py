@@ -60,7 +60,7 @@ def differences(
 def moves(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """Changes of all rows that both machines have, of any size."""
+    """Changes of all rows that both machines have, however small."""
     known, found = ({row.id: row for row in rows} for rows in (baseline, variant))
     return [_moved(was, now, name, perturbed=perturbed) for was, now in _pairs(known, found)]
 

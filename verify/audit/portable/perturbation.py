@@ -1,4 +1,4 @@
-"""Perturbation of the default inputs in their thirteenth digit, as a substitute for a machine.
+"""Perturbation of default inputs in the thirteenth digit, as a substitute for another machine.
 
 Because the default inputs of a case are changed, formulas, finite elements and all other code use
 the same numbers. These are treated as the inputs of the paper, so that every row is judged.

@@ -69,7 +69,7 @@ class Place:
         return Results(found, machine)
 
     def keep(self, part: str, data: Any) -> None:
-        """Store one part: the record of a case under its id, or the settings under MACHINE.
+        """Store one part: the record of a case (`part` is its id), or the settings (MACHINE).
 
         Raises OSError if the record cannot be written.
         """

@@ -32,7 +32,7 @@ class Variant:
     flag: str = ""  # instruction set that the processor must have
 
     def applied(self, environment: Mapping[str, str]) -> dict[str, str]:
-        """Environment of the machine's processes: one BLAS thread, and the different variables."""
+        """Environment of the machine's processes: one BLAS thread, the variables of the variant."""
         return {**environment, **dict.fromkeys(THREADS, "1"), **self.environment}
 
 

@@ -26,7 +26,7 @@ from verify.jobs.scheduler import run
 
 
 def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
-    """Solve each case without a record, and store its record."""
+    """Solve each case that has no stored record, and store its record."""
     stored = place.results()
     if not stored.effective:
         place.keep(MACHINE, effective())
@@ -40,7 +40,7 @@ def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
 
 
 def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
-    """Record of one case, solved with its default inputs in this process, with its cache."""
+    """Record of one case, solved in this process with default inputs and the machine's cache."""
     start = time.perf_counter()
     job = Job(case, case.inputs(), drawn=False)
     (result,) = run([job], cache_folder=cache.default_folder())

@@ -1,4 +1,4 @@
-"""Changes since a release: stated numbers exactly, computed numbers beyond numerical errors.
+"""Changes since a release: any for stated numbers, beyond numerical errors for computed ones.
 
 Kinds, statuses, requirements, stated bands and figures are reported if they differ at all. Computed
 numbers are reported if they change by more than the numerical error of the row and 10 % of its band

@@ -16,7 +16,7 @@ RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
 
 
 def is_stated(value: float | None, rounding: float = 0.0) -> bool:
-    """Whether a non-zero number has no more digits than a person writes.
+    """Whether a non-zero number has at most STATED_DIGITS digits, as numbers that a person writes.
 
     >>> is_stated(0.025), is_stated(3.59745921e-07)
     (True, False)
@@ -28,7 +28,7 @@ def is_stated(value: float | None, rounding: float = 0.0) -> bool:
 
 
 def is_literal(value: float | None) -> bool:
-    """Whether a number that is stored as written is stated; zero counts as stated.
+    """Whether a number stored directly, not as a quotient, is stated; zero counts as stated.
 
     >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
     (True, True, False)
@@ -39,5 +39,5 @@ def is_literal(value: float | None) -> bool:
 
 
 def is_printed(u: float | None) -> bool:
-    """Whether a standard uncertainty is stated, or is half of a printed digit over √3."""
+    """Whether a standard uncertainty is stated, or is d/(2 √3) of a last printed digit d."""
     return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))

@@ -87,5 +87,5 @@ def name_change(old: str, new: str) -> Change:
 
 
 def case_of(row_id: str) -> str:
-    """Case in the id of a row."""
+    """Id of the case in the id of a row."""
     return row_id.partition("/")[0]

@@ -185,7 +185,7 @@ def newest(folder: Path | None = None) -> Release | None:
 
 
 def is_later(name: str, than: str) -> bool:
-    """Whether `name` is a version, and a later version than `than`.
+    """Whether `name` is a version that is later than the version `than`.
 
     >>> is_later("0.10.0", "0.9.1"), is_later("0.9.1", "0.9.1"), is_later("next", "0.9.1")
     (True, False, False)

@@ -29,7 +29,7 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 
 @dataclass(frozen=True)
 class Figure:
-    """A number in both runs, relative to the scale of the row; a larger number accepts more.
+    """A number in both runs, relative to the scale of the row; a row accepts more if it is larger.
 
     A difference is reported if it exceeds `limit`. A figure that no longer exists is considered
     loosened. A `stated` figure is printed with all digits that differ.
@@ -79,7 +79,7 @@ def _figure(
 def is_wider(
     old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
 ) -> bool:
-    """Whether an interval permits more than before at either end, or by its stated width.
+    """Whether an interval extends further at either end, or has a larger stated width.
 
     `error` is the numerical error of the row, with the same scale as the interval. The centre of an
     interval with a stated width may be computed.

@@ -1,1 +1,1 @@
-"""Error budgets: reruns of a comparison without single causes of its difference."""
+"""Error budgets: a comparison is repeated with single causes of its difference removed."""

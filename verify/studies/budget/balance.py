@@ -37,7 +37,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Joint:
-    """Joint effect of two causes removed together, minus the sum of their single effects."""
+    """Joint effect of two causes: effect of removing both, minus the sum of the single effects."""
 
     names: tuple[str, str]
     value: float | None
@@ -115,7 +115,7 @@ def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: 
 
 
 def observed(h: Sequence[float], v: Sequence[float], formal: float | None, scale: float) -> float:
-    """Order of convergence of `v` on three meshes, at most the formal order; NaN if none."""
+    """Order of convergence of `v` on three meshes, at most the formal order; NaN if unknown."""
     if len(v) < 3 or not all(map(math.isfinite, v)) or not scale > 0:
         return math.nan
     grid = grid_convergence(h, v, formal=formal, scale=scale)

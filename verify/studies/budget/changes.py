@@ -1,4 +1,4 @@
-"""Changes of constants and arguments in the finite elements of a case for the time of a rerun."""
+"""Temporary changes of constants and arguments in the finite elements of a case, for one rerun."""
 
 import functools
 import importlib

@@ -50,7 +50,7 @@ def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
 
 
 def headline(plan: Plan, rows: Sequence[Found]) -> str:
-    """Name of the row that is drawn; empty if there is none.
+    """Name of the row whose budget is drawn; empty if there is none.
 
     This is the row named in the plan or, by default, the first approximation.
     """
@@ -61,7 +61,11 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 
 
 def apart(known: balance.Balance) -> bool:
-    """Whether the remainder is small: within LEFT of the total, or within its uncertainty."""
+    """Whether the total error is at most LARGE, or the remainder is small.
+
+    The remainder is small if it is within LEFT of the total error, or within its expanded
+    uncertainty.
+    """
     left = abs(known.remainder)
     return abs(known.total) <= LARGE or left <= max(
         LEFT * abs(known.total), balance.COVERAGE * known.u

@@ -1,4 +1,4 @@
-"""Budgets of rows whose formula is itself a cause and is replaced by a corrected formula.
+"""Budgets of rows whose formula itself causes an error and is replaced by a corrected formula.
 
 First, the corrected formula replaces the formula of the row. Then all other causes are removed from
 the remaining error. The remainder of the row is that of the corrected formula.

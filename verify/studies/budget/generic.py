@@ -34,7 +34,7 @@ def reached(case: Case) -> frozenset[str]:
 
 
 def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
-    """Changes that multiply the tolerances of the solvers used by a case by `factor`."""
+    """Changes by `factor` of the stopping tolerances of all solvers that a case uses."""
     modules = reached(case)
     return tuple(
         Constant(target, factor) for target in TOLERANCES if target.partition(":")[0] in modules
@@ -53,7 +53,7 @@ def without(case: Case) -> tuple[Without, ...]:
 
 
 def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
-    """Rerun with an exact contact law and more integration points; empty without such a contact."""
+    """Rerun with an exact contact law and more integration points; empty if there is no contact."""
     modules = reached(case)
     return tuple(
         Rerun(

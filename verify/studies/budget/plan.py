@@ -27,7 +27,7 @@ class Plan:
 
     @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
-        """Reruns without a cause, by the name of the cause."""
+        """Reruns that remove one cause each, by the name of the cause."""
         own = self.says.reruns
         causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
         levels = next((rerun.levels for rerun in own), ())  # the same levels as the other reruns
@@ -36,14 +36,14 @@ class Plan:
 
     @property
     def without(self) -> tuple[Without, ...]:
-        """Causes that do not exist in the case; statements of the case have priority."""
+        """Causes that do not exist in the case; statements of the case replace the general ones."""
         own = {one.cause: one for one in self.says.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
     def before(self, rerun: Rerun) -> tuple[str, ...]:
-        """Causes that are removed before `rerun`.
+        """Causes already removed in the run with which `rerun` is compared, or AS_IT_IS.
 
         Raises StopIteration if no rerun has the name in `rerun.after`.
         """
@@ -96,9 +96,9 @@ def first(plan: Plan) -> tuple[Step, ...]:
 
 
 def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
-    """Reruns without pairs of causes that are large for some row, on the finer common mesh.
+    """Reruns that remove pairs of causes, both large for some row, on their finest common mesh.
 
-    The result includes the reruns without a cause and without each single cause on this mesh.
+    On this mesh, the result also includes the unchanged run and the reruns that remove one cause.
     """
     pairs = dict.fromkeys(pair for names in large for pair in combinations(names, 2))
     found = [step for pair in pairs if (step := joint(plan, pair)) is not None]
@@ -110,7 +110,10 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 
 
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
-    """Rerun without both causes of a pair; None if both have separate finite elements."""
+    """Rerun with both causes of a pair removed; None if they cannot be removed together.
+
+    They cannot if both reruns have separate finite elements, or if one is applied after another.
+    """
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
         return None

@@ -19,7 +19,7 @@ DIGITS = 9  # significant, of numbers of both sides
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """Result of one comparison: quantities of both solvers in SI units, times [s], unknowns."""
+    """Result of one comparison: quantities of both solvers [SI], times [s], number of unknowns."""
 
     solver: str
     version: str

@@ -92,7 +92,7 @@ def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
 
 
 def verdict(v: Verified) -> str:
-    """Verdict of finite elements on one member, in words; an error of the formula has priority."""
+    """Verdict of finite elements on one member, in words; an inaccurate formula comes first."""
     if not v.agrees:
         return f"k_1 beyond ±{100 * v.limit:.2g} %"
     if v.curve.touches <= v.U_w:

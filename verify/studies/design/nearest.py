@@ -50,9 +50,10 @@ def _least(excess: NDArray[np.float64]) -> int:
 
 
 def nearest(judged: Judged) -> list[Relaxation]:
-    """Relaxations that the candidate with the lowest maximum excess needs, largest excess first.
+    """Relaxations needed by the candidate whose largest relative excess over a bound is smallest.
 
-    The list is empty if no candidate can be made as a spring.
+    They are in descending order of the excess. The list is empty if no candidate can be made as a
+    spring.
     """
     if not judged.possible.any():
         return []
@@ -63,9 +64,10 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """Smallest sufficient relaxation of each limit whose relaxation alone makes a spring feasible.
+    """Relaxations that each, without any other relaxation, make a spring feasible.
 
-    Relaxations beyond the allowed range of the input are omitted.
+    For each limit, the smallest sufficient relaxation is given. Relaxations beyond the allowed
+    range of the input are omitted.
     """
     lonely = judged.possible & (judged.violations.sum(axis=0) == 1)
     found = []

@@ -188,7 +188,7 @@ def compared(outcome: Outcome) -> list[str]:
 
 
 def surely(outcome: Outcome) -> str:
-    """Line about the accuracy of kriging and its final difference from the model."""
+    """Line with the errors of kriging: at the optimal crown, and at random crowns."""
     near, whole = outcome.search.judged[-1]
     return (
         f"kriging: error {percent(outcome.predicted / outcome.true - 1)} at the optimal crown "

@@ -107,7 +107,7 @@ def load(path: Path) -> Task:
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
-    """Design task from raw inputs; omitted inputs as in the task of the paper, without tolerance.
+    """Design task from raw inputs; omitted inputs are as in the paper's task, without tolerances.
 
     Raises InputError if an input is unknown, missing or out of its range.
     """

@@ -33,7 +33,7 @@ class Known:
                      tuple(p[which] for p in self.strips))  # fmt: skip
 
     def with_(self, more: "Known") -> "Known":
-        """The results of this object and of `more`."""
+        """The results of this object, followed by those of `more`."""
         return replace(
             self,
             crowns=np.vstack([self.crowns, more.crowns]),
@@ -47,7 +47,7 @@ class Known:
         return self.strips[torque] if contacts == "strips" else self.slices[:, torque]
 
     def counted(self, contacts: Contacts, torque: int) -> Array:
-        """Pressures [Pa] along the sprag as the search compares them.
+        """Pressures [Pa] along the sprag, scaled at loaded ends for comparison in the search.
 
         On a half-space, the pressure at a loaded end increases without limit, with the inverse
         square root of the strip width. The search therefore scales the pressures of end strips from
@@ -59,6 +59,6 @@ class Known:
         return np.column_stack([SHARP * p[:, 0], p[:, 1:-1], SHARP * p[:, -1]])
 
     def largest(self, contacts: Contacts) -> Array:
-        """Largest pressures (n, m) [Pa] in the form that the search compares."""
+        """Largest pressures (n, m) [Pa], scaled as in `counted` for comparison in the search."""
         m = self.N_max.shape[1]
         return np.column_stack([self.counted(contacts, k).max(axis=1) for k in range(m)])

@@ -77,7 +77,7 @@ class Outcome:
 
     @property
     def relative(self) -> bool:
-        """Whether the objective is the largest excess, not the largest pressure."""
+        """Whether the objective is the largest excess over the optima, not the largest pressure."""
         return self.task.wishes.aim == "excess" and len(self.task.torques) > 1
 
     @property
@@ -104,7 +104,7 @@ class Outcome:
 
     @property
     def verified(self) -> bool:
-        """Whether the half-space, if used, agrees for every crown and torque."""
+        """Whether every half-space check of a crown under a torque passes, if there are checks."""
         return all(check.agrees for check in self.checks)
 
     @property

@@ -79,7 +79,7 @@ class Check:
 
 
 def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
-    """Checks of the nominal crown (3,) and the worst within its tolerance, for every torque."""
+    """Checks of the nominal crown (3,) and of the worst crown within its tolerance, by torque."""
     every = corners(task, crown[None])[0]
     known = model.answers(every)
     counted = known.largest(task.wishes.contacts)

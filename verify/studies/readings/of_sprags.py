@@ -23,13 +23,13 @@ def half(name: str) -> float:
 
 
 def error(q: Mapping[str, Any]) -> float:
-    """Difference |actual - predicted| relative to a value or to the mean [%], raised to a power."""
+    """Difference [%] of prediction and actual value, over one of them or a mean, to a power."""
     base = q["actual"] + q["of"] * (q["predicted"] - q["actual"])
     return float(100 * (abs(q["actual"] - q["predicted"]) / base) ** q["power"])
 
 
 def squared(q: Mapping[str, Any]) -> float:
-    """Squared difference divided by a number of points [MPa^2]; its power is a reading."""
+    """Difference to a power (2 or another reading), divided by a number of points [MPa^2]."""
     return float((q["actual"] - q["predicted"]) ** q["power"] / q["points"])
 
 

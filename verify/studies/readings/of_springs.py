@@ -118,7 +118,7 @@ def _stage_readings() -> tuple[Reading, ...]:
 
 
 def force_error(q: Mapping[str, Any]) -> float:
-    """Relative difference [%] between k U and the force of Eq. 10, at one force or over several."""
+    """Difference [%] of k U from the force of Eq. 10: mean or root mean square over the forces."""
     apart = []
     for F in q["forces"]:
         second = q["F_A"] < F

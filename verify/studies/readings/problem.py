@@ -34,7 +34,7 @@ class Problem:
 
     @property
     def printed(self) -> str:
-        """The printed digits of the number; for several parts, their numbers."""
+        """The printed digits of the number; for several parts, those of all parts."""
         if self.parts:
             return ", ".join(part.printed for part in self.parts)
         return self.derived or published(self.reference).printed

@@ -79,5 +79,5 @@ def result() -> list[Reading]:
 
 
 def switched(name: str, said: str, **values: object) -> Reading:
-    """Reading with another choice of the option `name` of the formula."""
+    """Reading with other `values` of the inputs that select the option `name` of the formula."""
     return Reading(name=said, of=name, inputs=lambda _q: values)

@@ -84,7 +84,7 @@ class Outcome:
 
     @property
     def best(self) -> Tried | None:
-        """The matching combination with the fewest changes, or None."""
+        """The matching combination with the fewest changes; None if there is no match."""
         return self.hits[0] if self.hits else None
 
     @property

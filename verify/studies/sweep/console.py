@@ -1,4 +1,4 @@
-"""Output of `freewheel sweep`: solved points, error of each formula, its place and its causes."""
+"""Output of `freewheel sweep`: solved points; for each formula, error, its place and causes."""
 
 import math
 import re

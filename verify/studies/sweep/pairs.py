@@ -124,7 +124,7 @@ def _offered(text: str, names: Sequence[str]) -> str:
 
 
 def whole(case: Case) -> Portion:
-    """The complete finite-element computation of a case on its coarsest levels, without a name."""
+    """The complete finite-element computation of a case on its coarsest levels, as a portion."""
     keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
     return Portion(name="", fem=case.reference, levels=case.levels[:LEVELS], keys=keys)
 

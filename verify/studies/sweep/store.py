@@ -106,7 +106,7 @@ def _solution(data: Mapping[str, Any]) -> Solution:
 
 
 def lacking(found: Solution | None) -> tuple[bool, bool]:
-    """Whether formulas, and whether finite elements, remain to be computed."""
+    """Whether the formulas and whether the finite elements of a point still have to be computed."""
     if found is None:
         return True, True
     return (

@@ -36,7 +36,7 @@ def between(axis: Axis, last: float, first: float) -> str:
 
 
 def near(axis: Axis, last: float, first: float, at: float) -> str:
-    """Text of an interpolated value [SI] with two digits; empty if rounding moves it outside."""
+    """Text of an interpolated value [SI] with two digits; empty if rounding leaves the interval."""
     low, high = sorted(axis.in_unit(v) for v in (last, first))
     about = float(f"{axis.in_unit(at):.2g}")
     return f" (about {number(about)})" if low < about < high else ""
@@ -58,7 +58,7 @@ def held(plan: Plan) -> str:
 
 
 def held_with_meaning(plan: Plan) -> str:
-    """Text of these constant inputs with meanings: "e = 2 mm, distance of the contact from ..."."""
+    """Text of the same inputs as `held`, with meanings: "e = 2 mm, distance of the contact ..."."""
     return "; ".join(f"{_value(one)}, {one.what}" for one in constant(plan))
 
 

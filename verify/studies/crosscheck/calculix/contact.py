@@ -95,7 +95,7 @@ class ContactDeck:
 
     @cached_property
     def strips(self) -> dict[str, Strip]:
-        """Strips of elements of the obstacles that a slave surface may touch, by name."""
+        """Strips of elements, by name, for the obstacles that a slave surface may touch."""
         surfaces = self.surfaces
         return {
             pair.master: strip_of(

@@ -26,7 +26,7 @@ def nodes(deck: TextIO, number: Indices, x: Array, name: str = "") -> None:
 
 
 def elements(deck: TextIO, kind: str, name: str, cells: Indices, number: Indices) -> None:
-    """Write `cells` (elements, nodes) of one kind as an element set; `number` (elements,)."""
+    """Write `cells` (elements, nodes) of one kind as an element set, with the numbers `number`."""
     deck.write(f"*ELEMENT, TYPE={kind}, ELSET={name}\n")
     for label, cell in zip(number.tolist(), cells.astype(str).tolist(), strict=True):
         rows = [cell[i : i + A_LINE] for i in range(0, len(cell), A_LINE)]
@@ -78,7 +78,7 @@ def equation(deck: TextIO, terms: Sequence[Term]) -> None:
 
 
 def forces(deck: TextIO, loads: Iterable[Term]) -> None:
-    """Write forces on nodes that keep their direction."""
+    """Write forces of constant direction on nodes."""
     rows = [f"{node},{i},{value:.12e}\n" for node, i, value in loads]
     if rows:
         deck.write("*CLOAD\n" + "".join(rows))

@@ -24,7 +24,7 @@ RIGHT, END, LEFT, START = 1, 2, 3, 4  # sides of a cell, seen along the line
 
 
 def faces(cells: Iterable[int], side: int) -> list[Side]:
-    """The side number `side` of each of `cells`, which count from 0."""
+    """Sides as (cell, `side`) of `cells`, which count from 0."""
     return [(cell, side) for cell in cells]
 
 
@@ -37,7 +37,7 @@ class Held(NamedTuple):
 
 
 class Load(NamedTuple):
-    """Force on a node along a component (0 or 1) that keeps its direction."""
+    """Force of constant direction on a node, along a component (0 or 1)."""
 
     node: int
     component: int

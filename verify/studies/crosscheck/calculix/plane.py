@@ -216,7 +216,10 @@ class Supports:
         return np.unique(self.numbering.of[np.append(tied.follower[0], tied.leader[0])])
 
     def mean(self, k: int) -> list[Term]:
-        """Terms of a mean motion by nodes, which also distribute a force that holds it."""
+        """Terms (node, component, weight) of mean motion `k`.
+
+        The force that holds the mean motion is distributed with the same weights.
+        """
         row = self.rows[k]
         dofs = np.flatnonzero(np.abs(row) > NOTHING * np.abs(row).max())
         number, component = self.numbering.of[dofs], self.numbering.component[dofs]

@@ -86,7 +86,7 @@ def sprag() -> Posed:
 
 
 def both(forces: Points, moments: list[float], times: float) -> Numbers:
-    """Absolute forces per length on both races, and absolute torques of all sprags or rollers."""
+    """Magnitudes of the force per length on each race, and of the torque of all its contacts."""
     (inner, outer), (on_inner, on_outer) = forces, moments
     return {
         "force on the inner part": float(np.hypot(*inner)),

@@ -50,7 +50,7 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
 
 def even(name: str) -> Callable[[Any], Callable[[Array], Array]]:
-    """Function that gives the crown `name`, which is designed for an even pressure, of a roller."""
+    """Function that returns, for the inputs of a roller, its crown `name` for even pressure."""
     return lambda q: even_crowns(q)[name]
 
 

@@ -114,7 +114,7 @@ def rotation() -> Posed:
 
 
 def sprags(loaded: Wall) -> Posed:
-    """Half a pitch of a race under sprag forces, guided at both sections, one of them inclined."""
+    """Half a pitch of a race under sprag forces, guided on both cuts, one of which is inclined."""
     from fem.plane.material import Elastic
     from fem.plane.patch import polar_nodes
     from verify.studies.crosscheck.calculix.plane import PlaneDeck

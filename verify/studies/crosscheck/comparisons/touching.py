@@ -96,6 +96,6 @@ def posed(
 
 
 def along_first_moment(touch: "Touch") -> float:
-    """Half-width of an elliptic pressure on x >= 0, from its mean distance from the axis."""
+    """Half-width of an elliptic pressure on x >= 0, from the mean of x weighted by the load."""
     x, load = touch.mortar.points.x[0], touch.p * touch.weight
     return float(3 * np.pi / 4 * (load @ x) / load.sum())
