@@ -70,7 +70,7 @@ WRONG = [
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range must be "low : high"'),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, the maximum is 12"),
     (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: must not exceed half of the smallest drop"),
-    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: K_2 tolerance 0.422 must be less than"),
+    (crown, {"t_y": "1.9 mm"}, "1.9 mm: the corresponding tolerance of K_2, 0.422, must be"),
     (crown, {"t_y": "5 mm"}, "t_y must be less than l/2, got t_y = 5 mm"),
 ]
 

@@ -177,10 +177,10 @@ def test_an_incomplete_ledger_is_refused():
     for raw, message in (
         (changed("equations", -1), "needs Eqs. 1 to 21"),
         (changed("equations", 0, **EMPTY | {"status": "implemented"}),
-         "code and test are required"),
-        (changed("equations", 0, **EMPTY | {"status": "argued"}), "must contain the argument"),
+         "status implemented requires code and test"),
+        (changed("equations", 0, **EMPTY | {"status": "argued"}), "status argued requires the argument in note"),
         (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
-         "code and test must be empty"),
+         "requires empty code and test"),
         (changed("errata", 1, id=RAW["belcin"]["errata"][0]["id"]), "used twice"),
         (changed("errata", 0, evidence=""), "evidence"),
         (RAW["belcin"] | {"values": RAW["belcin"]["values"] * 2}, "used twice"),

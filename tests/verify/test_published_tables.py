@@ -88,9 +88,9 @@ def test_tables_and_values_that_differ_are_refused():
         (TABLE | {"rows": []}, "note must state the reason"),
         (wang() | {"tables": []}, "tables must be Table 1 to 1"),
         (wang(rows=[*ROWS, ("", "=k9", "", "")]), "unknown value k9"),
-        (wang(rows=[*ROWS, ROWS[0]]), "must be in one cell, is in 2"),
+        (wang(rows=[*ROWS, ROWS[0]]), "must be in one cell only, is in 2 cells"),
         (wang(rows=ROWS[:1]), "no cell for value k2-fea"),
-        (wang(rows=[*ROWS, ("", "=b", "", "")]), "b is printed in Sec. 1.2"),
+        (wang(rows=[*ROWS, ("", "=b", "", "")]), "b, which is printed in Sec. 1.2"),
     ):
         with pytest.raises(ValidationError, match=message):
             (Paper if "tables" in raw else PrintedTable).model_validate(raw)

@@ -123,8 +123,11 @@ def test_a_limit_of_the_case_counts_unchanged_and_is_not_stored(tmp_path, called
 
 def test_workers_of_other_code_end_the_sweep(tmp_path, called, monkeypatch):
     monkeypatch.setattr(point, "code_of", lambda _case, _part: ("older", "fe"))
-    with pytest.raises(GoneError, match=r"cannot solve the points: .*this process and the sweep"
-                                        r" have different code of made-up-plate; 0 "):  # fmt: skip
+    with pytest.raises(
+        GoneError,
+        match=r"cannot solve the points: .*the code of made-up-plate in "
+        r"this process differs from the code of the sweep; 0 ",
+    ):
         solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert called["fe"] == 0
 

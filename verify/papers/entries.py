@@ -73,11 +73,11 @@ class Equation(Entry):
     @model_validator(mode="after")
     def _claims_are_backed(self) -> Self:
         if self.status == "implemented" and not (self.code and self.test):
-            raise ValueError(f"equation {self.number} is implemented: code and test are required")
+            raise ValueError(f"equation {self.number}: status implemented requires code and test")
         if self.status == "argued" and not self.note:
-            raise ValueError(f"equation {self.number} is argued: note must contain the argument")
+            raise ValueError(f"equation {self.number}: status argued requires the argument in note")
         if self.status == "missing" and (self.code or self.test):
-            raise ValueError(f"equation {self.number} is missing: code and test must be empty")
+            raise ValueError(f"equation {self.number}: status missing requires empty code and test")
         return self
 
 

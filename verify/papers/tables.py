@@ -78,9 +78,13 @@ def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printe
             if id_ not in placed:
                 raise ValueError(f"{table.name}: unknown value {id_}")
             if times > 1:
-                raise ValueError(f"{table.name}: value {id_} must be in one cell, is in {times}")
+                raise ValueError(
+                    f"{table.name}: value {id_} must be in one cell only, is in {times} cells"
+                )
             if placed[id_] != table.name:
-                raise ValueError(f"{table.name}: value {id_} is printed in {placed[id_]}")
+                raise ValueError(
+                    f"{table.name} refers to value {id_}, which is printed in {placed[id_]}"
+                )
     shown = {id_ for table in tables for id_ in table.references}
     if lost := [i for i, place in placed.items() if place.startswith("Table") and i not in shown]:
         raise ValueError(f"{placed[lost[0]]} has no cell for value {lost[0]}")

@@ -76,9 +76,12 @@ def point_of(row: Row) -> Point:
     """
     found = offset(row)
     if found is None or row.difference is None or not row.scale or row.tolerance is None:
-        raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
+        raise NoEvidenceError(
+            f"{row.id} cannot be evidence: its error, or the uncertainty of its error, was not "
+            "computed"
+        )
     if not math.isfinite(found + row.tolerance):
-        raise NoEvidenceError(f"the error of {row.id} is not a finite number")
+        raise NoEvidenceError(f"{row.id} cannot be evidence: its error is not a finite number")
     return Point(found / row.scale, row.tolerance / row.scale)
 
 
@@ -93,14 +96,17 @@ def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) 
     row = rows[row_id]
     stands = row.status is Status.PASS or (may_be_note and row.status is Status.NOTE)
     if not stands and not _is_measured(row, rows):
-        raise NoEvidenceError(f"{row_id} has the status {row.status.value}")
+        raise NoEvidenceError(f"{row_id} cannot be evidence: it has the status {row.status.value}")
     return row
 
 
 def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
     row = require(row_id, rows)
     if row.kind not in COMPARING:
-        raise NoEvidenceError(f"{row_id} does not compare formula and reference ({row.kind.value})")
+        raise NoEvidenceError(
+            f"{row_id} cannot be evidence: a row of the kind {row.kind.value} does not compare "
+            "formula and reference"
+        )
     point_of(row)
     return row
 

@@ -71,7 +71,7 @@ def _of(
         _require_shown(paper, formula, [point_of(row) for row in rows], changed)
         return Verdict.WRONG
     if not rows:
-        raise NoEvidenceError("no row is declared as evidence")
+        raise NoEvidenceError("no row is declared as evidence of the formula")
     if not part.rows and all(_is_sharp_identity(row) for row in rows):
         return Verdict.EXACT
     judged_on = part if part.rows else model
@@ -97,10 +97,14 @@ def _require_shown(
     """
     has_error = any(abs(p.error) > p.U for p in points)
     if points and not (has_error if changed is None else abs(changed) > SMALLEST):
-        raise NoEvidenceError(f"errata {', '.join(formula.errata)}: the printed form has no error")
+        raise NoEvidenceError(
+            f"errata {', '.join(formula.errata)}: the rows of the printed form reveal no error"
+        )
     for erratum in errata_of(paper, formula):
         if not points and not erratum.test:
-            raise NoEvidenceError(f"no row and no test demonstrates erratum {erratum.id}")
+            raise NoEvidenceError(
+                f"erratum {erratum.id} is not demonstrated: declare a row or a test for it"
+            )
 
 
 def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:

@@ -9,7 +9,7 @@ SAME = 1e-9  # relative: references that differ by less are one
 
 
 def misprint(printed: Iterable[Row], corrected: Iterable[Row]) -> float | None:
-    """Relative change, largest in size, from a corrected to a printed value of one reference.
+    """Largest relative change from a corrected to a printed value, in rows of equal reference.
 
     The result is None if no row of the corrected form has the reference of a row of the printed
     form.

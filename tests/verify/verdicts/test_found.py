@@ -29,15 +29,15 @@ def verdict(declared, *rows, corrected=()):
 
 def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
     for changes, says in (
-        ({"status": Status.FAIL}, "ring-lame/x has the status FAIL"),
-        ({"status": Status.CALIBRATED}, "ring-lame/x has the status CALIBRATED"),
-        ({"status": Status.NOTE}, "ring-lame/x has the status NOTE"),  # enough for a caution alone
+        ({"status": Status.FAIL}, "ring-lame/x cannot be evidence: it has the status FAIL"),
+        ({"status": Status.CALIBRATED}, "it has the status CALIBRATED"),
+        ({"status": Status.NOTE}, "it has the status NOTE"),  # enough for a caution alone
         (
             {"status": Status.SHOWN},
-            "ring-lame/x has the status SHOWN",
+            "ring-lame/x cannot be evidence: it has the status SHOWN",
         ),  # no meshes that converge beside it
         ({"kind": Kind.FACT}, "does not compare formula and reference"),
-        ({"tolerance": None}, "no error with an uncertainty"),
+        ({"tolerance": None}, "the uncertainty of its error, was not computed"),
     ):
         got = verdict(formula(), row("x", 0.001, **changes))
         assert got.verdict is Verdict.NONE
@@ -104,7 +104,9 @@ def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
     contradiction = row("c", 0.0, kind=Kind.FACT, status=Status.NOTE)
     assert verdict(warned, row("x", 0.001), contradiction).verdict is Verdict.PART
     failed = row("c", 0.0, kind=Kind.FACT, status=Status.FAIL)
-    assert verdict(warned, row("x", 0.001), failed).words == "ring-lame/c has the status FAIL"
+    assert verdict(warned, row("x", 0.001), failed).words == (
+        "ring-lame/c cannot be evidence: it has the status FAIL"
+    )
     unknown = formula(part=(), missing="no data", **CAUTION)
     assert verdict(unknown, stands).words == "no data; but it buckles"
     assert verdict(unknown).verdict is Verdict.NONE
@@ -237,7 +239,7 @@ def test_a_misprint_is_wrong_where_its_error_leaves_the_bar(row):
     assert verdict(printed, row("x", 0.2, 0.01)).verdict is Verdict.WRONG
     hidden = verdict(printed, row("x", 0.002, 0.01))
     assert hidden.verdict is Verdict.NONE
-    assert "has no error" in hidden.words
+    assert "reveal no error" in hidden.words
 
 
 def test_a_misprint_counts_separately_from_the_error_of_the_formula(row):
@@ -254,7 +256,7 @@ def test_a_misprint_counts_separately_from_the_error_of_the_formula(row):
     assert got.words.startswith("wrong as printed; by the misprint alone −0.5 %, in total −22 %")
     same = beside(-0.22, -0.22)
     assert same.verdict is Verdict.NONE
-    assert "the printed form has no error" in same.words
+    assert "the printed form reveal no error" in same.words
     assert beside(0.004, 0.001, U=0.01).verdict is Verdict.WRONG  # though it is within the bar
 
 
@@ -275,4 +277,6 @@ def test_a_misprint_without_a_row_states_what_is_wrong_and_needs_a_test():
     shown = verdict(formula(part=(), limited_by="no growth", **MISPRINT))
     assert (shown.verdict, shown.words) == (Verdict.WRONG, "wrong as printed: no growth")
     untested = formula(part=(), errata=("fig-2-3-captions",), limited_by="x")
-    assert verdict(untested).words == "no row and no test demonstrates erratum fig-2-3-captions"
+    assert verdict(untested).words == (
+        "erratum fig-2-3-captions is not demonstrated: declare a row or a test for it"
+    )

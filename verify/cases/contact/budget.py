@@ -91,7 +91,7 @@ HALF_SPACE = (
 
 
 def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
-    """Cause of error: contact width, by scaled values `fem` of a contact a tenth as wide."""
+    """Cause of error contact width: rerun `fem` of a contact a tenth as wide, values scaled."""
     return Rerun(cause=Cause.GEOMETRY, what="contact width / 10, values scaled in proportion",
                  rows=(rows,), fem=fem)  # fmt: skip
 

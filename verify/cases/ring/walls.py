@@ -35,8 +35,8 @@ def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) 
         )
     if r_o - r_i < 1e-3 * r_o:
         raise ValueError(
-            f"a wall of {(r_o - r_i) * 1e3:g} mm is thinner than 1/1000 of r_o = "
-            f"{r_o * 1e3:g} mm, the limit of a thick ring"
+            f"the wall, {(r_o - r_i) * 1e3:g} mm, must be at least 1/1000 of r_o = "
+            f"{r_o * 1e3:g} mm: give a thicker wall"
         )
 
 

@@ -167,6 +167,6 @@ def _refuse_wide(task: Task, where: str) -> None:
         )
     if not task.t_K2 < task.low[1]:
         raise InputError(
-            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: K_2 tolerance {task.t_K2:.3g} "
-            f"must be less than the lower end of K_2_range, {task.low[1]:g}"
+            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: the corresponding tolerance of "
+            f"K_2, {task.t_K2:.3g}, must be less than the lower end of K_2_range, {task.low[1]:g}"
         )

@@ -104,7 +104,9 @@ def _base(count: str) -> int:
 
 def _centre(one: Axis) -> float:
     if one.nominal is None:
-        raise InputError(f"{one.name}: the file must give a value to vary the other inputs")
+        raise InputError(
+            f"{one.name}: the file must give its value, at which the other inputs are varied"
+        )
     return one.nominal
 
 

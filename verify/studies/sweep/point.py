@@ -75,7 +75,9 @@ def solve_point(task: Task) -> Solution:
     """
     case, part = _known(task.case, task.portion)
     if code_of(case, part) != task.code:
-        raise OtherCodeError(f"this process and the sweep have different code of {task.case}")
+        raise OtherCodeError(
+            f"the code of {task.case} in this process differs from the code of the sweep"
+        )
     start = time.perf_counter()
     found = Solution({}, (), {}, {})
     with np.errstate(all="ignore"):

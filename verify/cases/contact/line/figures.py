@@ -92,7 +92,10 @@ def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
 
 
 def pictures(a: float, below: float = 1.0) -> Iterator[Picture]:
-    """Pictures of stresses near a contact of half-width `a`; `below`: depth over height drawn."""
+    """Pictures of stresses near a contact of half-width `a`.
+
+    The depth drawn below the contact is `below` times the height drawn above it.
+    """
     reach = 0.75 * VIEW * a
     more: dict[str, Any] = {"field": "contact", "mirror": ("x",), "displacement": "",
                             "window": (-reach, -reach * below, reach, reach)}  # fmt: skip

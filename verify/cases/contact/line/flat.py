@@ -54,7 +54,7 @@ def key(ratio: float) -> str:
 
 
 def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
-    """Relative standard uncertainty on the finest mesh; infinite without convergence."""
+    """Relative standard uncertainty of `key` on the finest mesh; infinite without convergence."""
     h, v = [r.h for r in levels], [r.values[key] for r in levels]
     u_it = max(r.u_it.get(key, 0.0) for r in levels)
     grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)

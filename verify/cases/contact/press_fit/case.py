@@ -128,7 +128,7 @@ class PressFit(FitFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a wall exceeds its yield strength, or probably does."""
+        """Warnings if a wall exceeds R_p, or if R_p is not given and strains exceed 0.2 %."""
         for fit, words in ((FITS[0], "the rings"), (FITS[3], "the hub of the solid shaft")):
             of = self.of(fit)
             centre = of.p if fit.walls == "shaft" else self.p_i

@@ -75,12 +75,12 @@ class FitInputs(Case):
         wall = self.thinnest
         if wall < 1e-3 * self.r_f:
             raise ValueError(
-                f"a wall of {wall * 1e3:g} mm is thinner than r_f/1000, the limit: got {radii}"
+                f"the thinner wall, {wall * 1e3:g} mm, must be at least r_f/1000, got {radii}"
             )
         if self.delta > 0.01 * self.r_f or self.delta > 0.1 * wall:
             raise ValueError(
-                f"delta = {self.delta * 1e6:g} µm must not exceed r_f/100 or a tenth of the "
-                f"thinner wall, {wall * 1e3:g} mm: small strains are assumed"
+                f"delta = {self.delta * 1e6:g} µm must exceed neither r_f/100 nor a tenth of the "
+                f"thinner wall (wall {wall * 1e3:g} mm): small strains are assumed"
             )
         return self
 

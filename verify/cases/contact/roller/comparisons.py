@@ -61,7 +61,7 @@ def estimated(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """Row: an approximation; for user inputs, its reference may be too inaccurate to judge."""
+    """Row of an approximation; at user inputs, an inaccurate reference may leave it unjudged."""
     one = approximation(q, reference, expected=expected, **options)
     stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
     return replace(one, check=Estimated(**stated))
@@ -171,7 +171,7 @@ def size(value: float, scale: Scale) -> float:
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Accepted minus computed share of the load that slices misplace, with uncertainty."""
+    """Accepted minus computed load share that slices misplace, and the uncertainty of the share."""
     share, U, error = misplaced_load(context, "slices")
     return (
         SHARE - share,
@@ -181,7 +181,7 @@ def misplaced(context: Context) -> tuple[float, float, str]:
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """Load share misplaced by independent slices minus that of slices, with uncertainty."""
+    """Load share misplaced by independent slices minus that by coupled slices; uncertainty."""
     share, U, _ = misplaced_load(context, "slices")
     alone, U_alone, _ = misplaced_load(context, "independent")
     return (

@@ -59,7 +59,8 @@ def deviations() -> Iterator[Check]:
 def extreme(design: int, *, most: bool) -> Margin:
     """Function that returns how far `design` is more (or less) uniform than the next design.
 
-    Measure: load share that must be moved for a uniform line load; larger over smaller share - 1.
+    The measure is the share of the load that must be moved for a uniform line load. The function
+    returns the larger over the smaller share, minus 1.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -95,7 +96,7 @@ def _spread(found: Array) -> float:
 
 
 def straight(context: Context) -> tuple[float, float, str]:
-    """Sum of the shift of the start of the crown by z_m and its difference to (1 - K_2) l/2.
+    """Shift of the start of the crown by z_m, plus distances of the start from (1 - K_2) l/2.
 
     Relative to l/2, with its uncertainty and a text.
     """
@@ -113,7 +114,7 @@ def straight(context: Context) -> tuple[float, float, str]:
 
 
 def first_contact(context: Context) -> tuple[float, float]:
-    """Distance, over l/2, of the end of contact to its limit, and uncertainty.
+    """Limit of the end of contact minus the end, both over l/2, and the uncertainty.
 
     The limit is the end of the straight middle plus NEXT l/2. Crown of Fig. 13a, strips, load
     FIRST F.

@@ -128,9 +128,10 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Figure: peak pressures over Hertz's pressure, at `x` for `gaps` and `loads` (over F).
+        """Figure: peak pressures over Hertz's pressures, for `gaps` under `loads` times F.
 
-        A dashed curve has the peaks of optimal crowns from the reference, at the abscissae best[1].
+        They are drawn over the abscissae `x`. A dashed curve has the peaks of optimal crowns from
+        the reference, at the abscissae best[1].
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)

@@ -76,8 +76,8 @@ class EndFace(Crown):
     def _race(self) -> Self:
         if self.R_2 <= 0:
             raise ValueError(
-                f"R_2 must be positive, got R_2 = {self.R_2 / mm:g} mm: in this case, the race is "
-                "a shaft"
+                f"R_2 must be positive, got R_2 = {self.R_2 / mm:g} mm: this case models the race "
+                "as a shaft"
             )
         if not 0.2 <= self.R_2 / self.R_1 <= 20:
             raise ValueError(
@@ -202,7 +202,7 @@ class EndFace(Crown):
 
 
 def face(state: State) -> Margin:
-    """Function that returns the reduction of the load near the end face, minus FACE."""
+    """Function that returns the relative reduction of the load near the end face, minus FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)

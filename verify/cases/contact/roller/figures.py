@@ -86,7 +86,7 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Curves of peak over `even` pressures: line if both ends are unloaded, otherwise dots."""
+    """Curves of peak over `even` pressures: a line where both ends are unloaded, otherwise dots."""
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
     parts = (("this crown, ends unloaded", ~loaded, "line"),

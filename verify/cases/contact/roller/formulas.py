@@ -123,7 +123,7 @@ class StripRoller(Roller):
 
     @shared
     def neglected(self) -> Mapping[str, float]:
-        """Estimated relative excess of half-space over strips, by key; NaN without an estimate."""
+        """Estimated half-space/strips - 1 of pressures and approach, by key; NaN if unknown."""
         solved, along = self._strips
         missing = neglected(solved)
         return {

@@ -24,7 +24,10 @@ Crown = Callable[[Array], Array] | None
 
 
 def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "Ridge":
-    """Contact of `q` on the grid of `level`, with its crown or `crown`; `along`: cells along it."""
+    """Contact of `q` on the grid of `level`, with the given `crown` or else the gap of `q`.
+
+    `along` is the number of cells along the roller; 0 gives the number that follows from `level`.
+    """
     from analytic.contact.half_space_ridge import press_ridge
 
     return press_ridge(

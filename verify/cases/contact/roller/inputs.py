@@ -95,7 +95,8 @@ class Roller(Case):
             )
         if self.R > FLATTEST * self.L:
             raise ValueError(
-                f"{sizes} differ too little for a line contact: the relative radius exceeds 50 l"
+                f"{sizes} fit too closely for a line contact: the relative radius must not "
+                "exceed 50 l"
             )
         if self.b > WIDEST * self.L:
             raise ValueError(

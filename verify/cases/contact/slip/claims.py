@@ -20,7 +20,7 @@ L2 = 0.03  # acceptance of tractions
 
 
 def neglected(q: SlipInputs) -> float:
-    """Bound of the relative error due to half-planes instead of discs."""
+    """Bound of the relative error of formulas that replace discs by half-planes."""
     return slip.neglected(a=q.width, R=q.R)
 
 
@@ -52,7 +52,7 @@ class HalfPlanes(FemClaim):
 def l2_margin(
     name: str, formula: Callable[[Any, float], Any], at: float, scale_at: float
 ) -> Callable[[Context], tuple[float, float]]:
-    """Function that returns the margin of the L2 error to `L2`, relative to a norm.
+    """Function that returns `L2` minus the relative L2 error of the values `name`.
 
     The error is the difference to `formula` at `at`, relative to its norm at `scale_at`.
     """
@@ -73,7 +73,7 @@ def two_ways(context: Context) -> Pair:
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:
-    """Excess over 1.8 of the order of convergence of the area of the loop, and its uncertainty.
+    """Order of convergence, in steps, of the area of the loop, minus 1.8; and its uncertainty.
 
     The area is computed with straight lines between steps. The difference between work and the
     area by Simpson's rule is mesh scatter and counts as uncertainty.

@@ -84,7 +84,7 @@ class Spheres(SphereFormulas):
                               of={"load": self.P}, bound=1e-7, because=DIRECT)  # fmt: skip
 
     def against_hertz(self, state: State) -> Iterator[Comparison]:
-        """Rows: contact radius, pressure, approach and force of this contact against Hertz."""
+        """Rows: contact radius, pressure, approach and force in `state` against Hertz's theory."""
         finite, by = self.finite, Spheres
         kinds: tuple[tuple[Quantity, str, float, float, float], ...] = (
             (by.a, "contact radius", finite.a_excess, 1e-3, 2),

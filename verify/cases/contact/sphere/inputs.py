@@ -45,12 +45,14 @@ class SphereInputs(Case):
         if most > 1e3 * least:
             raise ValueError(
                 f"R_1 and R_2 must not differ by more than a factor of 1000, got R_1 = "
-                f"{self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm: use the rows for a flat"
+                f"{self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm: use the rows of the contact "
+                "on a flat"
             )
         if not 1e-3 <= self.E_1 / self.E_2 <= 1e3:
             raise ValueError(
                 f"E_1 and E_2 must not differ by more than a factor of 1000, got E_1 = "
-                f"{self.E_1 / 1e9:g} GPa, E_2 = {self.E_2 / 1e9:g} GPa: use the rows for a flat"
+                f"{self.E_1 / 1e9:g} GPa, E_2 = {self.E_2 / 1e9:g} GPa: use the rows of the "
+                "contact on a flat"
             )
         for pair in PAIRS:
             wide = self.of(pair).width / (self.R_1 if pair == "flat" else least)

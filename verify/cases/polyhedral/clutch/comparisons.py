@@ -47,12 +47,12 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def slack_block(self) -> float:
-        """Relative error of the blocking pressure for the target torque, likewise."""
+        """Relative error of the blocking pressure for the target torque due to Hertz's theory."""
         return self.slack_p * self.p_need / self.p_block
 
     @property
     def slack_rigid(self) -> float:
-        """Relative error of the torque with rigid rollers, likewise."""
+        """Relative error of the torque with rigid rollers due to Hertz's theory."""
         return self._blur(self.stiff, self.line_rigid)
 
     def _blur(self, hub: Driven, N: float) -> float:
@@ -91,10 +91,10 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Approximation):
-    """Comparison of a formula whose error interval has the half-width `give`, by Hertz's error.
+    """Comparison of a formula whose error interval has the half-width `give`.
 
-    It is not judged without a value. For user inputs, the required sensitivity is at least twice
-    the half-width.
+    The interval results from the error of Hertz's theory. A formula without a value is not judged.
+    For user inputs, the required sensitivity is at least twice the half-width.
     """
 
     give: str

@@ -95,7 +95,7 @@ class ClutchInputs(Case):
 
     @property
     def all_levers(self) -> float:
-        """Ratio of the torque to the tangential force per length of a roller [m²]."""
+        """Torque of the clutch over the tangential force per length of each roller [m²]."""
         return self.b * self.z * self.D_i / 2
 
     def _check_loads(self) -> None:

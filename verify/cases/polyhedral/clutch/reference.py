@@ -16,7 +16,9 @@ def solve(q: ClutchInputs, level: int) -> Level:
     hub = driven_fem(q, level, elastic=True)
     N, N_t = hub.N, q.M_t / (q.grip * q.b * q.z * q.D_i / 2)
     if not isfinite(N):
-        raise ArithmeticError("the clutch locks itself by the hub force: pressure does not limit N")
+        raise ArithmeticError(
+            "the clutch locks itself by the hub force: pressure does not limit the roller force"
+        )
     p = hub.pressure(N_t)
     state = hub.at(q.p_t, N)
     rest = hub.fine.balance(q.p_t, hub.push(N))

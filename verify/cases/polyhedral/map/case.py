@@ -125,7 +125,7 @@ class PolyhedralMap(MapInputs):
 
 
 def over_map(name: str) -> Callable[[Context], Pair]:
-    """Function that returns 1/K by series and finite elements at their largest difference.
+    """Function that returns 1/K by series and by finite elements where they differ most.
 
     The series is evaluated in some cells of the map: a third of the flats in every second row. The
     uncertainty is that of the rings with wall and fillet of the inputs.
@@ -145,12 +145,12 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """Load-transfer ratios by series and finite elements at their largest difference."""
+    """Load-transfer ratios by series and by finite elements where they differ most."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least decrease of |K_mid - K_∞| from one number of flats (12 on) to the next.
+    """Smallest decrease of |K_mid - K_∞| between successive numbers of flats, from 12 flats on.
 
     With its uncertainty and a text.
     """

@@ -80,7 +80,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Margin of the remaining share of N to 0.9, with friction 1 % above tan(alpha/2)."""
+    """Remaining share of N, minus 0.9, with friction 1 % above tan(alpha/2)."""
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 
@@ -90,7 +90,11 @@ def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, 
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Largest difference of T/(mu N) and tan(alpha/2)/mu, and a text; N = 0 if expelled."""
+    """Largest difference of T/(mu N) from tan(alpha/2)/mu, its uncertainty, and a text.
+
+    For rollers that the wedge expels, the difference is the remaining share of N times EXPELLED /
+    REST.
+    """
     share, left, ratio = context.fem[-1].arrays["over angles"]
     mu = context.inputs.mu
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)

@@ -16,7 +16,7 @@ ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of 
 
 
 def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple[float, float]:
-    """N over the given N, and T/N, if the race is displaced by `down` [m] towards the roller.
+    """Ratio of N to the given N, and T/N, if the race is displaced by `down` [m] to the roller.
 
     `half` is half of the wedge angle [rad]. Both values are zero if the contact is lost.
     """
@@ -46,7 +46,7 @@ def around_fem(q: WedgeInputs, down: float) -> Array:
 
 
 def over_angles_fem(q: WedgeInputs, down: float) -> Array:
-    """Rows tan(alpha/2)/mu, remaining share of N, and T/(mu N) or 0 without N; (3, m)."""
+    """Array (3, m): tan(alpha/2)/mu, remaining share of N, and T/(mu N) (0 if no N remains)."""
     found = []
     for share in ANGLES:
         left, ratio = pressed_fem(q, down, half=math.atan(share * q.mu), mu=q.mu)

@@ -33,7 +33,7 @@ def small(q: WedgeInputs) -> float:
 
 
 class Stuck(NamedTuple):
-    """Stick half-widths over a by key, their uncertainties, and those of the figure."""
+    """Stick half-widths over a by key, uncertainties by key, and half-widths of the figure."""
 
     values: dict[str, float]
     u_it: dict[str, float]

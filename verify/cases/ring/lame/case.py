@@ -161,7 +161,7 @@ class Ring(Case):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Order]:
-        """Rows: thin and long ring against Lamé; orders of energies and displacements."""
+        """Rows: thin and long ring against Lamé; convergence of energies and displacements."""
         ring, long = Ring, self.as_long()
         thin_and_long = (State(self, "", ENDS[0]), State(long, "strain", ENDS[1]))
         both: dict[str, Any] = {"sensitivity": walls.FAST}

@@ -160,7 +160,7 @@ def finest(
 
 
 def too_soft(context: Context) -> tuple[float, float, str]:
-    """Relative error of Eq. 6 against the FE deflection minus indentation; uncertainty; text."""
+    """Relative error of Eq. 6 against the FE deflection without indentation; uncertainty; text."""
     q, (h, series) = context.inputs, context.series("load")
     u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
     reference = series[-1] - q.dent

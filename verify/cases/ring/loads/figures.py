@@ -114,7 +114,7 @@ def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
 
 
 def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
-    """Table of both ratios over n: of this race and, for the numbers of the paper, of both."""
+    """Errors of wind-up and peak force over n: of this race and, with `pair`, of both races."""
     rows: list[tuple[str | float | None, ...]] = []
     for n in sorted({*LISTED, q.n}):
         if not all(race.room_for(n) for race in (q, *pair)):

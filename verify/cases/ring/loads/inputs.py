@@ -90,7 +90,8 @@ class LoadsInputs(Case):
         if a > CLOSEST * pitch:
             raise ValueError(
                 f"n = {self.n} patches of half-width {a * 1e3:.3g} mm are too close on the "
-                f"wall, pitch {2 * pitch * 1e3:.3g} mm: a must not exceed {CLOSEST:g} of pitch/2"
+                f"wall (pitch {2 * pitch * 1e3:.3g} mm): the half-width must not exceed "
+                f"{CLOSEST:g} of pitch/2; reduce n or F"
             )
         return self
 

@@ -16,7 +16,7 @@ AWAY = 2.0  # distance from the patch's middle, in half-widths, beyond which res
 
 
 def stations(q: LoadsInputs) -> Array:
-    """Points of a polar grid over half a pitch, outside a patch width: r [m], theta; (2, m)."""
+    """Points (2, m) of a polar grid over half a pitch, away from the patch: r [m] and theta."""
     r, theta = np.meshgrid(
         np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
     )
@@ -33,7 +33,7 @@ def wall_angles(q: LoadsInputs) -> Array:
 def fem_sector(
     *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
 ) -> Any:
-    """Solution of half a pitch of a ring with the load P [N/m] on the half-width a of a wall."""
+    """Solution of half a pitch of a ring with the load P [N/m] on a patch of half-width `a`."""
     from fem.plane.patch import solve_under_patch
     from meshes.ring.sector import half_sector
 

@@ -74,7 +74,9 @@ class ContactDeck:
 
     def __post_init__(self) -> None:
         if self.shift is None and any(p.interference for p in self.surfaces.pairs):
-            raise ValueError("a deck models an interference as an overlap: give `shift`")
+            raise ValueError(
+                "a deck models an interference by initially overlapping bodies: give `shift`"
+            )
 
     @property
     def bodies(self) -> Bodies:

@@ -46,7 +46,7 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
     depth = float(np.ptp(slave, axis=1).max())
     if isinstance(shape, Circle):
         if turn:
-            raise ValueError("an obstacle of an axisymmetric problem must be a flat, not a circle")
+            raise ValueError("obstacles in an axisymmetric problem must be flat, got a circle")
         centre = np.array(shape.centre)[:, None]
         around: Array = np.unwrap(np.sort(np.arctan2(*(foot - centre)[::-1])))
         middle = (around[-1] + around[0]) / 2

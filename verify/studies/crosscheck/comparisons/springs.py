@@ -176,7 +176,9 @@ def curve() -> Posed:
                  tail="mid-leaf")  # fmt: skip
     found, seconds = timed(lambda: fem_compress(own, PRESSED, per_arc=LEVEL))
     if not found.press[0].sum() == 0 < found.press[-1].sum():
-        raise ArithmeticError("the tips must be separated at the first and touch at the last step")
+        raise ArithmeticError(
+            "the tips must be separated at the first step and must touch at the last step"
+        )
     ours = dict(zip((APART, TOUCHING), found.F.tolist(), strict=True))
 
     from fem.plane.material import Elastic
