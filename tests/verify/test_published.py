@@ -178,7 +178,7 @@ def test_an_incomplete_ledger_is_refused():
         (changed("equations", -1), "needs Eqs. 1 to 21"),
         (changed("equations", 0, **EMPTY | {"status": "implemented"}),
          "status implemented requires code and test"),
-        (changed("equations", 0, **EMPTY | {"status": "argued"}), "status argued requires the argument in note"),
+        (changed("equations", 0, **EMPTY | {"status": "argued"}), "requires the argument in note"),
         (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
          "requires empty code and test"),
         (changed("errata", 1, id=RAW["belcin"]["errata"][0]["id"]), "used twice"),

@@ -101,7 +101,7 @@ def declared() -> dict[str, Declarations]:
 
 
 def cases_by_paper() -> dict[str, tuple[str, ...]]:
-    """Cases whose rows the declarations of each paper name, by the key of the paper."""
+    """Cases with rows that are named in declarations, by the key of the declared paper."""
     return {
         key: tuple(dict.fromkeys(
             row.partition("/")[0] for f in one.formulas

@@ -20,7 +20,7 @@ COMPARING = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.ASYMPTOTIC)  # rows that ca
 
 
 class NoEvidenceError(ValueError):
-    """A row that a verdict requires failed, was not solved, or has no judged error."""
+    """A row that is required for a verdict failed, was not solved, or has no judged error."""
 
 
 @dataclass(frozen=True)

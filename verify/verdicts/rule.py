@@ -20,7 +20,7 @@ class Point:
 
     @property
     def size(self) -> float:
-        """Largest error that the uncertainty allows, as an absolute value."""
+        """Absolute error plus uncertainty: the largest error that the uncertainty allows."""
         return abs(self.error) + self.U
 
 

@@ -23,7 +23,7 @@ def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
 
 
 def fem_wave(q: LoadsInputs, level: int) -> FemResult:
-    """Values of the race under the mean load and its first harmonic per pitch."""
+    """Values of the race under the mean load plus the first harmonic of the load over a pitch."""
     import numpy as np
 
     from fem.plane.material import Elastic

@@ -62,7 +62,7 @@ def stations(q: Any) -> Array:
 
 
 def across(q: Any, solution: Any) -> Iterator[tuple[str, Array]]:
-    """Pairs of name and values: radial displacement [m], radial and hoop stress [Pa]."""
+    """Names and values of profiles: radial displacement [m], radial and hoop stress [Pa]."""
     found = solution.at(np.outer(polar(1.0, ASKEW), stations(q))).polar()
     for name, values in zip(("displacement", "radial_stress", "hoop_stress"), found, strict=False):
         yield f"profile_{name}", values

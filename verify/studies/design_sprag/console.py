@@ -161,7 +161,7 @@ def remarks(outcome: Outcome) -> list[str]:
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Lines about bounds that the optimal crown reaches without a disadvantage."""
+    """Lines about bounds that the optimal crown reaches although a wider range has no advantage."""
     return [
         f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gives no advantage "
         f"({value_of(b.parameter, b.beyond)} was tried)"

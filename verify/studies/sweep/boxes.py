@@ -21,7 +21,7 @@ class Box:
 
 
 def largest_box(inside: Flags) -> Box | None:
-    """Box with the most points of which all are inside, in a grid of any dimension; or None.
+    """The box with the most points, all of them inside, in a grid of any dimension; or None.
 
     Of several largest boxes, the first in the order of the axes is returned. In grids with more
     than MOST_BOXES boxes, the result is a box that cannot be widened, although a larger box may

@@ -192,7 +192,7 @@ def nominal_point(plan: Plan) -> int | None:
 
 
 def lines(plan: Plan, base: int) -> Iterator[Line]:
-    """Line along each axis through the point in row `base`; for a star, this is the centre."""
+    """Line along each axis through the point in row `base` (for a star, through its centre)."""
     at = plan.points[base]
     for k, axis in enumerate(plan.axes):
         rows = np.flatnonzero((np.delete(plan.points, k, axis=1) == np.delete(at, k)).all(axis=1))

@@ -188,7 +188,7 @@ class RollerOnFlat(FlatInputs):
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
 
     def depth_margin(self, context: Context) -> tuple[float, float]:
-        """Margin of the depth of the largest shear stress to its limit, and its uncertainty.
+        """Accepted minus computed deviation of the depth of the largest shear stress; uncertainty.
 
         Stresses jump between cells, so that the depth converges without an order. The uncertainty
         is therefore three times the spread of the last three levels.

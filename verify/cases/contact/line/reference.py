@@ -100,7 +100,7 @@ def result(
     found: "PressedLine", level: int, supports: tuple[str, ...],
     others: "Mapping[str, PressedLine] | None" = None,
 ) -> Level:  # fmt: skip
-    """Values and profiles of `level`; `others`: further solutions by the suffix of their keys."""
+    """Values and profiles of `level`; values of `others` are added under keys with a suffix."""
     shear, depth = found.shear()
     values = found.values() | found.balance(supports) | {"tau_max": shear, "z": depth}
     u_it = {key: found.rounding(key, value) for key, value in values.items()}

@@ -41,7 +41,7 @@ def flat(q: "FlatInputs") -> Sketch:
 
 
 def pair(q: "TwoRollers") -> Sketch:
-    """Sketch of two rollers; a roller below 1/20 of the radius of the second is drawn larger."""
+    """Sketch of two rollers; the smaller is drawn with at least 1/20 of the larger radius."""
     size = max(q.R_1, q.R_2)
     top, low = max(q.R_1 / size, 0.05), max(q.R_2 / size, 0.05)
     load = 2 * top + 0.1

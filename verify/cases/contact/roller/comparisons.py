@@ -192,7 +192,7 @@ def nearer(context: Context) -> tuple[float, float, str]:
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Load share that a model misplaces, its uncertainty, and L2 error of the line load."""
+    """Load share that a model misplaces, uncertainty of the share, L2 error of the line load."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

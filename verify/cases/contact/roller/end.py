@@ -216,7 +216,7 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Function that returns SIZE_SHARE × effect of the end face, minus effect of the size."""
+    """Function that returns SIZE_SHARE × effect of the end face - effect of the bodies' size."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)

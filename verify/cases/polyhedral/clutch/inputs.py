@@ -65,7 +65,7 @@ class ClutchInputs(Case):
 
     @property
     def ring(self) -> PolygonRing:
-        """The elastic ring; raises ValidationError if it is impossible."""
+        """The elastic ring; raises ValidationError if its dimensions are impossible."""
         return PolygonRing(
             d_e=self.d_e, delta_1=self.delta_1, j_D=self.j_D, E=self.E, nu=self.nu, R_p=self.R_p,
             z=self.z, rho=self.rho,

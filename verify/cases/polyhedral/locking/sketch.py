@@ -12,7 +12,7 @@ MPa, mm = 1e6, 1e-3
 
 
 def sketch(q: Any, *, d: float, e: float, p_t: float) -> Sketch:
-    """Sketch of the ring `q` with rollers of diameter d [m], hub contacts at e [m], p_t [Pa]."""
+    """Sketch of the ring `q`: rollers of diameter d [m], hub contacts at e [m], pressure p_t."""
     flat, at = q.apothem / (q.d_e / 2), e / (q.d_e / 2)
     arrows = {
         "R": ((flat - 0.28, at - 0.014), (flat, at)),

@@ -61,7 +61,7 @@ class PolyhedralMap(MapInputs):
 
     @shared
     def flexible_middle(self) -> Array:
-        """1/K with the wall and fillet of the inputs, by the series, shape (flats, 3)."""
+        """1/K of the three definitions, by the series, for all numbers of flats, (flats, 3)."""
         return self.flexibility(self.at_middle)
 
     @shared

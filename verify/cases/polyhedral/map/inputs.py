@@ -68,6 +68,6 @@ class MapInputs(RoundRing):
         return 2 * wall * self.E * self.j_D / ((self.d_e - 2 * wall) * (self.d_e - wall))
 
     def roller(self, z: int) -> float:
-        """Diameter [m] of z rollers: that of the inputs, or smaller if z of them do not fit."""
+        """Diameter [m] of z rollers: that of the inputs, or smaller, so that z rollers fit."""
         sine = float(np.sin(np.pi / z))
         return min(self.d, 0.9 * (self.d_e + self.j_D) * sine / (1 - sine))

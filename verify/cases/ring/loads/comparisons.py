@@ -120,7 +120,7 @@ def _smeared(
 
 
 def wall_errors(context: Context) -> list[float]:
-    """Largest differences of u_r and u_theta at nodes of both walls over u_r at the load.
+    """Largest differences of u_r and u_theta at nodes of both walls, relative to u_r at the load.
 
     Finite elements against the Fourier ring, one value per level.
     """
@@ -137,7 +137,7 @@ def wall_errors(context: Context) -> list[float]:
 
 
 def stress_errors(context: Context) -> list[float]:
-    """Largest differences of the three stresses at `stations` over the largest stress.
+    """Largest differences of the three stresses at `stations`, relative to the largest stress.
 
     Finite elements against the Fourier ring, one value per level.
     """

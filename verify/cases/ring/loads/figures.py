@@ -34,7 +34,7 @@ def figures(self: SpragLoads) -> Iterator[AlongLine | Drawn]:
 
 
 def around(q: SpragLoads) -> Array:
-    """Angles over half a pitch, as shares of it, shape (m,); dense near the contact patch."""
+    """Angles over half a pitch, as fractions of half a pitch, (m,); dense near the patch."""
     alpha = q.half_width / q.radius * q.n / np.pi
     near = np.linspace(0, min(3 * alpha, 0.9), 40)
     return np.asarray(np.concatenate([near, np.linspace(near[-1], 1, 60)[1:]]))

@@ -267,7 +267,7 @@ class RotatingRace(Case):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the race yields, or if its growth is relevant against the deflection."""
+        """Warnings if the race yields, or grows by more than 1 % of its deflection under sprags."""
         stress = self.hoop_bore
         if self.R_p is not None and stress > self.R_p:
             yield (
