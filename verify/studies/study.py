@@ -15,7 +15,7 @@ class Study:
 
     `is_measured` states whether a case has a record for the present code. `measure` computes cases,
     stores each record as soon as it is complete and prints a line for it; it returns False if a
-    part failed. With its last argument, failed parts are computed again.
+    part failed. If its last argument is True, failed parts are computed again.
     """
 
     name: str

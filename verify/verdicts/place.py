@@ -76,7 +76,7 @@ def _limit(one: VerdictRange) -> float:
 def _at_default(found: FormulaVerdict, case: str) -> Where:
     """OUTSIDE if the error at the default inputs of this case exceeds the widest accuracy class.
 
-    Otherwise INSIDE. Only the case with the largest error can be outside.
+    The position is otherwise INSIDE. Only the case with the largest error can be OUTSIDE.
     """
     size = abs(found.error or 0.0) + (found.U or 0.0)
     is_here = found.worst_row.partition("/")[0] == case
@@ -107,9 +107,9 @@ def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:
 def _outside(ranges: Sequence[VerdictRange], part: Part) -> str:
     """Text with the ranges within the largest limit that do not contain the inputs.
 
-    The range of a study is the largest range without an error beyond the limit. Errors outside of
-    it can be within the limit. They are within it if the range of another study contains the
-    inputs.
+    The range of a study is the largest range in which all errors are within the limit. Errors
+    outside this range can be within the limit, too; this is certain if the range of another study
+    contains the inputs.
     """
     limit = percent(ranges[0].limit)
     sides = [

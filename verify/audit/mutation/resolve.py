@@ -29,7 +29,8 @@ def formulas_in(case: Case) -> frozenset[str]:
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
     """Cases with valid stored levels for a mutant of `module`, and cases to solve with the mutant.
 
-    The latter are divided into fast and slow cases. Cases that take too long are not included.
+    The cases to solve are divided into fast and slow cases. Cases that take too long are not
+    included.
     """
     stored = [bench for bench in benches if module not in formulas_in(bench.load.case)]
     moved = [

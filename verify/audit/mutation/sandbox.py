@@ -122,7 +122,7 @@ class Forks(Executor):
     def _conclude(self, pipe: int, otherwise: str) -> None:
         """End a child process.
 
-        Its result is its output, or `otherwise` if the output is incomplete.
+        The result of the process is its output, or `otherwise` if the output is incomplete.
         """
         child = self.children.pop(pipe)
         self.selector.unregister(pipe)

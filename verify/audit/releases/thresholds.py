@@ -152,7 +152,8 @@ def scale_limit(was: Kept, now: Kept) -> float:
 def margin_limit(was: Kept, now: Kept) -> float:
     """Permissible change of the margin of a fact [unit].
 
-    This is its numerical error or 10 % of the margin at the release, whichever is larger.
+    This is the numerical error of the margin, or 10 % of the margin at the release, whichever is
+    larger.
     """
     error = math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
     return max(error, BAND_SHARE * abs(was.difference or 0.0))

@@ -74,9 +74,9 @@ def removed(
 ) -> Part:
     """Contribution of a cause, from errors (with it, without it) on meshes from coarse to fine.
 
-    The contribution is that on the finest of these meshes. Its uncertainty is its change between
-    the two finest meshes. If there is one mesh only, the uncertainty is the difference between the
-    error on this mesh and the error `finest` on the finest mesh of the case.
+    The contribution is that on the finest of these meshes. Its uncertainty is the change of the
+    contribution between the two finest meshes. If there is one mesh only, the uncertainty is the
+    difference between the error on this mesh and the error `finest` on the finest mesh of the case.
     """
     found = [with_it - without for with_it, without in pairs]
     if not found or not all(map(math.isfinite, found)):

@@ -112,7 +112,8 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
     """Rerun with both causes of a pair removed; None if they cannot be removed together.
 
-    They cannot if both reruns have separate finite elements, or if one is applied after another.
+    This is the case if both reruns have separate finite elements, or if one of them is applied
+    after another rerun.
     """
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):

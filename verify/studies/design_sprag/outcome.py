@@ -31,8 +31,8 @@ MOST_JOBS = 2
 class Bound:
     """A bound that the optimal crown reaches.
 
-    `parameter` is the number of its parameter. `gain` is the relative reduction of the objective if
-    the parameter has the value `beyond`, outside the range.
+    `parameter` is the number of the bounded parameter. `gain` is the relative reduction of the
+    objective if the parameter has the value `beyond`, outside the range.
     """
 
     parameter: int
@@ -116,7 +116,8 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     """Optimal crown of a task, with all comparisons.
 
     Raises InputError, in one line, if no crown can be trusted. The line states whether engagements
-    do not lock or could not be solved. The latter says nothing about the clutch.
+    do not lock or could not be solved. Engagements that could not be solved say nothing about the
+    clutch.
     """
     try:
         with progress.shown(quiet=quiet) as show:

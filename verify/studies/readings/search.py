@@ -36,8 +36,8 @@ LEAST_DIGITS = 99.5  # units of the last printed place
 class Reading:
     """One named change of the inputs or of the result.
 
-    Two readings that change the same thing, `of`, exclude each other. `rounding` contains the
-    rounding errors of inputs under this reading.
+    Two readings with the same `of` change the same item and exclude each other. `rounding` contains
+    the rounding errors of inputs under this reading.
     """
 
     name: str
@@ -65,10 +65,11 @@ class Outcome:
     """Result of a search.
 
     `as_it_stands` is the result without a change, None if the formula has no value. `met` states
-    whether it gives the printed number. `hits` are the matching combinations, sorted by the number
-    of changes, then by the effect of rounding. `chance[k]` is the expected number of chance matches
-    among combinations of at most k changes. It refers to a number anywhere within a factor of 2 of
-    the printed number, or of 1.15 if this gives more. `found` are all combinations with a value.
+    whether this result gives the printed number. `hits` are the matching combinations, sorted by
+    the number of changes, then by the effect of rounding. `chance[k]` is the expected number of
+    chance matches among combinations of at most k changes. This count refers to a number anywhere
+    within a factor of 2 of the printed number, or within a factor of 1.15 if that count is larger.
+    `found` are all combinations with a value.
     """
 
     printed: str
@@ -251,8 +252,8 @@ def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
 def window(value: float, half: float, printed: float, span: float) -> float:
     """The probability that a number is within `half` of `value`.
 
-    It is anywhere within a factor `span` of `printed`, uniform in its logarithm, and has the sign
-    of the printed number.
+    The number is anywhere within a factor `span` of `printed`, with a uniformly distributed
+    logarithm and the sign of `printed`.
 
     >>> round(window(100.0, 1.0, 100.0, 2.0), 4)
     0.0144

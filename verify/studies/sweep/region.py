@@ -65,9 +65,10 @@ class Region:
 
     `box` is the largest box, with `held` points; it is empty if no point is inside. For a star, it
     contains the longest range on each axis. `base` [SI] is the point from which `breaks` is
-    searched. If they are inside, the nominal inputs are the base (`nominal`), or the grid point
-    nearest to them; otherwise, it is the middle of the box. `at_nominal` is the verdict at the
-    nominal inputs, None if the grid does not contain them.
+    searched. If the point nearest to the nominal inputs is inside, this point is the base, and
+    `nominal` is True. Otherwise, the base is the middle of the box, or None for a star.
+    `at_nominal` is the verdict at the point nearest to the nominal inputs, None if these are
+    outside the grid.
     """
 
     limit: float

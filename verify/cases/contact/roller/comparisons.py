@@ -138,8 +138,8 @@ Scale = float | Callable[[], float]
 def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
     """Function that returns the values of `key` by strips and by the half-space, as a pair.
 
-    The error in its text is relative to the value of the half-space, or to `scale` if this value
-    is nearly zero.
+    The error in the text of the pair is relative to the value of the half-space, or to `scale` if
+    this value is nearly zero.
     """
 
     def pair(context: Context) -> Pair:

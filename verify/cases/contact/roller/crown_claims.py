@@ -98,7 +98,7 @@ def _spread(found: Array) -> float:
 def straight(context: Context) -> tuple[float, float, str]:
     """Shift of the start of the crown by z_m, plus distances of the start from (1 - K_2) l/2.
 
-    Relative to l/2, with its uncertainty and a text.
+    The sum is relative to l/2. The function also returns its uncertainty and a text.
     """
     q = context.inputs
     y = np.linspace(0, q.L / 2, 20001)
@@ -116,8 +116,8 @@ def straight(context: Context) -> tuple[float, float, str]:
 def first_contact(context: Context) -> tuple[float, float]:
     """Limit of the end of contact minus the end, both over l/2, and the uncertainty.
 
-    The limit is the end of the straight middle plus NEXT l/2. Crown of Fig. 13a, strips, load
-    FIRST F.
+    The limit is the end of the straight middle plus NEXT l/2. The contact is computed by strips,
+    for the crown of Fig. 13a and the load FIRST F.
     """
     q = context.inputs
     light = q.designed(Design(1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})

@@ -26,7 +26,7 @@ EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope 
 def solve_fem(q: "EndFace", level: int) -> Level:
     """Results of the roller with end face and of the control, each without and with crown.
 
-    They include the pressure near the edge of a ring on a longer shaft.
+    The results include the pressure near the edge of a ring on a longer shaft.
     """
     from fem.fourier.shrunk import edge_slope
 

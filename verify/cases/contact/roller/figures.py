@@ -62,7 +62,7 @@ def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]
 def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
     """Figure of p(y) by all models and the half-space, for the roller `of`.
 
-    `key` is the suffix of the names of its arrays.
+    `key` is the suffix of the names of the arrays of this roller.
     """
     q = of or context.inputs
     models = list(modelled(q))

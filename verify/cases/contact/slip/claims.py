@@ -54,7 +54,8 @@ def l2_margin(
 ) -> Callable[[Context], tuple[float, float]]:
     """Function that returns `L2` minus the relative L2 error of the values `name`.
 
-    The error is the difference to `formula` at `at`, relative to its norm at `scale_at`.
+    The error is the difference to `formula` at `at`, relative to the norm of `formula` at
+    `scale_at`.
     """
 
     def margin(context: Context) -> tuple[float, float]:

@@ -152,7 +152,7 @@ def shares(context: Context) -> Pair:
 def falls(context: Context) -> tuple[float, float, str]:
     """Smallest decrease of |K_mid - K_∞| between successive numbers of flats, from 12 flats on.
 
-    With its uncertainty and a text.
+    The function also returns the uncertainty of the decrease and a text.
     """
     limit, over = context.inputs.K_many, [z for z in FLATS if z >= FROM]
     on = [

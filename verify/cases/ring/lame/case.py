@@ -251,7 +251,7 @@ class Ring(Case):
 def displacement_errors(edges: str) -> Any:
     """Function that returns mesh sizes and relative L2 errors of the displacement field.
 
-    Long ring against Lamé; `edges` is "_straight" for straight cell edges.
+    The long ring is compared with Lamé's solution. `edges` is "_straight" for straight cell edges.
     """
 
     def errors(context: Context) -> tuple[list[float], list[float]]:

@@ -122,7 +122,7 @@ def _smeared(
 def wall_errors(context: Context) -> list[float]:
     """Largest differences of u_r and u_theta at nodes of both walls, relative to u_r at the load.
 
-    Finite elements against the Fourier ring, one value per level.
+    Finite elements are compared with the Fourier ring. The list has one value per level.
     """
     q = context.inputs
     ring, found = q.race(), []
@@ -139,7 +139,7 @@ def wall_errors(context: Context) -> list[float]:
 def stress_errors(context: Context) -> list[float]:
     """Largest differences of the three stresses at `stations`, relative to the largest stress.
 
-    Finite elements against the Fourier ring, one value per level.
+    Finite elements are compared with the Fourier ring. The list has one value per level.
     """
     exact = context.inputs.race().at(*stations(context.inputs))
     wanted = np.array([exact.sigma_r, exact.sigma_theta, exact.tau])
