@@ -45,7 +45,7 @@ class Both:
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes of changes that make the row fail in its reference, but not in a formula."""
+        """Sizes of changes at which a changed reference, but no changed formula, fails the row."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:

@@ -53,7 +53,7 @@ def without(case: Case) -> tuple[Without, ...]:
 
 
 def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
-    """Rerun with an exact contact law and more integration points; empty if there is no contact."""
+    """Rerun with an exact contact law and more points; empty if no contact law is integrated."""
     modules = reached(case)
     return tuple(
         Rerun(

@@ -23,7 +23,7 @@ def half(name: str) -> float:
 
 
 def error(q: Mapping[str, Any]) -> float:
-    """Difference [%] of prediction and actual value, over one of them or a mean, to a power."""
+    """Difference of two values over one of them or their mean, raised to a power [%]."""
     base = q["actual"] + q["of"] * (q["predicted"] - q["actual"])
     return float(100 * (abs(q["actual"] - q["predicted"]) / base) ** q["power"])
 
