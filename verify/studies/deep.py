@@ -26,7 +26,7 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
 
 
 def _chosen(study: Study, names: Sequence[str]) -> Sequence[Case]:
-    """The cases of a study that the names select; ValueError for an unknown one."""
+    """The cases of a study that the names select; ValueError for an unknown name."""
     if not names:
         return study.cases()
     return study.chosen([name for name in dict.fromkeys(names) if _study_of(name) is study])

@@ -127,7 +127,7 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
 
 
 def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
-    """Sorting key of a row: its error on the unsafe side for an unsafe formula, then its size."""
+    """Sorting key of a row: error on the unsafe side (unsafe formulas), then size of the error."""
     is_unsafe = head.verdict is Verdict.UNSAFE
     return on_unsafe_side([point], head.safe) if is_unsafe else 0.0, point.size
 

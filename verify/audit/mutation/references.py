@@ -93,7 +93,7 @@ def _both(check: Check, context: Context) -> list[Both]:
 
 
 def _has_formula(one: Tried) -> bool:
-    """Whether a formula is one side of the row, so that an error of the formula must fail it."""
+    """Whether one side of the row is a formula, so that a wrong formula must fail the row."""
     return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
