@@ -215,7 +215,7 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
 
 
 def _with_units(parts: Sequence[str]) -> Sequence[str]:
-    """Numbers with units; the unit of the last number applies to others without: 2:6mm is 2mm:6mm."""
+    """Numbers with units; the unit of the last number is the default: 2:6mm is 2mm:6mm."""
     of_last = _UNIT.search(parts[-1])
     return [part if _UNIT.search(part) or not of_last else part + of_last[0] for part in parts]
 
