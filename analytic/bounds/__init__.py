@@ -1,1 +1,1 @@
-"""Expected errors of formulas, computed before a comparison and without the formulas."""
+"""Expected errors of formulas, computed before a comparison and independently of the formulas."""

@@ -25,7 +25,7 @@ Interval = tuple[float, float]
 def smeared_error(
     *, mean: float, at: float, load: float, indentation: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Interval of the error of Eq. 6 plus `added` against `at` minus `indentation`.
+    """Interval of the error of `mean` plus `added`; the reference is `at` minus `indentation`.
 
     The displacements [length] are those of the loaded wall: its `mean`, `at` the place, and at a
     `load`. The tolerance is ACCEPTED. None if `at` minus `indentation` is less than PART of the
@@ -44,7 +44,7 @@ def smeared_error(
 
 
 def integrated_dent(depth: float, *, P: float, a: float, E: float, nu: float) -> float:
-    """Shortening [length] of the axis of a contact down to `depth` in a half plane, plane stress.
+    """Shortening [length] between a contact and the depth `depth` below it in plane stress.
 
     The load P per length has an elliptic distribution over the half-width a.
     """

@@ -63,7 +63,7 @@ def approach_to_rim(
 
 
 def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -> float:
-    """Sum of delta_n (no unit): effect of the fixed rim on the approach.
+    """Sum of the terms delta_n (no unit) by which the fixed rim changes the approach.
 
     >>> round(rim_constant(r_i=1.0, r_o=1.4, nu=0.3, assumption="plane strain"), 3)
     -1.493

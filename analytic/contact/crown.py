@@ -68,7 +68,7 @@ def johns_gohar(
     half_width: ArrayLike,
     E_star: ArrayLike,
 ) -> Array:
-    r"""Drop [length] of Johns and Gohar's crown; `half_width` b is Hertz's under `load`.
+    r"""Drop [length] of Johns and Gohar's crown; `half_width` b is Hertz's value under `load`.
 
     .. math:: z = \frac{W}{\pi l E^*}
         \ln\frac{1}{1 - \left(1 - \frac{0.3033\, b}{l/2}\right)(2y/l)^2}

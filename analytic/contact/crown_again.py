@@ -38,7 +38,7 @@ def lundberg(*, load: float, length: float, E_star: float) -> Gap:
 
 
 def johns_gohar(*, load: float, length: float, half_width: float, E_star: float) -> Gap:
-    """Johns and Gohar's crown with their printed constant 0.3033, the factor of 2b/l."""
+    """Johns and Gohar's crown with the constant 0.3033 as printed, which is multiplied by 2b/l."""
     left = 1 - 0.3033 * 2 * half_width / length
 
     def drop(y: Array) -> Array:

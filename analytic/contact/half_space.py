@@ -96,7 +96,7 @@ class HalfSpace:
         return found
 
     def influence(self, gap: Array) -> Convolution:
-        """Influence coefficients, on half of the grid if `gap` is symmetric; computed once."""
+        """Influence coefficients, for half of the grid if `gap` is symmetric; computed once."""
         near = MIRROR * np.ptp(gap)
         mirrored = tuple(
             n % 2 == 0 and bool(np.abs(gap - np.flip(gap, axis)).max() <= near)

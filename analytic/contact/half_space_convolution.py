@@ -25,7 +25,7 @@ Spectrum = NDArray[np.float64] | NDArray[np.complex128]
 
 
 class Convolution:
-    """Influence of a grid of `shape` cells; half of the cells along each `mirrored` axis.
+    """Influence coefficients of a grid of `shape` cells, for half the cells along `mirrored` axes.
 
     A mirrored axis must have an even number of cells.
     """

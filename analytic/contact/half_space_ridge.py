@@ -1,4 +1,4 @@
-"""Cell-independent results of a roller on a half-space, and a suitable grid.
+"""Results of a roller on a half-space that do not depend on the cells, and a suitable grid.
 
 The pressure at a loaded end is unbounded. Therefore, the results are the largest pressure outside
 the end zones of length d and the load of the end zones.
@@ -95,7 +95,7 @@ def press_ridge(
     crown: Callable[[Array], Array], *, across: int, along: int, load: float, R: float,
     length: float, E_star: float, d: float,
 ) -> Ridge:  # fmt: skip
-    """Contact on a grid with a line of cells along each edge of the contact at mid-length.
+    """Contact on a grid that has a grid line at each edge of the contact at mid-length.
 
     `across` is the number of cells on the half-width, `along` the number of cells on the length of
     the roller, `crown` the function of its profile. A coarse solution gives the width of the

@@ -51,7 +51,7 @@ class RollerContact:
 
     @property
     def half_width(self) -> Array:
-        """Half-width b [length] of the ellipse with equal second moment; 0 without load."""
+        """Half-width b [length] of the semi-ellipse with the same second moment; 0 without load."""
         p, x = self.contact.pressure, self.contact.x[:, None]
         total = p.sum(axis=0)
         share = p / np.where(total > 0, total, 1.0)
@@ -69,7 +69,7 @@ class RollerContact:
         return float(self.centre_pressure.max())
 
     def end_load(self, stretch: float) -> tuple[float, float]:
-        """Loads [force] within `stretch` of the ends -l/2, l/2; a cut cell counts partly."""
+        """Loads [force] within `stretch` of the ends -l/2, l/2; a cut cell counts in proportion."""
         stretch = float(positive(stretch, "stretch", "m"))
         if stretch > self.length:
             raise ValueError(f"stretch must not exceed the length {self.length} m, got {stretch} m")

@@ -49,7 +49,7 @@ CATALAN = 0.915965594177219
 
 @dataclass(frozen=True, kw_only=True)
 class Excess:
-    """Relative excess of the true value over Hertz's value under the same load, by order."""
+    """Relative excess of the true value over Hertz's value under the same load, split by order."""
 
     first: float  # of the order beta a/R
     second: float  # of the order (a/R)²
@@ -71,7 +71,7 @@ def excess(
     nu_2: float,
     assumption: Assumption,
 ) -> tuple[Excess, Excess]:
-    """Relative excess of the peak pressure and of the half-width from moments (no unit).
+    """Relative excess over Hertz of the peak pressure and of the half-width by moments (no unit).
 
     `a` is Hertz's half-width; an infinite R_2 is a flat.
 

@@ -124,7 +124,7 @@ def contact_pressures(
 def pressure_of_overlap(
     inner: Wall, outer: Wall, *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
 ) -> float:
-    """Pressure [stress] on the rim of `inner`; before assembly, its r_o exceeds r_i of `outer`.
+    """Pressure [stress] on the rim of `inner`, whose r_o exceeds r_i of `outer` before assembly.
 
     Each wall has its initial radius. Both surfaces transmit the same force, so that the pressure on
     the outer wall is r_o/r_i times the pressure on the inner wall. `contact_pressures` uses one

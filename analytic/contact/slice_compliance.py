@@ -54,7 +54,7 @@ def love(distance: ArrayLike, width: ArrayLike, half_width: ArrayLike) -> Array:
 
 
 def compliance_matrix(weights: ArrayLike, *, compliance: ArrayLike) -> Array:
-    """Matrix S for symmetric `weights` (..., n, n) and the compliance s of a slice, (...).
+    """Matrix S (..., n, n) from symmetric `weights` (..., n, n) and the `compliance` s of a slice.
 
     Raises ValueError unless the weights are positive definite; otherwise, S has no unique solution.
 

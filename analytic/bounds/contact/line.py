@@ -28,7 +28,7 @@ class OnFlat:
 
     @property
     def pressure(self) -> Estimate:
-        """Expected error of the peak pressure; the tolerance is the next term, (a/R)⁴."""
+        """Expected error of the peak pressure; the tolerance is the next term, of order (a/R)⁴."""
         return self._second_order(PRESSURE)
 
     @property
@@ -38,7 +38,7 @@ class OnFlat:
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach, relative to the bracket that contains the logarithm."""
+        """Expected error of the approach, relative to its factor 2 ln(4 R/a) - 1."""
         error, slack = self._second_order(APPROACH)
         return Estimate(error / float(2 * np.log(4 / self.ratio) - 1), slack)
 
@@ -52,7 +52,10 @@ class OnFlat:
 
 
 def of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
-    """First-order error of the largest shear stress, by disc shape and `inclined` pressure."""
+    """First-order error of the largest shear stress, by the round disc and the curved contact line.
+
+    `inclined` is the curvature of the contact line times the half-width.
+    """
     first = float(shear_series.shear_excess(a=a, R=R))
     first += shear_series.tilted_shear_excess(inclined)
     return Estimate(1 / (1 + first) - 1, slack)

@@ -65,12 +65,12 @@ class OfDiscs(TwoBodies):
 
     @property
     def coupled(self) -> float:
-        """First-order effect of the coupling by different materials [1]."""
+        """Sum of the first-order effects [1] of different materials on pressure and half-width."""
         return abs(self.series[0].first) + abs(self.series[1].first)
 
     @property
     def pressure(self) -> Estimate:
-        """Expected error of the peak pressure, from the series.
+        """Expected error of the peak pressure, from the asymptotic series.
 
         The tolerance contains the square of the terms of the series, and the first-order term times
         a/R.
@@ -92,12 +92,12 @@ class OfDiscs(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach: zero, within e²/2 plus the coupling."""
+        """Expected error of the approach: zero; the tolerance is e²/2 plus `coupled`."""
         return Estimate(0.0, self.e**2 / 2 + self.coupled)
 
     @property
     def shear(self) -> Estimate:
-        """Expected error of the largest shear stress; the tolerance is e² plus the coupling.
+        """Expected error of the largest shear stress; the tolerance is e² plus `coupled`.
 
         For equal discs, the term of order e² is 0.57 e².
         """
@@ -122,7 +122,7 @@ class InRace(TwoBodies):
 
     @property
     def coupled(self) -> float:
-        """First-order effect of the coupling by different materials [1]."""
+        """First-order effect beta kappa a [1] of different materials on pressure and half-width."""
         return float(dundurs_beta(**self.materials, assumption=PLANE)) * self.kappa * self.a
 
     @property
@@ -137,7 +137,7 @@ class InRace(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach: zero, within `small`/2 plus the coupling.
+        """Expected error of the approach: zero; the tolerance is `small`/2 plus |`coupled`|.
 
         The brackets of the approach are at least 2.
         """
@@ -145,7 +145,7 @@ class InRace(TwoBodies):
 
     @property
     def shear(self) -> Estimate:
-        """Expected error of the largest shear stress; the tolerance is `small` plus coupling."""
+        """Expected error of the largest shear stress; the tolerance is `small` plus |`coupled`|."""
         inclined, slack = self.kappa * self.a, self.small + abs(self.coupled)
         return of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
 

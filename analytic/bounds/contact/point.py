@@ -7,7 +7,7 @@ from analytic.bounds.contact.estimate import Estimate
 
 
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
-    """Expected error of a formula whose true value is larger by the fraction `excess`.
+    """Expected error of a formula, if the true value is the formula times 1 + `excess`.
 
     `excess` is the first correction for finite spheres. The value is proportional to the approach
     to the `power`: 3/2 for the load.
@@ -19,7 +19,7 @@ def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
 
 
 def axis_shear(*, beyond: float) -> Estimate:
-    """Expected error of the largest shear stress on the axis: zero, within a/R.
+    """Expected error of the largest shear stress on the axis: zero; the tolerance is a/R.
 
     The pressure on the curved surface is inclined by r/R. On the axis, this adds the fraction a/R
     of p_0 to the shear stress.

@@ -23,7 +23,7 @@ def of_strips(
     loaded: bool,
     user_inputs: bool,
 ) -> Interval | None:
-    """Interval of strips/half-space - 1, from the error estimate of the strips only.
+    """Interval of the error strips/half-space - 1, estimated without solving the half-space.
 
     The interval extends from half to twice the error `missing` of the `value`. On both sides, the
     remaining first-order error of the strips is added: twice the change of the value with `twice`

@@ -1,4 +1,4 @@
-"""Expected errors of the formulas of a drawn cup, from enclosing rings and from dimensions.
+"""Expected errors of the formulas of a drawn cup, from its dimensions and from enclosing rings.
 
 The torque causes wind-up of cup and shaft. At a given torque, errors increase near the torque
 maximum, where a small additional compliance reduces the torque considerably. Therefore, the whole
@@ -37,7 +37,7 @@ Factors = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Approaches:
-    """Approaches d_i, d_o [length] of a cup as a function `of` the normal force.
+    """Approaches d_i, d_o [length] of a cup; the function `of` computes them from the normal force.
 
     `top` is N at the torque maximum. `Course` multiplies the approaches by factors; expected errors
     follow from the ratios of two curves.
@@ -49,7 +49,7 @@ class Approaches:
 
 @dataclass(frozen=True)
 class Course:
-    """Torque curve of a cup over N, with approaches and torque multiplied by factors."""
+    """Torque of a cup as a function of N, with approaches and torque multiplied by `factors`."""
 
     cup: FreewheelParts
     approaches: Approaches
@@ -73,7 +73,7 @@ class Course:
         return float(self.states[3].max())
 
     def at(self, T: float) -> dict[str, float]:
-        """N [N], alpha [rad], s [m] and rolling phi [rad] under T [N m], by name.
+        """Force N [N], angle alpha [rad], arc s [m] and rolling phi [rad] under T [N m], by name.
 
         If T exceeds the maximum torque, the values are those at the maximum.
         """
@@ -110,7 +110,7 @@ class CupBounds:
 
     @property
     def corners(self) -> tuple[Factors, ...]:
-        """Factors of approaches and torque at all combinations of their limits."""
+        """Factors of approaches and torque at all combinations of the limits of their intervals."""
         return tuple(
             (i / self.at.d_i, o / self.at.d_o, 1 + t)
             for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
@@ -136,12 +136,12 @@ class CupBounds:
         ]
 
     def under_torque(self, key: str) -> Interval:
-        """Interval of the error of N, alpha or s at this torque."""
+        """Interval of the error of N, alpha or s at the torque of the state."""
         own, corners = self._at_torque
         return enclosed(own[key], [c[key] for c in corners])
 
     def slope(self) -> Interval:
-        """Interval of the error of tan(alpha) at this torque."""
+        """Interval of the error of tan(alpha) at the torque of the state."""
         own, corners = self._at_torque
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
@@ -159,7 +159,7 @@ class CupBounds:
         return enclosed(own["phi"], [low, high])
 
     def torque(self) -> Interval:
-        """Interval of the error of T at this normal force."""
+        """Interval of the error of T at the normal force of the state."""
 
         def tan(i: float, o: float) -> float:
             return math.tan(float(self.cup.alpha(d_i=i * self.at.d_i, d_o=o * self.at.d_o)))
@@ -172,7 +172,7 @@ class CupBounds:
         return enclosed(own, [self._course(f).summit for f in self.corners])
 
     def force_at_angle(self, psi: float) -> Interval:
-        """Interval of the error of N at the angle psi [rad], which the approaches determine."""
+        """Interval of the error of the normal force that causes the angle psi [rad]."""
         own = self._course(self.middle).force(psi)
         return enclosed(own, [self._course(f).force(psi) for f in self.corners])
 

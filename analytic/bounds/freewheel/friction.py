@@ -42,7 +42,7 @@ class FrictionBounds:
         return self._wider(self.star.force())
 
     def whole_load(self) -> Interval:
-        """Interval of the error of Eq. 8 with F_ax of Eq. 9, z times the force of a roller."""
+        """Interval of the error of Eq. 8 with F_ax of the clutch, z times the value of a roller."""
         more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
         return times(self.one_contact(), more, SAME_EQUATION)
 
@@ -82,7 +82,7 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """Interval of the error of a function of tan(alpha), whose error is within `slope`.
+    """Interval of the error of the function `of` tan(alpha); the error of tan(alpha) is `slope`.
 
     None if tan(alpha) may reach mu, so that the torque alone would expel the rollers.
 

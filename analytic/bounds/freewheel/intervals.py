@@ -51,7 +51,9 @@ def enclosed(value: float, others: list[float]) -> Interval:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """Interval of the error of a formula that is `ratio` times another formula, within `spread`.
+    """Interval of the error of a formula that equals `ratio` times another formula.
+
+    `interval` is the interval of the other formula, `spread` the relative uncertainty of `ratio`.
 
     >>> times((-0.5, 0.5), 2.0)
     (0.0, 2.0)

@@ -1,4 +1,4 @@
-r"""Input of the bounds of a roller freewheel: its parts, a second formula of its wedge, one state.
+r"""Input of the bounds of a roller freewheel: its parts, one state, a second formula of its wedge.
 
 The centre of the roller is at the distance rho from the axis, and at the distance y from a line
 through the axis parallel to the flat: cos(2 alpha) = y/rho, so that
@@ -74,12 +74,12 @@ class FreewheelParts:
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc [length] of the centre of the roller relative to the cam, from no load."""
+        """Arc [length] of the path of the roller's centre relative to the cam, from no load."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha(d_i=0.0, d_o=0.0))
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 
     def rolled(self, *, d_i: Array, d_o: Array) -> Array:
-        """Rolling angle [rad] between the parts along a path of approaches from no load.
+        """Relative rotation [rad] of cam and race by rolling, along approaches that begin at zero.
 
         R dphi = (1 + cos psi) dx - sin psi dy. The terms x + y arsinh(x/y) are integrated exactly,
         the small remainder by the trapezoidal rule.
@@ -103,7 +103,7 @@ Parts = FreewheelParts  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True)
 class Loaded:
-    """State by the formulas, as input of bounds [force, force x length, rad, length].
+    """State of a freewheel, as input of bounds [force, force x length, rad, length].
 
     It contains `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
     """
@@ -125,7 +125,7 @@ class Loaded:
 def approach(
     P: Array, a: Array, *, E: Array, l: float, k: Array | float, c: Array | float = 0.0  # noqa: E741
 ) -> Array:  # fmt: skip
-    """Approach [length] of a body with the constants k, c under P [force/length] on half-width a.
+    """Approach [length] of a body with the constants l, k, c under P [force/length]; half-width a.
 
     It is P/(pi E') (2 ln(l/a) + k + c a/l), with an error of second order in a/l.
     """
@@ -133,5 +133,5 @@ def approach(
 
 
 def half_roller(parts: FreewheelParts, P: Array, a: Array) -> Array:
-    """Approach [length] between a contact and the centre of the roller, k = 2 ln 4 - 1."""
+    """Approach [length] between a contact and the centre of the roller, with k = 2 ln 4 - 1."""
     return approach(P, a, E=parts.plane[0], l=parts.r, k=2 * np.log(4) - 1)

@@ -1,4 +1,4 @@
-r"""Constants of rings and clamped discs under line loads, by transfer over ln r.
+r"""Constants k of the deflection of rings and clamped discs under line loads (transfer matrices).
 
 For a wave cos(m theta) of the displacements u, v and of S = r sigma_r, Q = r tau (divided by E'),
 Hooke's law and the two equations of equilibrium are, with t = ln r,

@@ -1,4 +1,4 @@
-"""Time at which a load path reaches the capacity of a clutch: second formulation.
+"""Time at which a load path reaches the capacity of a clutch, by a second formulation.
 
 It verifies the times of slip that follow from `load_path` and the criterion. It uses only the
 definitions of the load paths of the test rig (Nagler, Lohrengel, Sec. 6):
@@ -39,7 +39,9 @@ class Rig:
     duration: float
 
     def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
-        """First time [s] at which a path requires more than `F` [N]; infinite if it never does.
+        """First time [s] at which the clutch slips on the load path; infinite if it does not slip.
+
+        `path` is the number of the load path.
 
         `F` is the axial load at slip, under the torque T or, for path 3, under T_critical. There,
         the required friction equals the available friction. `tan` is used only for path 3.
@@ -79,7 +81,7 @@ class Rig:
         return float(brentq(beyond, times[k - 1], times[k])) if k else start
 
     def tangent(self, sines: tuple[float, float], mu_req: tuple[float, float]) -> Tangent:
-        """Function tan(alpha) of the torque [N m]: a line through two required frictions of path 3.
+        """Function tan(alpha) of the torque [N m]: a line through two points of path 3.
 
         Both are values at the end of the path for two values of its sine. From 0.3 to 1 times the
         torque of the synthetic clutch, the error of the line is below 2e-3.

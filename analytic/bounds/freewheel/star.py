@@ -1,4 +1,4 @@
-"""Expected errors of the formulas of a star, from enclosing bodies and from dimensions.
+"""Expected errors of the formulas of a star, from its dimensions and from enclosing bodies.
 
 The approach of the star lies between those of a layer and of two discs (`star_bracket`). The torque
 also causes a wind-up of the star on its bore, by which the flat under the roller moves inwards. All
@@ -90,7 +90,7 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Interval of the error of tan(alpha); with `tilted`, that of a single contact."""
+        """Interval of the error of tan(alpha), the mean F_t/N; if `tilted`, F_t/N at a contact."""
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more
@@ -107,7 +107,10 @@ class StarBounds:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
-        """Interval of the error of N at a given angle, which fixes the sum of both approaches."""
+        """Interval of the error of the normal force at a given angle.
+
+        The angle determines the sum of both approaches.
+        """
         size = sum(self.own.values())
         low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
         return low**STEEPER - 1, high**STEEPER - 1

@@ -38,7 +38,9 @@ def expected_approach(star: FreewheelParts, P: ArrayLike) -> tuple[Array, Array]
 
 
 def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
-    """Approach d_i [length] of a disc through the contact, interpolated between two discs.
+    """Approach d_i [length] of a disc whose rim contains the contact point on the flat.
+
+    It is interpolated between discs whose radii are those of the flats and of the corners.
 
     It is the expected approach of a star, to second order in the height of the corners.
     """
@@ -51,7 +53,7 @@ def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:
-    """Constant k of a bonded layer of height 1 under loads at the distance `pitch`, for l = 1.
+    """Constant k of a bonded layer of height 1 under loads with the spacing `pitch`, for l = 1.
 
     >>> [round(layer_constant(pitch=p, kappa=1.8), 2) for p in (500.0, 5.0)]  # others hardly matter
     [1.33, 1.33]

@@ -38,13 +38,16 @@ class Moved:
 def turned(
     ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float, f_i: float, f_o: float
 ) -> float:
-    """Sensitivity dalpha/dX [rad/length] between both `ends`; `f_i`, `f_o` scale the approaches."""
+    """Sensitivity dalpha/dX [rad/length]: slope between both `ends`, which are displaced by ±`off`.
+
+    `f_i` and `f_o` are factors of the approaches.
+    """
     low, high = (end.angle(F_t, bounds.at.N, f_i, f_o) for end in ends)
     return (high - low) / (2 * off)
 
 
 def of_turn(ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float) -> Interval:
-    """Interval of the error of dalpha/dX at F_t, with approaches within their `bounds`.
+    """Interval of the error of dalpha/dX at F_t; the approaches lie within the bounds of `bounds`.
 
     The flats of `ends` are displaced by -`off` and `off` [length].
     """

@@ -52,12 +52,12 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Tolerance of the series of the forces, with the half-widths of both contacts [m]."""
+        """Relative tolerance of forces by the series, from the half-widths [m] on ring and race."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Tolerance of the series of the approach of ring and roller, with both half-widths [m]."""
+        """Relative tolerance of an approach by the series, from both half-widths a, a_race [m]."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
@@ -81,7 +81,7 @@ class RollerOnRing:
         return about(1 / (1 + WIDTH * coupled) - 1, (2 * a / self.d) ** 2 + BLUNT)
 
     def bent(self, *, R_b: float, e: float) -> float:
-        """Relative change of the half-width by bending of the wall, a beam of length 2 e.
+        """Relative change of the half-width by bending of the wall, a beam of the length 2 e.
 
         R_b is the hub force per length. It changes the curvature of the ring by R_b e/(2 E I). The
         half-width is proportional to the root of the relative radius.
@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Standard uncertainty of a largest stress, whose fraction `rollers` is due to rollers."""
+        """Relative uncertainty of a largest stress; rollers cause the fraction `rollers` of it."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:
@@ -112,7 +112,7 @@ def about(m: float, slack: float) -> Interval:
 
 
 def over_series(value: float, series: float, slack: float) -> Interval:
-    """Interval of the error of a formula with `value`; its reference is a `series` within `slack`.
+    """Interval of the error of `value`; the reference lies within the fraction `slack` of `series`.
 
     >>> [round(m, 6) for m in over_series(3.0, 2.0, 0.01)]
     [0.485, 0.515]

@@ -60,7 +60,7 @@ class Flat:
 
     @property
     def left(self) -> float:
-        """Fraction of a roller force that pressure must contribute."""
+        """Fraction of a roller force due to pressure; the hub force causes the rest."""
         lever = float(abs(self.at[0] * self.force[1] - self.at[1] * self.force[0]))
         counted = float(self.force @ self.towards)
         return 1 - counted * self.parts.grip * self.parts.D_i / 2 / lever
@@ -77,7 +77,10 @@ class Flat:
 
 
 def filleted(parts: FlatParts, touching: float) -> Flat:
-    """Flat with contact at the pressure `touching` [Pa]; hub force projected on its normal."""
+    """Flat that touches the rollers at the pressure `touching` [Pa].
+
+    The hub force is projected on the normal of the flat.
+    """
     at, normal = np.array([parts.apothem, parts.e]), np.array([1.0, 0.0])
     return Flat(parts, at, _leaning(parts.phi_1), normal, touching)
 

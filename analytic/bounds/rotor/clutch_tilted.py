@@ -25,7 +25,7 @@ PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 
 def summed(
     clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> dict[Entry, float]:
-    """Couplings [N] of a force along y with a tilt about x, and along x with one about y.
+    """Couplings [N] of force along y with tilt about x, and of force along x with tilt about y.
 
     The offset dx [m] is along x, the tilt [rad] about y, the torque is T [N m]. Only the dimensions
     of `clutch` are used, divided into `n_s` slices, without a crown.
@@ -56,7 +56,7 @@ def summed(
 def left_out(
     entry: Entry, clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> tuple[float, float]:
-    """Interval of the error of a coupling against struts, with contact points that tilt.
+    """Interval of the error of a coupling; the reference has struts with tilting contact points.
 
     `clutch` has sufficiently many slices, the formula `n_s`. The value of the formula is computed
     again by `summed`, so that an error of the formula does not change the interval. Points of the

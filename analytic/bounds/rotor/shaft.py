@@ -47,7 +47,7 @@ def frequency(
 def neglected(
     theory: Literal["euler", "rayleigh"], e: float, s: float
 ) -> tuple[float, float] | None:
-    """Smallest and largest error [1] of mode 1, if Timoshenko's equation is exact.
+    """Smallest and largest error [1] of the frequency of mode 1 against Timoshenko's equation.
 
     `e` is the effect of rotary inertia, `s` its increase by shear. The ratio W of the squared
     frequency to Euler's is a root of 1 - W (1 + a) + s e^2 W^2 = 0 with a = e (1 + s). To second

@@ -47,12 +47,15 @@ class Bounds:
         return None if self.turns else (low - inertia, inertia)
 
     def both(self) -> Interval | None:
-        """Interval of the error of a ratio of two such peaks: the difference of their errors."""
+        """Interval of the error of a ratio of two peak forces by the spring model.
+
+        The error is the difference of the errors of the two forces. None if contacts slide first.
+        """
         one = self.spring()
         return one and (one[0] - one[1], one[1] - one[0])
 
     def either_way(self, times: float) -> Interval:
-        """Interval of an error of either sign, a multiple of N_e/N_i - 1."""
+        """Interval of an error of unknown sign, at most `times` the value N_e/N_i - 1."""
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:

@@ -75,7 +75,9 @@ class Bounds:
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def tilted(self) -> float:
-        """Bound of the rolling of the contacts over beta, as the moment T h/2 tilts thin walls.
+        """Bound of the ratio of the rolling of the contacts to beta, due to the tilt of thin walls.
+
+        The moment T h/2 tilts the walls.
 
         The walls of thickness h are simply supported beams over a pitch L: the tilt is
         M L/(12 E' I).
@@ -108,13 +110,13 @@ class Bounds:
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Interval of the error of the sum of all deflections, and of the related rotation."""
+        """Interval of the error of the sum of all deflections, and of the rotation by the sum."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
     @property
     def askew(self) -> float:
-        """Relative error of the deflections by the work of forces on lateral motion."""
+        """Relative error of the deflections: work of tangential forces on moving sprag ends."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
@@ -124,7 +126,7 @@ class Bounds:
         return low + less, high + more
 
     def turn(self) -> Interval:
-        """Interval of the error of the wind-up of the races, which tangential forces increase."""
+        """Interval of the error of the races' wind-up, which tangential forces increase."""
         (low, high), (less, more) = self.elastic(), (k * self.tan2 for k in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
@@ -135,7 +137,7 @@ class Bounds:
         return -size, size
 
     def width(self) -> Interval:
-        """Interval of the error of half-widths; a mesh has the contact edge within a cell."""
+        """Interval of the error of half-widths; a mesh resolves the contact edge to one cell."""
         size = max(self.hertz()[1], ACCEPTED)
         return -size, size
 
@@ -156,7 +158,7 @@ class Bounds:
         return -size, size
 
     def plane(self) -> Interval:
-        """Interval of the error of all deflections by Hertz's contacts and Eq. 6.
+        """Interval of the error of the sum of deflections by Hertz's contacts and Eq. 6.
 
         The contacts deflect to the depth of the walls and to half of the sprag.
         """

@@ -25,7 +25,7 @@ class State(Triangle, Protocol):
 
 
 class Yields(Protocol):
-    """Deflections [m] of inner contact and sprag, sums of the inner side and of both sides."""
+    """Deflections [m] of a sprag: inner contact, sprag, sum of inner side, sum of both sides."""
 
     @property
     def contact_i(self) -> Array: ...
@@ -38,7 +38,7 @@ class Yields(Protocol):
 
 
 class Race(NamedTuple):
-    """Deflections of a race under its sprags over P/E': mean, middle of a patch, mean over it."""
+    """Deflections of a race over P/E': mean on the circle, middle of a patch, mean over a patch."""
 
     mean: float
     at: float

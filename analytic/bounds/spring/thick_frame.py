@@ -32,11 +32,11 @@ class Added:
 
     @property
     def both(self) -> float:
-        """Error of the stiffness of the thin frame [1]."""
+        """Relative error [1] of the stiffness of the thin frame: sum of both corrections."""
         return self.shear + self.curvature
 
     def next_order(self, slenderness: float) -> float:
-        """Size [1] of the next term, smaller at least by the factor b/R, the `slenderness`.
+        """Estimated size [1] of the neglected next term: `slenderness` b/R times the corrections.
 
         The magnitudes of the corrections are added, because they partly cancel.
         """
