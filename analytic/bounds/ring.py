@@ -27,9 +27,9 @@ def smeared_error(
 ) -> Interval | None:
     """Interval of the error of `mean` plus `added`; the reference is `at` minus `indentation`.
 
-    The displacements [length] are those of the loaded wall: its `mean`, `at` the place, and at a
-    `load`. The tolerance is ACCEPTED. None if `at` minus `indentation` is less than PART of the
-    displacement at a load.
+    The displacements [length] are those of the loaded wall: `mean` by Eq. 6, `at` the evaluated
+    place, and `load` at a load. The tolerance is ACCEPTED. None if `at` minus `indentation` is less
+    than PART of the displacement at a load.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)

@@ -55,8 +55,8 @@ def approach_to_rim(
         )
     if not a < min(r_i, r_o - r_i):
         raise ValueError(
-            f"the half-width must be below the bore radius and the wall thickness, got a={a} m, "
-            f"r_i={r_i} m"
+            f"the half-width must be less than the bore radius r_i and than the wall thickness, "
+            f"got a={a} m, r_i={r_i} m"
         )
     bracket = np.log(2 * r_i / a) + 0.5 + _constant(r_o / r_i, nu_plane)
     return float(2 * P / (np.pi * E_plane) * bracket)

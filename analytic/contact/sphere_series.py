@@ -76,10 +76,11 @@ class Sphere:
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:
-        """Displacement per load [length/force] under an elliptic pressure, minus the half space's.
+        """Displacement per load [length/force] of a sphere, minus that of a half-space.
 
-        It is the displacement of the middle of the contact against the plane of symmetry half-way
-        to the opposite contact, without the effect of the tilt of the surface.
+        The load is an elliptic pressure. The displacement is that of the middle of the contact
+        against the plane of symmetry half-way to the opposite contact, without the effect of the
+        tilt of the surface.
         """
         if np.isinf(self.R):
             return 0.0
@@ -89,13 +90,15 @@ class Sphere:
 
     @property
     def tilted(self) -> float:
-        """Displacement per load and per tilt of the surface [1/stress]."""
+        """Displacement per load and curvature [1/stress], due to the tilt of the surface."""
         return (1 - 2 * self.nu) / (2 * pi * (1 - self.nu)) * self.softness
 
 
 @dataclass(frozen=True)
 class PressedSpheres:
-    """Contact radius, peak pressure and approach of both planes of symmetry, to first order.
+    """Contact radius, peak pressure and approach of two pressed spheres, to first order.
+
+    The approach is that of the planes of symmetry of both spheres.
 
     Each `excess` is the relative excess over Hertz's value under the same load.
     """
@@ -145,7 +148,7 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
 
 
 def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
-    """Relative excess of the load that causes Hertz's approach under P [force] on finite spheres.
+    """Load on finite spheres that causes Hertz's approach under P [force], divided by P, minus 1.
 
     >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.0), Sphere(R=np.inf, E=np.inf, nu=0)
     >>> excess = load_excess(ball, flat, P=4e-6 / 3)

@@ -1,4 +1,4 @@
-r"""Error of the strips of `strips` for a line contact whose load q(y) varies along it.
+r"""Error of the model `strips` for a line contact whose load q(y) varies along the contact.
 
 The pressure of a strip is assumed to be Hertz's ellipse for the curvature 1/R of the roller. The
 kernel 1/r is expanded for slow variation along y. Its first term is the logarithm that gives this

@@ -1,4 +1,4 @@
-r"""Finite line contact by semi-analytic strips: Hertz across, half-space along.
+r"""Finite line contact by semi-analytic strips: Hertz's ellipse across, half-space along y.
 
 A roller is divided into n equal strips of width D = l/n along its axis y. In each strip, the
 pressure across is Hertz's ellipse with the half-width of this strip and is constant over D,

@@ -74,7 +74,7 @@ class Cam(ABC):
 
     @property
     def room(self) -> Array:
-        """Clearance [length] from the loss of the wedge: R - 2 r - X, for a cup R_s + 2 r - X."""
+        """Shift [length] of the flats at which the wedge is lost: R - 2 r - X; cup R_s + 2r - X."""
         _, y = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
 

@@ -101,13 +101,13 @@ class RollerClutch:
         return np.asarray(p_i), np.asarray(p_o)
 
     def loads_at_pressure(self, p: ArrayLike) -> tuple[Array, Array]:
-        """Loads P = N/L [force/length] of peak pressure p at the inner and the outer contact."""
+        """Loads P = N/L [force/length] at which inner and outer contact have peak pressure p."""
         p = positive(p, "pressure", "Pa")
         P_i, P_o = (p**2 * np.pi * R / E for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)
 
     def loads_at_half_width(self, a: ArrayLike) -> tuple[Array, Array]:
-        """Loads P = N/L [force/length] of half-width a at the inner and the outer contact."""
+        """Loads P = N/L [force/length] at which inner and outer contact have the half-width a."""
         a = positive(a, "half-width", "m")
         P_i, P_o = (a**2 * np.pi * E / (4 * R) for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)

@@ -43,7 +43,7 @@ class Body:
     c: Array | float = 0.0
 
     def approach(self, P: Array, a: Array) -> tuple[Array, Array]:
-        """Approach [length] and its derivative by P; a is proportional to the square root of P."""
+        """Approach [length] and its derivative by P; the half-width a is proportional to sqrt P."""
         loaded = np.where(a > 0, a, self.l)  # the product vanishes for P = 0 with any logarithm
         bracket = 2 * np.log(self.l / loaded) + self.k
         linear = self.c * loaded / self.l

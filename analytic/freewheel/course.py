@@ -50,7 +50,7 @@ class Course:
 
     @property
     def slips_at(self) -> float:
-        """First of the times [s] at which mu_req exceeds mu; infinite if it never does."""
+        """First of the times [s] with mu_req > mu; infinite if there is no such time."""
         slipping = np.flatnonzero(self.mu_req > self.mu)
         return float(self.t[slipping[0]]) if slipping.size else np.inf
 

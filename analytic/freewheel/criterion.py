@@ -59,7 +59,7 @@ def required_friction_of_ratio(*, alpha: ArrayLike, ratio: ArrayLike, R: ArrayLi
 
 
 def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: ArrayLike) -> Array:
-    """Axial load F_ax [force] of the clutch at mu_req = mu (Eq. 9); nan if it slips at F_ax = 0.
+    """Axial load F_ax [force] of the clutch at mu_req = mu (Eq. 9); nan if T alone causes slip.
 
     >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
     4.0

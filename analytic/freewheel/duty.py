@@ -93,7 +93,7 @@ class Duty:
 
     @cached_property
     def friction_holds(self) -> tuple[tuple[float, float], ...]:
-        """Torque ranges [N m] in which friction transmits torque and F_ax; inf: no upper end."""
+        """Torque ranges [N m] in which friction transmits T and F_ax; an upper end may be inf."""
         T = np.geomspace(LEAST * self.end, (1 - 1e-9) * self.end, POINTS)
         held = self._held(T)
         found, ends = [], np.flatnonzero(np.diff(np.concatenate([[0], held.astype(int), [0]])))
@@ -122,7 +122,7 @@ class Duty:
 
     @property
     def least_torque(self) -> float:
-        """Torque [N m] above which friction transmits the axial load; 0 if it does at every torque.
+        """Torque [N m] above which friction transmits the axial load; 0 without a lower limit.
 
         nan if no range of `friction_holds` contains T.
         """
@@ -130,7 +130,7 @@ class Duty:
 
     @property
     def of_torque(self) -> list[Limit]:
-        """Limits of the torque [N m] at this axial load, in ascending order."""
+        """Limits of the torque [N m] at the axial load of the duty, in ascending order."""
         alone = self.of_torque_alone
         names = (f.name for f in fields(alone) if f.name != "release")
         found = [Limit(name, float(getattr(alone, name))) for name in names]
@@ -144,7 +144,7 @@ class Duty:
 
     @property
     def of_axial_load(self) -> list[Limit]:
-        """Limits of the axial load [N] at this torque, in ascending order."""
+        """Limits of the axial load [N] at the torque of the duty, in ascending order."""
         if (now := self.under) is None:
             return []
         cam = self.clutch.cam
@@ -176,7 +176,9 @@ class Duty:
 
 
 def uneven(factor: float) -> float:
-    """Ratio e/L at which the pressure at one end is `factor` times its mean; 0 if `factor` < 1.
+    """Ratio e/L at which the pressure at an end is `factor` times that of a uniform line load.
+
+    The ratio is 0 if `factor` < 1.
 
     >>> uneven(2**0.5), uneven(2.0)  # of a line load of 2 and of 4 times its mean: see `tilt`
     (0.16666666666666674, 0.33333333333333337)

@@ -16,7 +16,7 @@ GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 
 
 def let_out(clutch: RollerClutch, *, T: float, mu: float) -> tuple[Array, Array]:
-    """Axial slip [length] with the friction mu, and torque divided by T, each (m,).
+    """Axial slip [length] with the friction mu, and the torque as a fraction of T, each (m,).
 
     The order is reversed: the first state has no force. The values are nan if the clutch slips
     under T alone, tan(alpha) > mu.

@@ -96,7 +96,7 @@ limits = roller_torque_limits  # its name in version 0.1
 
 
 def pop_through(clutch: RollerClutch) -> Array:
-    """Maximum torque [force x length], at pop-through; infinite without a maximum."""
+    """Maximum torque [force x length], at pop-through; infinite if there is no maximum."""
     last = _last(clutch)
     summit = _summit(clutch, last)
     within = last >= summit

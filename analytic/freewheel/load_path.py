@@ -90,7 +90,7 @@ class AlternatingAxial(AxialRamp):
 
 @dataclass(frozen=True, kw_only=True)
 class BothAlternating(LoadPath):
-    """Load path 3: torque T_m + T sin, and F_ax in phase with an amplitude that rises from 0 to F.
+    """Load path 3: torque T_m + T sin wt, and F_ax in phase, whose amplitude rises from 0 to F.
 
     >>> path = BothAlternating(T=20.0, F=3000.0, frequency=1.0, duration=10.0)
     >>> path.ratio([0.0, 5.0]).tolist()  # ratio of the amplitudes if F_ax and T vanish

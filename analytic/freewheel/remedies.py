@@ -95,7 +95,9 @@ def _nearer(duty: Duty, dX: Array) -> RollerClutch:
 
 
 def friction_for(duty: Duty, goal: float) -> float:
-    """Friction coefficient at which mu/mu_req is `goal`, and rollers do not slip out.
+    """Friction coefficient at which mu/mu_req is `goal`, but at least tan(alpha0).
+
+    With less friction than tan(alpha0), rollers slip out of the wedge.
 
     Raises ValueError if no equilibrium exists at the torque.
     """
@@ -124,10 +126,11 @@ def per_micrometre(duty: Duty) -> dict[str, float]:
 
 
 def bearing(duty: Duty) -> list[tuple[str, float]]:
-    """Values of L, R_a, X [m] with a limiting equilibrium at T, for a clutch without equilibrium.
+    """Values of L, R_a and X [m], each of which alone gives a clutch an equilibrium at T.
 
-    Only existing values are listed. All torques are proportional to L; R_a is the outer radius of
-    the part including its housing.
+    With the listed value, T is the largest torque with an equilibrium. Dimensions without such a
+    value are omitted. All torques are proportional to L; R_a is the outer radius of the part
+    including its housing.
     """
     clutch, cam = duty.clutch, duty.clutch.cam
     L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))

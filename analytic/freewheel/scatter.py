@@ -40,7 +40,7 @@ class Scatter:
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles and shares by name (SI units); zero shares are omitted, except of slip."""
+        """Percentiles and shares by name (SI units); shares of 0 are omitted, except for slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
         found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}
@@ -60,7 +60,7 @@ class Scatter:
 
 
 def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | None:
-    """Sample of clutches with the standard deviations `sigma`, by the fields of the cam and mu.
+    """Sample of clutches; `sigma` has the standard deviations of fields of the cam and of mu.
 
     None if all dimensions are exact or the clutch has no equilibrium.
     """
@@ -72,7 +72,7 @@ def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | Non
 
 @dataclass(frozen=True)
 class Slope:
-    """Sensitivity of alpha_0 to X, r or R [rad/m], and its share of the variance."""
+    """Sensitivity of alpha_0 to X, r or R [rad/m], and the dimension's share of the variance."""
 
     name: str
     slope: float
@@ -80,7 +80,9 @@ class Slope:
 
 
 def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
-    """Sensitivities to X, r and R, in this order; `sigma` [m] by the fields of `cam`.
+    """Sensitivities of alpha_0 to X, r and R, in this order.
+
+    `sigma` [m] contains standard deviations by the names of the fields of `cam`.
 
     >>> from analytic.freewheel.geometry import InnerCam
     >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)

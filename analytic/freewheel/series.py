@@ -1,4 +1,4 @@
-r"""Constants k of the approach of a part: the remainder without its logarithm.
+r"""Constants k in the approach of a part, which are added to the logarithmic term.
 
 Under z line loads P on equally spaced Hertz patches of half-width a on a wall of radius r, the
 deflection of the wall at each load, in the direction of the load, is

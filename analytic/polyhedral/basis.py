@@ -59,7 +59,7 @@ class Basis:
 
 
 def basis_of(sector: Sector, *, density: float) -> Basis:
-    """Basis with `density` poles per factor e of the distance from the corner.
+    """Basis with `density` poles per e-fold increase of the distance from the corner.
 
     Raises ArithmeticError if omega at the apothem is too small for floating-point numbers.
     """

@@ -78,9 +78,10 @@ class Driven:
         return self.contact.lift(hub)
 
     def pressure(self, N: float) -> float:
-        """Pressure [stress] at which each roller carries N; it decreases if the hub wedges them.
+        """Pressure [stress] at which each roller carries N; it may decrease with increasing N.
 
-        If it decreases, this state cannot be reached at this pressure; see `required_pressure`.
+        It decreases with N if the hub wedges the rollers. Then, the state with this N cannot be
+        reached at this pressure; see `required_pressure`.
         """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
 
@@ -103,7 +104,7 @@ class Driven:
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:
-        """Force N of a roller under the pressure p; 0 without contact, inf beyond the limits."""
+        """Force N of a roller under the pressure p; 0 without contact, inf without equilibrium."""
         contact, lift = self.contact, self.lift
         p = float(positive(p, "the pressure p", "Pa"))
         if p * contact.growth <= contact.roller.j_D / 2:

@@ -113,12 +113,15 @@ class PolyhedralClutch:
 
     @property
     def direction(self) -> float:
-        """Angle gamma [rad] from the normal of the flat, by the selected definition."""
+        """Angle gamma [rad] from the normal of the flat to the projection of R, as selected."""
         return 0.0 if self.gamma == "normal" else self.parts.psi
 
     @property
     def hub_share(self) -> float:
-        """Share of the hub in N; if it is at least 1, pressure does not limit the torque."""
+        """Share of the hub force in the normal force N of the rollers.
+
+        If the share is at least 1, pressure does not limit the torque.
+        """
         hub = {"lever": self.arm, "psi": self.parts.psi, "phi_1": self.phi_1}
         share = torque.hub_share(mu=self.grip, D_i=self.parts.D_i, gamma=self.direction, **hub)
         return float(share)

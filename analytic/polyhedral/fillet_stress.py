@@ -15,7 +15,9 @@ ALONG = 200  # points of the fillet
 def loaded_fillet_stress(
     sector: Sector, *, p: float, hub: HubForce | None = None, N: float = 0.0, a: float = 0.0
 ) -> float:
-    """Largest fillet stress [stress] under p, the hub force, and N over the width 2 a above flats.
+    """Largest fillet stress [stress] under p, the hub force, and N on patches of width 2 a.
+
+    The patches are on the rim above the flats.
 
     N is per unit length and 0 if the rollers do not touch. The stress is the largest of `ALONG`
     points.

@@ -84,7 +84,7 @@ class FreeRim:
 
 
 def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeRim:
-    """Potential of a ring with f/zeta = load(zeta, s) [stress] at the points zeta(s) of the bore.
+    """Potential of a ring whose force function f at the bore points zeta(s) is zeta*load(zeta, s).
 
     Raises ArithmeticError if the residual exceeds 1e-4 after two refinements.
     """

@@ -46,7 +46,7 @@ class HubForce:
 
     @property
     def resultant(self) -> float:
-        """Resultant force on one flat per unit length, of both halves."""
+        """Resultant force per unit length on one flat: sum of both halves."""
         return float(2 * np.abs(self.forces[0]))
 
     def __call__(self, zeta: Complex) -> Values:
@@ -65,7 +65,7 @@ class HubForce:
 
 
 def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) -> HubForce:
-    """Ring under a hub that acts on each flat with `normal` outwards and `along` to the corner.
+    """Ring under hub forces on each flat: `normal` acts outwards, `along` towards the corner.
 
     The forces [force per length] act on one flat. One half acts at the distance e [length] from
     mid-flat, the other half, mirrored, at -e. This is the symmetric part of the hub force, which is

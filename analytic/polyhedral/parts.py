@@ -97,8 +97,8 @@ class PolyhedralParts:
         positive(self.e, "distance e of the hub's contact from the middle of the flat", "m")
         if not self.e <= half * (1 + 1e-12):
             raise ValueError(
-                f"hub must touch the flat: e must be at most {half:g} m, half its length, "
-                f"got e={self.e:g} m"
+                f"hub must touch the flat: e must be at most {half:g} m, half the "
+                f"length of the flat, got e={self.e:g} m"
             )
 
     def hub_must_release(self, phi_1: float) -> None:

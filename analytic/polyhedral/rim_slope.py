@@ -37,7 +37,7 @@ def rim_slope(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) ->
 
 
 def steepest(*, sector: Sector, field: FreeRim | HubForce) -> tuple[float, float]:
-    """Largest |slope| times E' [stress] between flat and corner, and its angle [rad]."""
+    """Largest |slope| times E' [stress] between flat and corner, and its position theta [rad]."""
     theta = np.linspace(0, sector.half_angle, ALONG + 1)
     slope = np.abs(rim_slope(theta, sector=sector, field=field))
     i = int(np.clip(slope.argmax(), 1, ALONG - 1))

@@ -59,7 +59,7 @@ def hub_releases(*, psi: ArrayLike, phi_1: ArrayLike) -> NDArray[np.bool_]:
 
 
 def blocking_pressure(*, p_t: ArrayLike, p_1r: ArrayLike) -> Array:
-    """Pressure p_2 [stress] above that for contact of ring and rollers (Eq. 19); 0 below it."""
+    """Part p_2 [stress] of p_t that exceeds p_1r, the pressure at contact (Eq. 19); at least 0."""
     p_t, p_1r = not_negative(p_t, "pressure p_t", "Pa"), not_negative(p_1r, "pressure p_1r", "Pa")
     return np.maximum(p_t - p_1r, 0.0)
 

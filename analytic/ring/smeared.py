@@ -36,10 +36,11 @@ def race_deflection(
     loaded: Wall,
     ends: Literal["plane stress", "plane strain"] = "plane stress",
 ) -> Array:
-    """Deflection [length] of the loaded wall under n loads `P` = N/l per length; positive.
+    """Deflection [length] of the loaded wall under n line loads `P` [force/length].
 
-    The loaded wall is the bore of the outer race (second formula of Eq. 6) or the rim of the inner
-    race (first formula). Eq. 6 applies to plane stress.
+    The value is positive for both walls; `P` is N/l. The loaded wall is the bore of the outer race
+    (second formula of Eq. 6) or the rim of the inner race (first formula). Eq. 6 applies to plane
+    stress.
 
     >>> wall = dict(r_i=1.0, r_o=2.0, E=1.0, nu=0.25)
     >>> u = race_deflection(P=2 * np.pi, n=1, loaded="bore", **wall)

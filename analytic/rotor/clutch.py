@@ -45,7 +45,7 @@ def slice_middles(*, L: float, n_s: int) -> Array:
     [3.0, 0.0, -3.0]
     """
     if n_s < 1:
-        raise ValueError(f"n_s must be at least 1, got {n_s}")
+        raise ValueError(f"the number of slices n_s must be at least 1, got {n_s}")
     return np.asarray((n_s + 1 - 2 * np.arange(1, n_s + 1)) / 2 * _positive(L, "L", "m") / n_s)
 
 
@@ -57,7 +57,8 @@ def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) ->
     """
     if Z < 3:
         raise ValueError(
-            f"Z must be at least 3, got {Z}: two sprags cannot transmit every lateral load"
+            f"the number of sprags Z must be at least 3, got {Z}: two sprags cannot transmit every "
+            "lateral load"
         )
     if wrong := [j for j in missing if not 0 <= j < Z]:
         raise ValueError(
@@ -102,7 +103,7 @@ class SpragCoupling:
         if not 0 < self.nu < math.pi / 2:
             raise ValueError(f"nu must lie between 0 and pi/2, got {self.nu:g} rad")
         if not 1 <= self.n < 4:
-            raise ValueError(f"n must be at least 1 and below 4, got {self.n:g}")
+            raise ValueError(f"the exponent n must be at least 1 and below 4, got {self.n:g}")
         drop = np.zeros(self.n_s) if self.crown is None else np.asarray(self.crown(self.x))
         tight = np.asarray(self.interference, dtype=np.float64)
         if drop.shape != self.x.shape or not np.isfinite(drop).all():

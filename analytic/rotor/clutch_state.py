@@ -39,7 +39,10 @@ def preload_twist(
     """
     T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
     if not (np.isfinite(T).all() and (T > 0).all()):
-        raise ValueError(f"T must be positive and finite, got {np.min(T):g} N m: no preload")
+        raise ValueError(
+            f"T must be positive and finite, got {np.min(T):g} N m: without torque, "
+            "the clutch has no preload"
+        )
     if offset.shape != (4,) or not np.isfinite(offset).all():
         raise ValueError(f"offset must be four finite numbers (dx, dy, gx, gy), got {offset}")
     needed = (T / (clutch.Z * clutch.d_t * clutch.k_n)) ** (1 / clutch.n)

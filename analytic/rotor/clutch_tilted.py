@@ -17,7 +17,9 @@ TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 
 def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
-    """Offset along x [m] and tilt about y [rad] of sprags of length L deflected by `delta_0`.
+    """Offset along x [m], at most a quarter of `delta_0`, and the tilt about y [rad] 2 dx/L.
+
+    The tilt moves the ends of sprags of length L by the offset.
 
     >>> aside(1.0, 4.0, 8.0)  # the given offset; then a quarter of the deflection
     (1.0, 0.5)

@@ -33,7 +33,8 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
     """
     if Z < 3:
         raise ValueError(
-            f"Z must be at least 3, got {Z}: two sprags cannot transmit every lateral load"
+            f"the number of sprags Z must be at least 3, got {Z}: two sprags cannot transmit every "
+            "lateral load"
         )
     return np.asarray(_positive(T, "T", "N m") / (Z * _positive(d_t, "d_t", "m")))
 
@@ -84,7 +85,7 @@ def tilting_stiffness(*, Z: int, k: ArrayLike, L: ArrayLike, n_s: float = math.i
     4.0
     """
     if not n_s >= 1:
-        raise ValueError(f"n_s must be at least 1, got {n_s:g}")
+        raise ValueError(f"the number of slices n_s must be at least 1, got {n_s:g}")
     L = _positive(L, "L", "m")
     return np.asarray(radial_stiffness(Z=Z, k=k) * L**2 / 12 * (1 - 1 / n_s**2))
 
@@ -120,7 +121,8 @@ def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
 def _number(Z: int) -> int:
     if Z < 3:
         raise ValueError(
-            f"Z must be at least 3, got {Z}: two sprags cannot transmit every lateral load"
+            f"the number of sprags Z must be at least 3, got {Z}: two sprags cannot transmit every "
+            "lateral load"
         )
     return Z
 

@@ -63,7 +63,9 @@ class Cylinder:
                 f"rho={self.rho:g} kg/m^3, nu={self.nu:g}"
             )
         if self.powers < 2:
-            raise ValueError(f"an amplitude must have at least two powers, got {self.powers}")
+            raise ValueError(
+                f"the number of powers of an amplitude must be at least 2, got {self.powers}"
+            )
 
     def whirl(self, k: float, *, Omega: float = 0.0, count: int = 1) -> tuple[Array, Array]:
         """Lowest angular frequencies (count,), forward and backward, at the wave number k.

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Excited:
-    """Critical speeds [rad/s] by unbalance of the shafts with one `ratio`, and their modes."""
+    """Critical speeds [rad/s] by unbalance of shafts with the speed ratio `ratio`, and modes."""
 
     ratio: float
     shafts: tuple[str, ...]
@@ -53,7 +53,7 @@ def study(
     rotor: TransferMatrixRotor, names: Sequence[str], speed: float,
     unbalances: Mapping[float, Mapping[int, complex]], count: int,
 ) -> Study:  # fmt: skip
-    """Results at the `speed` [rad/s]: `count` modes, critical speeds, response, lowest torsion.
+    """Results at `speed` [rad/s]: `count` modes, critical speeds, response, torsional frequency.
 
     `names` are the names of the shafts. `unbalances` [kg m] are given at stations numbered from 0,
     grouped by the speed ratio of their shaft. A shaft that does not rotate causes no excitation.

@@ -29,7 +29,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Bending:
-    """Rotor whose segments are divided into pieces; `parts` are their numbers.
+    """Rotor whose segments are divided into equal pieces; `parts` are the numbers of pieces.
 
     The pieces are so short that no clamped piece has a natural frequency in the range.
     """
@@ -39,7 +39,7 @@ class Bending:
 
     @staticmethod
     def up_to(rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
-        """Rotor divided for frequencies from 0 to `w` [rad/s] at the speeds `Omega`, in pairs."""
+        """Rotor divided for frequencies from 0 to `w` [rad/s], each at the speed in `Omega`."""
         s, b, t = numbers(rotor, w, Omega)
         parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
         return Bending(rotor, tuple(int(n) for n in parts))
@@ -50,12 +50,15 @@ class Bending:
 
     @cached_property
     def length(self) -> float:
-        """Length L [m] by which phi is multiplied."""
+        """Mean length L [m] of the segments, by which the rotations phi are multiplied."""
         return float(np.mean([s.length for s in self.segments]))
 
     @cached_property
     def ends(self) -> NDArray[np.int64]:
-        """Nodes (pieces, 2) at the near and far ends of the pieces; stations first, then cuts."""
+        """Node indices (pieces, 2) of the near and far ends of the pieces.
+
+        Stations have the first indices; the nodes between pieces of one segment follow.
+        """
         first = [k for k, _ in stations_of(self.rotor)]
         found, cut = [], self.rotor.stations
         for near, count in zip(first, self.parts, strict=True):
@@ -76,7 +79,7 @@ class Bending:
 
     @cached_property
     def deviator(self) -> Complex:
-        """Matrix (n, n) [N/m] of conj(r), due to the difference of the bearings in x and y."""
+        """Stiffness matrix (n, n) [N/m] that multiplies conj(r): bearings unequal in x and y."""
         return self._lumped([s.stiffness[1] for s in self.bearings], [0.0] * len(self.bearings))
 
     @cached_property
@@ -167,7 +170,7 @@ def stations_of(rotor: TransferMatrixRotor) -> list[tuple[int, int]]:
 def numbers(
     rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike
 ) -> tuple[Array, Array, Array]:
-    """Numbers s, b, t (m, segments) of whole segments; see `transfer_segment`."""
+    """Dimensionless numbers s, b, t (m, segments) of undivided segments; see `transfer_segment`."""
     w = np.asarray(w, dtype=np.float64)[..., None]
     spin = np.asarray(Omega, dtype=np.float64)[..., None] * np.array(
         [shaft.ratio for shaft in rotor.shafts for _ in shaft.segments]

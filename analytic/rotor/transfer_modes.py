@@ -105,7 +105,8 @@ class _Search:
             raise ValueError(f"count must be at least 1, got {count}")
         if self.whirl and not self.rotor.isotropic:
             raise ValueError(
-                "forward and backward circles require bearings that are equal in x and y"
+                "forward or backward whirl can be selected only for bearings that are equal in x "
+                "and y: use whirl=None or natural_frequencies"
             )
         check_supported(self.rotor)
         item, top = np.arange(self.items), np.full(self.items, _guess(self.rotor))

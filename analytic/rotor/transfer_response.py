@@ -16,10 +16,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class TransferResponse:
-    """Deflections (speeds, 4 nodes) at the rotor speeds `speeds` [rad/s].
+    """Response of a rotor to unbalance at the rotor speeds `speeds` [rad/s].
 
-    The excitation rotates at `w` >= 0 [rad/s]. `unknowns` are (r+, phi+ L) and then (r-, phi- L)
-    with r = r+ e^{iwt} + conj(r-) e^{-iwt}.
+    The excitation rotates at `w` >= 0 [rad/s]. `unknowns` (speeds, 4 nodes) are (r+, phi+ L) and
+    then (r-, phi- L), with r = r+ e^{iwt} + conj(r-) e^{-iwt}.
     """
 
     speeds: Array
@@ -38,7 +38,7 @@ class TransferResponse:
         return np.asarray(np.abs(plus) + np.abs(minus))
 
     def force(self, spring: Spring) -> tuple[Complex, Complex]:
-        """Reversed force F+ and F- [N] of a bearing on its shaft, or on `a` of a link."""
+        """Force of a shaft on its bearing, or of shaft `a` on a link: components F+ and F- [N]."""
         if isinstance(spring, StationSupport):
             plus, minus = self.at(spring.node)
         else:

@@ -25,7 +25,7 @@ TERMS = 20  # of the entire functions: on pieces as short as `pieces` makes them
 
 
 def transfer(*, s: ArrayLike, b: ArrayLike, t: ArrayLike, at: ArrayLike = 1.0) -> Array:
-    """Transfer matrix (..., 4, 4) of (r/l, phi, Q l²/EI, M l/EI) to `at` times the length.
+    """Transfer matrix (..., 4, 4) of (r/l, phi, Q l²/EI, M l/EI) over the fraction `at` of l.
 
     With p = (r, M) and o = (phi, Q), the state satisfies p' = B o, o' = C p, so that p'' = BC p and
     o'' = CB o. By the Cayley-Hamilton theorem, cosh and sinh of a root of BC both have the
@@ -85,7 +85,7 @@ def dynamic_stiffness(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> Array:
 
 
 def pieces(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> NDArray[np.int64]:
-    r"""Number of equal pieces for which a clamped piece has no natural frequency below omega.
+    r"""Number of equal pieces so short that a clamped piece has no natural frequency below omega.
 
     By Poincaré's inequality, with \|r'\|² <= 2\|r' - phi\|² + 2\|phi\|², the energy of a clamped
     piece stays positive where 2 s b <= pi² and 2 b/pi² + t <= pi²; n pieces have s n², b/n⁴, t/n².

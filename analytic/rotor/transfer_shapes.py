@@ -33,7 +33,10 @@ class Line:
 
 
 def mode_lines(found: TransferModes, k: int, *, points: int = 9) -> tuple[Line, ...]:
-    """Lines of mode `k` along each shaft, `points` per piece, scaled to a largest orbit of 1."""
+    """Deflection lines of the shafts in mode `k`; the largest orbit has the half-axis 1.
+
+    Each piece has `points` points.
+    """
     lines = lines_of(
         found.bending, float(found.w[k]), float(found.speeds[k]), found.unknowns[k], points=points
     )
@@ -47,7 +50,7 @@ def mode_lines(found: TransferModes, k: int, *, points: int = 9) -> tuple[Line, 
 def lines_of(
     bending: Bending, w: float, Omega: float, unknowns: Complex, *, points: int = 9
 ) -> tuple[Line, ...]:
-    """Lines along the shafts from the deflections (r+, r-) of all nodes, for undamped pieces."""
+    """Deflection lines of the shafts from (r+, r-) of all nodes; the pieces are undamped."""
     plus, minus = (
         _carried(bending, sign * w, Omega, half, points)
         for sign, half in zip((1, -1), np.split(unknowns, 2), strict=True)

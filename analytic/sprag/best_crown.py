@@ -70,7 +70,7 @@ def infilled(
     true: Callable[[Array], Answer],
     first: "Largest | None" = None,
 ) -> "Infilled[Answer, Largest]":
-    """Result of adding designs at the surrogate's optimum until two in a row match the true model.
+    """Result of infill at the surrogate's optimum, until two successive optima match the model.
 
     `known` are the true values of the initial designs x (n, 3); `first` is their surrogate if it
     already exists.

@@ -99,7 +99,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
-    """State of sprags with the spiral at OA_s on the inner race and the forces at OA [m]."""
+    """State of sprags whose spiral touches the inner race at OA_s, with forces at OA [m]."""
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
     OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)
@@ -121,7 +121,7 @@ def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Ar
 
 
 def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
-    """State under the clutch torque T [N m]; if there are several, that with the smallest force."""
+    """State with the smallest normal force under the clutch torque T [N m]."""
     T = not_negative(T, "torque", "N m")
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
@@ -129,7 +129,7 @@ def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
 
 
 def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
-    """State at the rotation alpha [rad]; unloaded below alpha of first contact at speed."""
+    """State at the rotation alpha [rad]; the unloaded state if alpha is below first contact."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
     start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)

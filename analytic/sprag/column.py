@@ -21,7 +21,7 @@ STEEPEST = np.radians(75)  # largest angle from the line AB to the ends of spira
 
 
 def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int = DEGREE) -> float:
-    """Approach of A and B divided by P/E', in plane strain.
+    """Approach of the load points A and B of a body, divided by P/E', in plane strain.
 
     The forces act through Hertz patches of the half-widths a [length].
 
@@ -101,7 +101,9 @@ class Column:
         return inner, outer
 
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
-        """Outline with the contacts at these angles [rad]; the pole is at 0, the arc at +y.
+        """Outline with the contacts at the angles `turned` and `alpha_b` [rad].
+
+        The pole is at 0, the arc at +y.
 
         The result is None if a contact lies beyond a flank.
         """

@@ -22,7 +22,10 @@ from analytic.sprag.laws import Law
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Yields:
-    """Deflections [m] under N: contacts HI, HE, races BI, BE, sprag g, growth by rotation ce."""
+    """Deflections [m] of contacts, races and sprag under N, and growth d_ce by rotation.
+
+    The paper denotes them by HI, HE (contacts), BI, BE (races) and g (sprag).
+    """
 
     contact_i: Array
     contact_e: Array

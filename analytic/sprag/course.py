@@ -43,7 +43,7 @@ def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
 
 
 def work(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Work [J] of both forces of one sprag on all deflections, N inside and N_e outside."""
+    """Work [J] of N on the inner and of N_e on the outer deflections of one sprag."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))

@@ -1,4 +1,4 @@
-"""Quality of a surrogate of crown pressures: its errors, the searches on it, its maps.
+"""Quality of a surrogate of crown pressures: errors, optima by two searches, maps.
 
 All functions return arrays by name, as the study of the optimal crown stores them. Crowns are rows
 of K_1, K_2, z_m.
@@ -102,7 +102,10 @@ def axes(box: Box) -> list[Array]:
 
 
 def held(box: Box, axis: int) -> float:
-    """Constant K_2 (axis 1) or z_m (axis 2) of a map, or the mid value of the box."""
+    """Constant value of K_2 (axis 1) or z_m (axis 2) in a map.
+
+    It is that of Figs. 15 and 17, or the middle of the box if the box does not contain it.
+    """
     low, high, value = box.low[axis], box.high[axis], HELD[axis]
     return value if low <= value <= high else (low + high) / 2
 

@@ -96,7 +96,7 @@ class Drawn:
 
     @cached_property
     def start(self) -> float:
-        """Angle [rad] at the pole from the ray to the axis to the ray to the first contact."""
+        """Angle [rad] at the pole between the rays to the axis and to the first contact."""
         return float(brentq(lambda psi: self._near(psi, 0.0, self._OC)[0] - self.q.R_i, -0.6, 0.6,
                             xtol=1e-15))  # fmt: skip
 
@@ -174,7 +174,7 @@ class Drawn:
         return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA, A, B, C)
 
     def grown(self) -> float:
-        """Growth [m] of the bore of the outer race by rotation, a hollow disc in plane stress."""
+        """Growth [m] of the bore of the outer race by rotation; a hollow disc in plane stress."""
         q = self.q
         return float(q.R_e * q.density * q.omega**2 / (4 * q.E)
                      * ((3 + q.nu) * q.R_ed**2 + (1 - q.nu) * q.R_e**2))  # fmt: skip
@@ -185,7 +185,7 @@ class Drawn:
         return self.under(float(N))
 
     def at_friction(self, mu: float, near: float) -> Touching:
-        """State with required friction coefficient mu; its force lies within 50 % of `near`."""
+        """State with the required friction mu; its force must lie within 50 % of `near` [N]."""
         N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
         return self.under(float(N))
 

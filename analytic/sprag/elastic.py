@@ -1,4 +1,4 @@
-"""Sprag clutches with deflections of elastic bodies, and with two simpler laws for comparison.
+"""Sprag clutches whose parts deflect as elastic bodies, or by two simpler laws for comparison.
 
 - elastic: races are rings under single loads (`analytic.ring.loaded_race`), the sprag is a column
   with rounded ends (`analytic.sprag.column`), all in plane strain. If the contacts are eccentric,
@@ -48,13 +48,13 @@ class Race:
         return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
 
     def under(self, a: Array) -> Array:
-        """Mean deflection over the elliptic pressure, 1/4 of 2/pi less than in its middle."""
+        """Mean deflection weighted with the elliptic pressure: 1/(2 pi) less than in the middle."""
         return np.asarray(self.at(a) - 1 / (2 * np.pi))
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticSpragClutch:
-    """Sprag clutch of given parts, with each kind of deflection; only for scalar dimensions."""
+    """Sprag clutch of given parts with several laws of deflection; dimensions must be scalars."""
 
     parts: SpragClutchParts
 
@@ -90,7 +90,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def column(self) -> Column | None:
-        """Sprag as a column between its flanks; None if it is wider than its curved parts."""
+        """Sprag as a column between its flanks; None if the sprag is wider than its curves."""
         try:
             return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
         except ValueError:

@@ -62,7 +62,10 @@ def compiled(function: F) -> F:
 
 
 class Law(NamedTuple):
-    """Constants of the motion, sticking band, decay time of residual sliding, and the table."""
+    """Constants of the motion, and a table of forces and geometry over the sprag rotation.
+
+    `D_V` is the sticking band, `tau` the decay time of residual sliding.
+    """
 
     n_s: float
     m_g: float
@@ -100,7 +103,7 @@ class Place(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """Sliding speeds v of both contacts, rates d - a T under the forces T, force limits."""
+    """Sliding speeds v of both contacts, their rates d - a T with friction T, friction limits."""
 
     v_i: float
     v_e: float
@@ -125,7 +128,7 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 
 @compiled
 def place(law: Law, alpha: float) -> Place:
-    """Position of the sprag at `alpha`; for alpha <= 0, that of first contact."""
+    """Position of the sprag at `alpha`; for alpha <= 0, the position of first contact."""
     s = np.sqrt(max(alpha, 0.0))
     at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)
@@ -159,7 +162,7 @@ def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, fl
 
 @compiled
 def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, float]) -> Contacts:
-    """Sliding speeds, and effect of friction on them by the inverse masses of the contacts."""
+    """Sliding speeds and their rates: without friction, and by friction through inverse masses."""
     inner, outer, phi, turn = y[4], y[5], y[6], y[7]
     v_i = g.OA * (inner - phi) - g.b_i * turn
     v_e = g.OB * (phi - outer) - g.b_e * turn
@@ -189,7 +192,7 @@ def clip(x: float, bound: float) -> float:
 
 @compiled
 def both(c: Contacts, d_i: float, d_e: float) -> tuple[float, float]:
-    """Forces with d - a T = 0, or the nearest ones within their limits.
+    """Friction forces with d - a T = 0, or the nearest forces within the friction limits.
 
     They minimise T a T/2 - d T within the limits: inside the box or on one of its four edges.
     """
@@ -237,7 +240,10 @@ def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
 
 @compiled
 def rates(y: Array, C: float, law: Law, dy: Array, outputs: Array) -> None:
-    """Write the rates of the state `y` under the torque C to `dy`, forces and slip to `outputs`."""
+    """Write the rates of the state `y` to `dy`, and forces, sliding and phases to `outputs`.
+
+    C is the torque.
+    """
     g = place(law, y[3])
     free = free_rates(y, C, law, g)
     c = contacts(y, law, g, free)

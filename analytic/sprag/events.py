@@ -90,7 +90,10 @@ class Sprag:
         self._both = PPoly(np.concatenate([curve.c, slope], axis=-1), curve.x)
 
     def at(self, alpha: float) -> tuple[Array, Array]:
-        """N, OA, OB, OC_g, b_i, b_e, h and their slopes; for alpha < 0 those of alpha = 0."""
+        """Values N, OA, OB, OC_g, b_i, b_e, h and their slopes at `alpha` [rad].
+
+        For alpha <= 0, the values are those of first contact, and the slopes are 0.
+        """
         both = self._both(max(alpha, 0.0))
         return both[:7], both[7:] if alpha > 0 else np.zeros(7)
 
@@ -213,7 +216,7 @@ class System:
         return float(self.motion.mu_s * N - abs(T[k]))
 
     def slid(self, y: Array, mode: Mode, k: int) -> float:
-        """Speed of sliding [m/s] at contact k in the direction in which it began."""
+        """Sliding speed [m/s] at contact k, positive in the direction in which sliding began."""
         return float(mode[k] * (self.sliding(self.sprag.at(y[3])[0]) @ y[4:])[k])
 
     def ends(self, mode: Mode) -> list[Callable[[float, Array], float]]:

@@ -38,7 +38,7 @@ DEGREE = 24  # of the polynomials: 4e-4 of a sprag's approach
 
 @dataclass(frozen=True, kw_only=True)
 class Outline:
-    """Points A and B of the forces, x + iy [length]; both sides of the outline between them.
+    """Points A and B of the forces, x + iy [length], and both sides of the outline from A to B.
 
     With B above A, the body is to the right of `left` and to the left of `right`.
     """

@@ -113,7 +113,10 @@ class Engagement:
 
     @cached_property
     def N_static(self) -> float:
-        """Force N [N] at rest under the final torque, without springs; nan beyond the end."""
+        """Force N [N] at rest under the final torque, without energizing springs.
+
+        The value is nan if the torque exceeds that at the end of the profile.
+        """
         C, end = float(self.torque.values[-1]), self.table.end
         if C <= 0 or self.table.static_torque(end) < C:
             return 0.0 if C <= 0 else float("nan")

@@ -1,4 +1,4 @@
-"""Largest pressures of crowns under torques, and the design criterion: pressure of ends or rest.
+"""Largest pressures of crowns under torques: of the end slice and of all other slices.
 
 The slices of Eqs. 2-5 do not represent the end of a sprag well. Their optimal crown loads the ends.
 There, strips on a half-space have a pressure peak that increases with the number of strips.
@@ -42,7 +42,9 @@ class Peaks:
 
     @property
     def regimes(self) -> tuple[Array, Array]:
-        """Weighted pressures [Pa] of the end and of the rest, each (n, m): regimes of a surrogate.
+        """Weighted pressure [Pa] of the end slice, and pressure [Pa] of the others, each (n, m).
+
+        Both are regimes of a surrogate.
 
         Strips do not accept a crown with loaded ends: see END.
         """

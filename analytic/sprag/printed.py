@@ -21,7 +21,7 @@ from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """State under N [N] with OA of Eq. 9 in the triangle of Eq. 10; OC_e includes delta_ce."""
+    """State under N [N] with OA of Eq. 9 in the triangle of Eq. 10, and with delta_ce in OC_e."""
     N = np.asarray(N, dtype=np.float64)
     yields = clutch.compliance.yields(N)
     OA = np.asarray(np.asarray(clutch.sprag.R_i) - yields.race_i - yields.contact_i / 2)
@@ -29,7 +29,7 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def at_torque(clutch: SpragClutch, T: float) -> Wedged:
-    """State under the torque T [N m] of the clutch, that with the smallest force."""
+    """State with the smallest normal force under the torque T [N m] of the clutch."""
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
     N = first_reach(lambda N: wedged(clutch, N).T, np.asarray(T), start=start)

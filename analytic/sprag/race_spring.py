@@ -60,7 +60,7 @@ class RaceSpring:
         return float(self.states.N[-1])
 
     def table(self, intervals: int = INTERVALS) -> Table:
-        """Table of the clutch over the sprag rotation, up to the same force."""
+        """Table of the clutch over the sprag rotation, up to the normal force `end`."""
         return _table(self, intervals)
 
     @property

@@ -25,7 +25,7 @@ class LongStepError(ArithmeticError):
 
 
 def enough(table: Table, motion: Motion, dt: float) -> float:
-    """Sufficient time step [s], rounded down to one digit, if `dt` [s] was too long."""
+    """Time step [s] that is sufficient if `dt` [s] was too long, rounded down to one digit."""
     return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 

@@ -25,7 +25,7 @@ RTOL = 1e-8
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """Relative rotation [rad] of the races and N [N] over times t [s]; time and value of peak N."""
+    """Relative rotation [rad] of the races and N [N] at times t [s]; time and value of peak N."""
 
     t: Array
     theta: Array
@@ -52,7 +52,10 @@ class Driven:
 
 
 def time_to_rest(q: Driven, motion: Motion) -> float:
-    """Time [s] after which the torque has stopped an overrunning race, without drag."""
+    """Time [s] after which the torque has stopped an overrunning race.
+
+    Drag is neglected if the torque rises over a time `t_ramp` > 0.
+    """
     if q.w_i >= 0:
         return 0.0
 

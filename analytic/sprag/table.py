@@ -40,7 +40,9 @@ BISECTIONS = 40
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Table:
-    """Table of a clutch: `values` and `slopes` d/ds, (columns, intervals + 1), at steps of s.
+    """Table of a clutch at equal steps of s = sqrt(alpha): `values` and their `slopes` d/ds.
+
+    Both have the shape (columns, intervals + 1).
 
     The `step` of s is in rad^(1/2). alpha is measured from the first contact. At speed, the first
     contact is later than at rest by `origin`.
@@ -63,7 +65,7 @@ class Table:
         return CubicHermiteSpline(knots, self.values.T, self.slopes.T)
 
     def at(self, alpha: ArrayLike) -> dict[str, Array]:
-        """Columns by name at `alpha` [rad]; nan beyond the end, values of first contact below 0."""
+        """Columns by name at `alpha` [rad]; first contact for alpha < 0, nan beyond `end`."""
         alpha = np.asarray(alpha, dtype=np.float64)
         inside = np.clip(alpha, 0.0, self.end)
         found = np.where((alpha > self.end)[..., None], np.nan, self._curve(np.sqrt(inside)))

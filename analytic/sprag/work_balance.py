@@ -43,12 +43,12 @@ def undamped(w: RaceSpring, T: float) -> float:
 
 
 def stored(w: RaceSpring, N: float) -> float:
-    """Work [J] of the forces on all deflections, from the action of the springs to N [N]."""
+    """Work [J] of the forces on all deflections, from the state `pressed` to N [N]."""
     return w.n_s * float(work(w.clutch, N) - work(w.clutch, w.pressed.N))
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Ratio of the work of the torque on the rolling rotation to the work on deflections.
+    """Ratio of the work of the torque on the rotation by rolling to the work on deflections.
 
     Both works are taken up to the last state.
     """
@@ -57,7 +57,7 @@ def by_turning(w: RaceSpring) -> float:
 
 
 def left_out(w: RaceSpring, N: float) -> float:
-    """Fraction of the work of `stored` done on the outward motion of the centroid.
+    """Fraction of the work `stored` that is done on the outward motion of the centroid.
 
     Eq. 14 omits this work. It is taken up to N [N].
     """
@@ -94,7 +94,7 @@ def asked(w: RaceSpring, theta: float) -> float:
 
 
 def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Largest required |T|/N at which both contacts begin to roll under the whole torque."""
+    """Largest |T|/N required for rolling of both contacts at the start, under the whole torque."""
     system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
     _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
     return float(np.abs(tangential).max() / N)

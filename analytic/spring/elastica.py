@@ -128,7 +128,10 @@ class Elastica:
         return self._solve(psi, P, HELD_OFF[head], held, np.array([0.0, -U, -aside]))
 
     def pushed(self, F: tuple[float, float], near: State, *, couple: float = 0.0) -> State:
-        """State under a dead force (F_x, F_y) and a couple on a free head, computed from `near`."""
+        """State under a dead force (F_x, F_y) and a couple on a free head.
+
+        The iteration begins at the state `near`.
+        """
         P = np.array([near.head[TURN], couple, *F])
         return self._solve(near.psi, P, (TURN,), (0,), np.zeros(3))
 

@@ -24,7 +24,10 @@ PAIRS = 3  # first row of the pairs
 
 @dataclass(frozen=True)
 class Response:
-    """Response of a spring with E I = 1: stiffness, forces X and both closing rates per force F."""
+    """Response of a spring with E I = 1: stiffness k, forces X, closing rates of both pairs.
+
+    Forces and rates are per force F.
+    """
 
     k: Array
     X: Array

@@ -31,7 +31,7 @@ SHARP, SECANTS = 1e-10, 30  # of the displacement
 
 
 def determinant(state: State, head: Head) -> float:
-    """Determinant that is zero if a head of this kind can move under its present loads."""
+    """Determinant that is zero if a head of the kind `head` can move at constant loads."""
     rows, columns = FREEDOM[head]
     return float(np.linalg.det(state.J[np.ix_(rows, columns)]))
 
@@ -44,7 +44,7 @@ def lateral_stiffness(state: State) -> float:
 
 
 def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
-    """First critical point of a `head` that is released, on the guided path through U [length].
+    """First critical point on the guided path through U [length] for a head of the kind `head`.
 
     None if there is no critical point up to the last U. The steps of U must be those of
     `Elastica.path`.

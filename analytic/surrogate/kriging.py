@@ -64,7 +64,7 @@ class Kriging:
         Q, R = np.linalg.qr(whitened)
         spread = np.abs(np.diag(R))
         if spread.min() <= 1e-10 * spread.max():
-            raise ValueError("the designs do not determine a quadratic trend: too few levels")
+            raise ValueError("the designs do not determine a quadratic trend: use more levels")
         return Q, R
 
     @cached_property

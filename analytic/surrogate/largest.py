@@ -19,7 +19,10 @@ from analytic.surrogate.kriging import Kriging, fit
 
 @dataclass(frozen=True, eq=False)
 class Largest:
-    """Largest of several regimes; each is the `power`-th root of its kriging, at least 0."""
+    """Surrogate of the largest of several regimes.
+
+    Each regime is the `power`-th root of its kriging prediction, and at least 0.
+    """
 
     models: tuple[Kriging, ...]
     power: float = 1.0
@@ -64,7 +67,7 @@ def fit_largest(
     power: float = 2.0,
     present: Sequence[NDArray[np.bool_]] | None = None,
 ) -> Largest:
-    """Surrogate from the values (n,) of all regimes at x (n, d); the `power` of each is kriged.
+    """Surrogate from values (n,) of each regime at x (n, d); their `power`-th powers are kriged.
 
     `present` marks the designs at which a regime is present; other values are not used. Raises
     ValueError for a negative value, and for the same reasons as `fit`.

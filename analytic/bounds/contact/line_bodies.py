@@ -84,7 +84,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def bounded(self) -> tuple[Estimate, Estimate]:
-        """Expected errors of pressure and half-width; the tolerance bounds the remainder."""
+        """Expected errors of pressure and half-width; the tolerance bounds the neglected terms."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
         p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)

@@ -57,7 +57,7 @@ class Course:
 
     @cached_property
     def states(self) -> tuple[Array, Array, Array, Array]:
-        """Forces N [N], both approaches [m] and torques [N m] of all N with an equilibrium."""
+        """Normal forces N [N] with an equilibrium; approaches d_i, d_o [m] and torques [N m]."""
         cup, (f_i, f_o, f_T) = self.cup, self.factors
         N = FARTHER * self.approaches.top * np.linspace(0, 1, POINTS) ** 3
         d_i, d_o = self.approaches.of(N)

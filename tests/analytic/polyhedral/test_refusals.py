@@ -47,7 +47,7 @@ REFUSED = [
         ({"rho": 0.036}, "it leaves no flat"),
         ({"d": 0.01003}, r"do not fit: d must be below \(D_i - d_e\)/2=0.01003 m, got"),
         ({"z": 29}, r"overlap: d must be below \(D_i - d\) sin\(pi/z\)=0.0097\d* m with z=29"),
-        ({"e": 0.0181}, "hub must touch the flat: e must be at most 0.018 m, half its length"),
+        ({"e": 0.0181}, "hub must touch the flat: e must be at most 0.018 m, half the"),
         ({"D": 0.1}, "D of the race must exceed D_i=0.10006 m, got D=0.1 m"),
     )],
     *[(lambda change=change: PolyhedralClutch(PARTS, **LOADS | change), message)
