@@ -1,7 +1,8 @@
 """Public names of packages, imported when they are first used.
 
-A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
-editors read as well. Importing the package, or one module of it, imports none of the others.
+The public names of a package are the names that its stub `__init__.pyi` imports. Type checkers and
+editors read the same stub. Importing the package or one of its modules does not import the modules
+of the other names.
 """
 
 import ast

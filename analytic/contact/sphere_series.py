@@ -98,9 +98,8 @@ class Sphere:
 class PressedSpheres:
     """Contact radius, peak pressure and approach of two pressed spheres, to first order.
 
-    The approach is that of the planes of symmetry of both spheres.
-
-    Each `excess` is the relative excess over Hertz's value under the same load.
+    The approach is that of the planes of symmetry of both spheres. Each `excess` is the relative
+    excess over Hertz's value under the same load.
     """
 
     a: float

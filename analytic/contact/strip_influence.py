@@ -46,9 +46,7 @@ def log_part(v: Array) -> Array:
 def excess(log_v: Array) -> tuple[Array, Array]:
     """Difference of F and its asymptote `log_part`, and the derivative of this difference by ln v.
 
-    Both have the shape of `log_v`.
-
-    `log_v` must not be a scalar.
+    Both have the shape of `log_v`. `log_v` must not be a scalar.
 
     >>> value, _ = excess(np.log([1e-2, 1.0, 1e4]))
     >>> F = value + log_part(np.array([1e-2, 1.0, 1e4]))

@@ -124,7 +124,7 @@ class Duty:
     def least_torque(self) -> float:
         """Torque [N m] above which friction transmits the axial load; 0 without a lower limit.
 
-        nan if no range of `friction_holds` contains T.
+        The result is nan if no range of `friction_holds` contains T.
         """
         return next((low for low, _ in self._range), math.nan)
 
@@ -163,7 +163,7 @@ class Duty:
     def largest_axial_load(self, T: Array) -> Array:
         """Axial load [N] at T [N m] at which roller ends reach p_lim or the largest e/L.
 
-        nan without an equilibrium.
+        The result is nan if there is no equilibrium at T.
         """
         now, cam = state.loaded(self.clutch, T), self.clutch.cam
         share = np.full(T.shape, self.allowed_shift)

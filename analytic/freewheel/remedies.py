@@ -36,8 +36,8 @@ def shifted(clutch: RollerClutch, name: str, by: Array | float) -> RollerClutch:
 def ratios(duty: Duty, clutch: RollerClutch) -> Array:
     """Ratio mu/mu_req of `clutch` under the loads of `duty`.
 
-    It is 0 if the clutch releases itself, has no equilibrium at T or its rollers are beyond the
-    corners.
+    The ratio is 0 if the clutch releases itself, if it has no equilibrium at T, or if its rollers
+    are beyond the corners.
     """
     now = state.loaded(clutch, duty.T)
     asked = criterion.required_friction(

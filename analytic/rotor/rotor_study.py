@@ -91,8 +91,8 @@ def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> 
 def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
     """Critical speeds [rad/s] of whirl opposite to the unbalance; empty for anisotropic bearings.
 
-    Unbalance excites them only if bearings differ in x and y. If the bearings of the model differ,
-    `study` already contains all critical speeds.
+    Unbalance excites them only if bearings differ in x and y. If the bearings of the model differ
+    in x and y, `study` already contains all critical speeds.
     """
     if not rotor.isotropic:
         return []

@@ -55,8 +55,8 @@ def balance(engagement: Engagement) -> Balance:
 def sampled(engagement: Engagement, most: int) -> dict[str, Array]:
     """Histories of an engagement by name, reduced to less than twice `most` samples.
 
-    They contain the time t [s], forces N, T_i [N], sliding speed v_i [m/s], angles [rad], and the
-    energies and works [J] of `Balance`.
+    The histories contain the time t [s], forces N, T_i [N], sliding speed v_i [m/s], angles [rad],
+    and the energies and works [J] of `Balance`.
     """
     every = max(len(engagement.t) // most, 1)
     energies = balance(engagement)

@@ -91,7 +91,8 @@ class Column:
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
         """Distances of both contacts from the nearer flank, divided by half the width.
 
-        1 in the middle, 0 at a flank, negative beyond it. Angles are used in place of lengths.
+        The values are 1 in the middle, 0 at a flank and negative beyond a flank. Angles are used in
+        place of lengths.
         """
         at = float(self.sprag.eta_0) + turned, -alpha_b
         inner, outer = (
@@ -103,9 +104,7 @@ class Column:
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
         """Outline with the contacts at the angles `turned` and `alpha_b` [rad].
 
-        The pole is at 0, the arc at +y.
-
-        The result is None if a contact lies beyond a flank.
+        The pole is at 0, the arc at +y. The result is None if a contact lies beyond a flank.
         """
         if not self.stands(turned=turned, alpha_b=alpha_b):
             return None

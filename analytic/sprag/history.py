@@ -155,8 +155,8 @@ class Engagement:
         """Result of the engagement.
 
         "slips": a contact slides for most of the last quarter of the time. "disengages": the
-        contacts are open for most of it. "over the end": the sprag has passed the end of its
-        profile. "not followed": the force still rises at the end, or the inner race overruns.
+        contacts are open for most of this quarter. "over the end": the sprag has passed the end of
+        its profile. "not followed": the force still rises at the end, or the inner race overruns.
         """
         if self.over:
             return "over the end"

@@ -44,9 +44,7 @@ class Peaks:
     def regimes(self) -> tuple[Array, Array]:
         """Weighted pressure [Pa] of the end slice, and pressure [Pa] of the others, each (n, m).
 
-        Both are regimes of a surrogate.
-
-        Strips do not accept a crown with loaded ends: see END.
+        Both are regimes of a surrogate. Strips do not accept a crown with loaded ends: see END.
         """
         return (END if self.by == "strips" else 1.0) * self.end, self.inside
 

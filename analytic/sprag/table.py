@@ -42,10 +42,8 @@ BISECTIONS = 40
 class Table:
     """Table of a clutch at equal steps of s = sqrt(alpha): `values` and their `slopes` d/ds.
 
-    Both have the shape (columns, intervals + 1).
-
-    The `step` of s is in rad^(1/2). alpha is measured from the first contact. At speed, the first
-    contact is later than at rest by `origin`.
+    Both have the shape (columns, intervals + 1). The `step` of s is in rad^(1/2). alpha is measured
+    from the first contact. At speed, the first contact is later than at rest by `origin`.
     """
 
     n_s: int

@@ -59,7 +59,7 @@ def by_turning(w: RaceSpring) -> float:
 def left_out(w: RaceSpring, N: float) -> float:
     """Fraction of the work `stored` that is done on the outward motion of the centroid.
 
-    Eq. 14 omits this work. It is taken up to N [N].
+    Eq. 14 omits this work. The work is taken up to N [N].
     """
     now = w.states
     per_way = np.sin(now.beta + now.gamma) / now.OA - np.sin(now.gamma) / now.OB

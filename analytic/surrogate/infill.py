@@ -71,12 +71,12 @@ def infill(
     """Result of repeated fit, search for the surrogate's minimum and evaluation of the model there.
 
     The rounds end when surrogate and model agree: |true/predicted - 1| <= agree in `in_a_row`
-    successive rounds. `answers` are the results of the true model at x (n, d); they are computed if
-    not given. `value` returns the number to be minimised from one result. If the minimum is at an
-    existing design, this design is evaluated again. A deterministic model then returns the same
-    value, which an interpolating surrogate reproduces; otherwise, ArithmeticError is raised. Raises
-    ArithmeticError also for a value that is not finite, and NoAgreementError (an ArithmeticError)
-    after `rounds` without agreement.
+    successive rounds. `answers` are the results of the true model at x (n, d); if they are not
+    given, they are computed. `value` returns the number to be minimised from one result. If the
+    minimum is at an existing design, this design is evaluated again. A deterministic model then
+    returns the same value, which an interpolating surrogate reproduces; otherwise, ArithmeticError
+    is raised. Raises ArithmeticError also for a value that is not finite, and NoAgreementError (an
+    ArithmeticError) after `rounds` without agreement.
 
     Agreement is local. It shows that the surrogate is correct at its minimum, but not that no other
     point has a smaller value. Example: one process for the largest of three planes, with four

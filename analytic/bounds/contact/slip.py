@@ -7,10 +7,11 @@ def neglected(*, a: float, R: float) -> float:
     """Bound [1] of the relative error of a half-width, displacement or energy: twice (a/R)².
 
     By symmetry, the tangential load of a disc does not change the gap, and terms odd in a/R are
-    zero. There are two effects of order (a/R)²: the circle against the parabola, which changes the
-    slope of the profile at the edge by (a/R)²/4, and the even parts x² + x'² of the normal and the
-    tangential kernel, each with a factor of at most one half relative to the logarithm. Half-widths
-    enter displacements and energies as squares. The sum of all effects is below twice (a/R)².
+    zero. There are two effects of order (a/R)². First, the circle differs from the parabola: the
+    slope of the profile at the edge changes by (a/R)²/4. Second, the normal and the tangential
+    kernel have even parts x² + x'², each with a factor of at most one half relative to the
+    logarithm. Half-widths enter displacements and energies as squares. The sum of all effects is
+    below twice (a/R)².
 
     >>> neglected(a=0.5, R=1.0)
     0.5

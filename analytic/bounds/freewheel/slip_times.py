@@ -41,10 +41,9 @@ class Rig:
     def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
         """First time [s] at which the clutch slips on the load path; infinite if it does not slip.
 
-        `path` is the number of the load path.
-
-        `F` is the axial load at slip, under the torque T or, for path 3, under T_critical. There,
-        the required friction equals the available friction. `tan` is used only for path 3.
+        `path` is the number of the load path. `F` is the axial load at slip, under the torque T or,
+        for path 3, under T_critical. At this load and torque, the required friction equals the
+        available friction. `tan` is used only for path 3.
         """
         if path == 1:
             t = self.rise + F / self.F_ax * (self.duration - self.rise)
@@ -83,8 +82,9 @@ class Rig:
     def tangent(self, sines: tuple[float, float], mu_req: tuple[float, float]) -> Tangent:
         """Function tan(alpha) of the torque [N m]: a line through two points of path 3.
 
-        Both are values at the end of the path for two values of its sine. From 0.3 to 1 times the
-        torque of the synthetic clutch, the error of the line is below 2e-3.
+        The points are the required frictions `mu_req` at the end of the path for two values `sines`
+        of the sine of its loads. From 0.3 to 1 times the torque of the synthetic clutch, the error
+        of the line is below 2e-3.
         """
 
         def at(sine: float, friction: float) -> tuple[float, float]:

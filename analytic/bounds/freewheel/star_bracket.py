@@ -1,6 +1,6 @@
 r"""Expected interval of the approach of a clamped star, from three bodies with known solutions.
 
-First body: a layer of the height h = X - r_b on a rigid base, under loads at a distance of the
+First body: a layer of the height h = X - r_b on a rigid base, under loads whose spacing is the
 length of a flat. It contains the star, but the clamped bore of the star curves away from the base;
 the layer is too stiff for stars with a thin wall. Under a pressure wave with the wave number q, the
 deflection of its surface is 2 K(q h)/(E' q) times the pressure,
@@ -40,9 +40,8 @@ def expected_approach(star: FreewheelParts, P: ArrayLike) -> tuple[Array, Array]
 def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
     """Approach d_i [length] of a disc whose rim contains the contact point on the flat.
 
-    It is interpolated between discs whose radii are those of the flats and of the corners.
-
-    It is the expected approach of a star, to second order in the height of the corners.
+    The approach is interpolated between discs whose radii are those of the flats and of the
+    corners. It is the expected approach of a star, to second order in the height of the corners.
     """
     P = positive(P, "load per length", "N/m")
     flat, corner = _rims(star)

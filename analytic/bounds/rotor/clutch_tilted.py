@@ -58,10 +58,11 @@ def left_out(
 ) -> tuple[float, float]:
     """Interval of the error of a coupling; the reference has struts with tilting contact points.
 
-    `clutch` has sufficiently many slices, the formula `n_s`. The value of the formula is computed
-    again by `summed`, so that an error of the formula does not change the interval. Points of the
-    race at R_i rotate by a = gamma_y cos(psi + nu) about their tangent. They move away from the
-    sprag by R_i a^2/2 and along the axis by R_i a, which changes the lever arm of a tilt.
+    `clutch` must have sufficiently many slices; the formula has `n_s` slices. The value of the
+    formula is computed again by `summed`, so that an error of the formula does not change the
+    interval. Points of the race at R_i rotate by a = gamma_y cos(psi + nu) about their tangent.
+    They move away from the sprag by R_i a^2/2 and along the axis by R_i a, which changes the lever
+    arm of a tilt.
     """
     nu, R_i = clutch.nu, clutch.R_i
     plain = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z + nu))

@@ -77,10 +77,8 @@ class Bounds:
     def tilted(self) -> float:
         """Bound of the ratio of the rolling of the contacts to beta, due to the tilt of thin walls.
 
-        The moment T h/2 tilts the walls.
-
-        The walls of thickness h are simply supported beams over a pitch L: the tilt is
-        M L/(12 E' I).
+        The walls of thickness h are simply supported beams over a pitch L. The moment M = T h/2
+        tilts them by M L/(12 E' I).
         """
         q, at = self.sizes, self.at
         T = self.N * math.tan(float(at.nu)) / (q.l * q.E_plane)
@@ -160,14 +158,15 @@ class Bounds:
     def plane(self) -> Interval:
         """Interval of the error of the sum of deflections by Hertz's contacts and Eq. 6.
 
-        The contacts deflect to the depth of the walls and to half of the sprag.
+        The approaches of the contacts are computed down to the depth of the walls and to half the
+        height of the sprag.
         """
         return times(self.elastic(), self.plane_yields() / float(self.at.yields.H))
 
     def lost(self) -> Interval:
         """Interval of the error of the printed closure equations.
 
-        They omit half of the deflections of contact and sprag on the inner side.
+        The printed equations omit half of the deflections of contact and sprag on the inner side.
         """
         yields = self.at.yields
         lost = float(yields.contact_i + yields.sprag) / 2
