@@ -122,7 +122,8 @@ def disc_under_load(*, P: float, R: float, E_plane: float) -> PressedDisc:
 
     if excess(WIDEST) < 0:
         raise ValueError(
-            f"the half-width must be at most a = {WIDEST} R, got P/(E' R) = {load:g} (no unit)"
+            f"the load must be lower: the half-width must be at most a = {WIDEST} R, got "
+            f"P/(E' R) = {load:g} (no unit)"
         )
     ratio = brentq(excess, hertz / 2, min(hertz, WIDEST), xtol=1e-15 * hertz, rtol=1e-14)
     return disc_in_contact(a=ratio * R, R=R, E_plane=E_plane)

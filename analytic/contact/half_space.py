@@ -55,7 +55,7 @@ class HalfSpace:
         tolerance: float = TOLERANCE,
         limit: int = LIMIT,
     ) -> HalfSpaceContact:
-        """Contact of the initial `gap` (nx, ny) under either `load` or `approach`.
+        """Contact of half-spaces with the initial `gap` (nx, ny) under either `load` or `approach`.
 
         `start` is an estimate of the pressures. If the gap is symmetric about the middle of an even
         number of cells, the pressure is symmetric, too, and only half of the grid is solved. If the
@@ -119,7 +119,7 @@ def press_half_space(
     approach: float | None = None,
     **how: Any,
 ) -> HalfSpaceContact:
-    """Contact of the initial `gap` (nx, ny); `HalfSpace.press` describes arguments and result.
+    """Contact of half-spaces with the initial `gap` (nx, ny); see `HalfSpace.press`.
 
     >>> one = press_half_space([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
     >>> bool(np.isclose(one.approach, np.log(1 + np.sqrt(2))))  # Love's 4 h asinh(1) / (pi E*)

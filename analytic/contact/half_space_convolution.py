@@ -50,7 +50,7 @@ class Convolution:
         return self._filter(pressure, 2, self._symbol)
 
     def precondition(self, displacement: Array) -> Array:
-        """Approximate pressures [stress] for a periodic `displacement`; positive definite."""
+        """Approximate pressures [stress] for a periodic `displacement`; a positive definite map."""
         return self._filter(displacement, 1, self._inverse)
 
     def half(self, field: Array) -> Array:

@@ -89,7 +89,7 @@ def respond(s: Array) -> Response:
 def solve(
     h: Array, *, tolerance: float, total: Array | None = None, Delta: Array | None = None
 ) -> Solved:
-    """Loads s of the cases h (N, n), for a given sum `total` or approach `Delta`, both (N,).
+    """Loads s of cases with gaps h (N, n), for given sums `total` or approaches `Delta`, both (N,).
 
     Converged cases are removed from the iteration. Cases that do not converge are solved again
     separately. Raises ArithmeticError if a case does not converge in this second attempt.

@@ -37,7 +37,7 @@ from analytic.freewheel.rules import require
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cam(ABC):
-    """Cam with z rollers between flats and a circular race: base class of both kinds.
+    """Cam with z rollers between flats and a circular race: base class of inner and outer cams.
 
     `race` and `flat` are R and X of either kind. `sense` is +1 if load increases the angle (inner
     cam) and -1 if load decreases it (outer cam).

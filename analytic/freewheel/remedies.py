@@ -28,7 +28,7 @@ def field_of(clutch: RollerClutch, name: str) -> str:
 
 
 def shifted(clutch: RollerClutch, name: str, by: Array | float) -> RollerClutch:
-    """Clutches whose X, r or R deviates by `by` [m]; raises ValueError if one has no wedge."""
+    """Clutches whose X, r or R deviates by `by` [m]; raises ValueError if a clutch has no wedge."""
     cam, field = clutch.cam, field_of(clutch, name)
     return replace(clutch, cam=replace(cam, **{field: getattr(cam, field) + by}))
 
@@ -49,7 +49,7 @@ def ratios(duty: Duty, clutch: RollerClutch) -> Array:
 
 
 def moved_to(duty: Duty, goal: float) -> float:
-    """Smallest outward shift dX [m] of the flats with mu/mu_req = `goal`; nan if none suffices."""
+    """Smallest outward shift dX [m] of the flats with mu/mu_req = `goal`; nan if there is none."""
     return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
 
 

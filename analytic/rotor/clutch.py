@@ -50,7 +50,9 @@ def slice_middles(*, L: float, n_s: int) -> Array:
 
 
 def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) -> Array:
-    """Angles [rad] of Z equally spaced sprags from psi_0, without the `missing` ones (from 0).
+    """Angles [rad] of Z equally spaced sprags from psi_0, without those numbered in `missing`.
+
+    The number of the first sprag is 0.
 
     >>> np.degrees(even_angles(Z=4, missing=(1,))).tolist()
     [0.0, 180.0, 270.0]

@@ -207,7 +207,7 @@ class TransferMatrixRotor:
         for node, what in used:
             if not 0 <= node < self.stations:
                 raise ValueError(
-                    f"a {what} must be at an existing station, got {node}, the last is "
+                    f"a {what} must be at an existing station, got {node}, the last station is "
                     f"{self.stations - 1}"
                 )
 

@@ -85,7 +85,7 @@ def transfer_unbalance_response(
     for node, value in unbalances.items():
         if not 0 <= node < rotor.stations:
             raise ValueError(
-                f"an unbalance must be at an existing station, got {node}, the last is "
+                f"an unbalance must be at an existing station, got {node}, the last station is "
                 f"{rotor.stations - 1}"
             )
         if excitation > 0:

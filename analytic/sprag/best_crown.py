@@ -106,7 +106,7 @@ def recorded(
 
 
 def simplex(true: Callable[[Array], float], box: Box, start: Array) -> Array:
-    """Evaluations by Nelder and Mead's simplex method on the true model from a crown (3,).
+    """Evaluations of the true model by Nelder and Mead's simplex method from a crown (3,).
 
     The search is limited to DIRECT engagements. The rows (n, 4) contain K_1, K_2, z_m and the
     pressure [Pa].

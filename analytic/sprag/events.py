@@ -68,7 +68,10 @@ def rolling(mode: Mode) -> list[int]:
 
 @lru_cache(maxsize=9)
 def free(mode: Mode) -> tuple[list[int], list[int], list[int]]:
-    """Indices of rolling contacts, independent speeds, dependent speeds (phi', then alpha')."""
+    """Indices of the rolling contacts, of the independent and of the dependent speeds.
+
+    With one rolling contact, phi' is dependent; with two, phi' and alpha' are dependent.
+    """
     bound = rolling(mode)
     kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
     return bound, kept, [k for k in range(4) if k not in kept]

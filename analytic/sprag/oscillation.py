@@ -67,7 +67,7 @@ class Oscillation:
         return float(self._run(course, (RAMP + REST) / self.f, dt, C_rl=damping).N[-1])
 
     def frequency(self, refine: int) -> float:
-        """Frequency [Hz] of a small free oscillation about rest, from its zero crossings."""
+        """Frequency [Hz] of small free oscillations about the state at rest, by zero crossings."""
         period = 1 / self.f
         dt = period / (PACE * refine)
         ramp = SLOW * period

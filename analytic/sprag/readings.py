@@ -11,7 +11,7 @@ from analytic.sprag.history import Engagement, Phase
 
 
 def put_in(found: Engagement) -> float:
-    """Work [J] of torque and springs up to the first peak, from a parabola of 3 samples."""
+    """Work [J] of torque and springs up to the first peak, by a parabola through 3 samples."""
     ahead = found.t / found.dt - found.first_peak[0] / found.dt
     near = np.argsort(np.abs(ahead))[:3]
     kept = balance(found)

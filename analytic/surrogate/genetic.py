@@ -51,7 +51,7 @@ def genetic(
 
 
 def decoded(codes: Codes, bits: int) -> Array:
-    """Points (n, d) of the unit cube from Gray codes (n, d * bits); 0 and 1 have codes.
+    """Points (n, d) of the unit cube from Gray codes (n, d * bits); 0 and 1 are included.
 
     >>> decoded(np.array([[0, 0], [0, 1], [1, 1], [1, 0]], bool), 2).ravel().round(3).tolist()
     [0.0, 0.333, 0.667, 1.0]

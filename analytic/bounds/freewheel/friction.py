@@ -51,14 +51,14 @@ class FrictionBounds:
         return times(self.both_contacts(), math.hypot(1.0, self.lever), SAME_EQUATION)
 
     def limit_load(self) -> Interval | None:
-        """Interval of the error of F_ax at the friction limit; None if it is too wide.
+        """Interval of the error of F_ax at the friction limit; None if the interval is too wide.
 
         The interval is too wide if tan(alpha) alone nearly releases the roller.
         """
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
-        """Interval of the error of F_t/F_z at the friction limit; None if it is too wide."""
+        """Interval of the error of F_t/F_z at the friction limit; None if too wide."""
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
