@@ -1,7 +1,8 @@
 """Public names of packages, imported when they are first used.
 
-A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
-editors read as well. Importing the package, or one module of it, imports none of the others.
+The public names of a package are the names that its stub `__init__.pyi` imports. Type checkers and
+editors read the same stub. Importing the package or one of its modules does not import the modules
+of the other names.
 """
 
 import ast
@@ -31,7 +32,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def earlier() -> dict[str, str]:
-        """Present name of every name that version 0.1 had instead."""
+        """Present name of every public name of version 0.1 that was renamed."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         named = [
             x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)
