@@ -71,7 +71,7 @@ def excess(
     nu_2: float,
     assumption: Assumption,
 ) -> tuple[Excess, Excess]:
-    """Relative excess over Hertz of the peak pressure and of the half-width by moments (no unit).
+    """Relative excesses over Hertz's values: peak pressure, and half-width by moments (no unit).
 
     `a` is Hertz's half-width; an infinite R_2 is a flat.
 

@@ -137,7 +137,7 @@ class InRace(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach: zero; the tolerance is `small`/2 plus |`coupled`|.
+        """Expected error of the approach: zero; the tolerance is `small`/2 plus `|coupled|`.
 
         The brackets of the approach are at least 2.
         """
@@ -145,7 +145,7 @@ class InRace(TwoBodies):
 
     @property
     def shear(self) -> Estimate:
-        """Expected error of the largest shear stress; the tolerance is `small` plus |`coupled`|."""
+        """Expected error of the largest shear stress; the tolerance is `small` plus `|coupled|`."""
         inclined, slack = self.kappa * self.a, self.small + abs(self.coupled)
         return of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
 

@@ -125,7 +125,7 @@ class Loaded:
 def approach(
     P: Array, a: Array, *, E: Array, l: float, k: Array | float, c: Array | float = 0.0  # noqa: E741
 ) -> Array:  # fmt: skip
-    """Approach [length] of a body with the constants l, k, c under P [force/length]; half-width a.
+    """Approach [length] of a body with constants l, k, c under P [force/length] on half-width a.
 
     It is P/(pi E') (2 ln(l/a) + k + c a/l), with an error of second order in a/l.
     """

@@ -108,13 +108,16 @@ class Bounds:
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Interval of the error of the sum of all deflections, and of the rotation by the sum."""
+        """Interval of the error of the sum of deflections, and of the rotation that it causes."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
     @property
     def askew(self) -> float:
-        """Relative error of the deflections: work of tangential forces on moving sprag ends."""
+        """Relative error of the deflections due to the lateral motion of the sprag ends.
+
+        It is the work of the tangential forces on this motion.
+        """
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
