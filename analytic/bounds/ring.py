@@ -44,9 +44,9 @@ def smeared_error(
 
 
 def integrated_dent(depth: float, *, P: float, a: float, E: float, nu: float) -> float:
-    """Shortening [length] between a contact and the depth `depth` below it in plane stress.
+    """Shortening [length] of the axis of a contact from the surface to `depth`, plane stress.
 
-    The load P per length has an elliptic distribution over the half-width a.
+    The body is a half plane. The load P per length is elliptic over the half-width a.
     """
     p_0 = 2 * P / (np.pi * a)
 

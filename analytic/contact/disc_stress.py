@@ -60,7 +60,7 @@ def axis_stresses(z: ArrayLike, *, disc: PressedDisc) -> tuple[Array, Array]:
 
 
 def largest_shear_stress(*, disc: PressedDisc) -> tuple[float, float]:
-    """Largest shear stress in the plane on the axis [stress] and its depth [length].
+    """Largest in-plane shear stress [stress] on the axis and its depth [length].
 
     >>> from analytic.contact.disc import disc_in_contact
     >>> disc = disc_in_contact(a=1e-2, R=1.0, E_plane=1.0)

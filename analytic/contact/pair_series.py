@@ -56,7 +56,7 @@ class Excess:
 
     @property
     def total(self) -> float:
-        """Sum of both orders."""
+        """Sum of the terms of both orders."""
         return self.first + self.second
 
 

@@ -103,7 +103,7 @@ class Cam(ABC):
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc s [length] of the centre of the roller relative to the cam, from no load (Eq. 6)."""
+        """Arc s [length] by which the roller's centre moves along the cam from no load (Eq. 6)."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha0)
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 

@@ -86,7 +86,7 @@ def radial_force(
 
 
 def contact_force(*, F_s: ArrayLike, psi: ArrayLike, phi_1: ArrayLike) -> Array:
-    """Force R [force] between hub and flat from its radial component (in Eq. 16)."""
+    """Force R [force] between hub and flat from the radial component F_s (in Eq. 16)."""
     psi, phi_1 = hub_angles(psi, phi_1)
     return np.asarray(F_s / np.cos(psi + phi_1))
 

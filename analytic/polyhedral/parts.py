@@ -49,14 +49,14 @@ class PolyhedralParts:
 
     @property
     def D_m(self) -> float | None:
-        """Mean diameter [m] of the race; None if D is not given; no equation uses it."""
+        """Mean diameter [m] of the race, which no equation uses; None if D is not given."""
         if self.D is None:
             return None
         return float(expansion.mean_diameter(d_i=self.D_i, d_e=self.D))
 
     @property
     def delta_1(self) -> float:
-        """Thickness [m] of the ring at the corners, its smallest thickness."""
+        """Thickness [m] of the ring at the corners, where the ring is thinnest."""
         return (self.d_e - self.d_i) / 2
 
     @property

@@ -45,6 +45,8 @@ def rim_stress(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) -
 def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
     """Ratio of the largest fillet stress to the pressure (no unit), and its arc length [length].
 
+    The arc length s is that of the point with the largest stress.
+
     >>> stress, s = largest_fillet_stress(sector=Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0))
     >>> round(stress, 3), round(s - 17.0, 3)  # in the corner: the fillet reaches from 0 to 1.047
     (32.816, 1.047)

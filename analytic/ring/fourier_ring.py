@@ -1,4 +1,4 @@
-r"""Ring under a periodic pressure on one wall, other wall free (Michell's Fourier series).
+r"""Ring under a periodic pressure on one wall; the other wall is free (Michell's Fourier series).
 
 The pressure sum p_m cos(m theta), m = 0, n, 2n, ..., acts on the bore or on the rim; m = 0 is
 Lamé's ring. For m >= 2, Michell's stress functions r^m, r^(m+2), r^-m, r^(2-m) times cos(m theta)

@@ -32,7 +32,7 @@ Ends = Literal["plane stress", "plane strain", "closed ends"]
 def stresses(
     r: ArrayLike, *, r_i: ArrayLike, r_o: ArrayLike, p_i: ArrayLike, p_o: ArrayLike = 0.0
 ) -> tuple[Array, Array]:
-    """Radial and hoop stress [stress] at the radii `r`, with the shape of r and the parameters.
+    """Radial and hoop stress [stress] at the radii `r`; all arguments are broadcast.
 
     >>> sigma_r, sigma_t = stresses([1.0, 2.0], r_i=1.0, r_o=2.0, p_i=3.0)
     >>> sigma_t.tolist()  # bore: p (r_o² + r_i²) / (r_o² - r_i²) = 5/3 p

@@ -51,7 +51,7 @@ class SteppedShape:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
     def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
-        """Pieces from end to end, with stations at the seats; stiffness by the 45° rule if `cone`.
+        """Pieces from end to end, with stations at the seats; if `cone`, stiffness by the 45° rule.
 
         >>> shape = SteppedShape(L=8.0, d_1=1.0, d_2=3.0, L_2=4.0, start=2.0, seats=(0.5, 7.5))
         >>> [(p.length, p.d_stiff) for p in shape.pieces(cone=False)]

@@ -136,7 +136,7 @@ class ElasticSpragClutch:
 
     @property
     def rolls_over_at(self) -> float:
-        """Torque [N m] at which a contact reaches a flank; infinite if none does."""
+        """Torque [N m] at which a contact reaches a flank; infinite if no contact reaches one."""
         if self.column is None:
             return math.inf
         turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 within 1 %

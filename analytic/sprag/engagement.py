@@ -292,7 +292,7 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Write `states` and `outputs` step by step; return the kind of end, its step and the contact.
+    """Write `states` and `outputs` at each step; return how, at which step and contact it ended.
 
     If a step passes the sticking band, `seen` receives the outputs before and after it.
     """

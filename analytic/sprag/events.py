@@ -1,4 +1,4 @@
-r"""Engagement by a second method: rolling is a constraint, its begin and end are events.
+r"""Engagement by a second method: rolling is a constraint that begins and ends at events.
 
 The method has neither a sticking band nor fixed time steps. Each contact rolls or slides. The
 sliding speed of a rolling contact is exactly zero, because the speeds q' are B(alpha) u with the

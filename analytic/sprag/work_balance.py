@@ -19,7 +19,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 
 def at_rest(w: RaceSpring, T: float) -> float:
-    """Rotation theta [rad] in equilibrium under T [N m]; nan if the profile ends before."""
+    """Rotation theta [rad] in equilibrium under T [N m]; nan if the profile ends below T."""
     resists = w.resistance()
     if float(resists(w.theta[-1])) < T:
         return math.nan

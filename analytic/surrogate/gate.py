@@ -52,7 +52,10 @@ class Quality:
 
     @classmethod
     def of(cls, errors: Array) -> "Quality":
-        """Statistics of relative errors (n,); raises ValueError unless finite and at least one."""
+        """Statistics of relative errors (n,).
+
+        Raises ValueError if no error is given or an error is not finite.
+        """
         errors = np.abs(np.asarray(errors, np.float64))
         if not errors.size or not np.all(np.isfinite(errors)):
             raise ValueError(

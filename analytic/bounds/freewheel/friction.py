@@ -58,7 +58,7 @@ class FrictionBounds:
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
-        """Interval of the error of F_t/F_z at the friction limit; None if too wide."""
+        """Interval of the error of F_t/F_z at the friction limit; None as for `limit_load`."""
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:

@@ -74,7 +74,7 @@ class FreewheelParts:
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc [length] of the path of the roller's centre relative to the cam, from no load."""
+        """Arc [length] by which the roller's centre moves relative to the cam from no load."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha(d_i=0.0, d_o=0.0))
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 

@@ -153,7 +153,7 @@ class Bounds:
         return (q.R_i - q.R_id, a_i) if which == "i" else (q.R_ed - q.R_e, a_e)
 
     def race(self, which: str) -> Interval:
-        """Interval of the error of the deflection of a race in the middle of its patch."""
+        """Interval of the error of the deflection of a race in the middle of a patch."""
         wall, a = self.in_wall(which)
         size = SHARP + (a / wall) ** 2
         return -size, size
