@@ -165,7 +165,7 @@ def _one_of(load: float | None, approach: float | None) -> tuple[float | None, f
 
 
 def _first(K: Convolution, gap: Array, approach: float | None) -> Array:
-    """Initial pressures: uniform, or the pressures of independent cells with this overlap."""
+    """Initial pressures: uniform for a given load; from the overlaps for a given `approach`."""
     if approach is None:
         return np.ones_like(gap)
     return np.asarray(np.maximum(K.precondition(np.maximum(approach - gap, 0.0)), 0.0))

@@ -111,7 +111,7 @@ def _last(clutch: RollerClutch) -> Array:
 
 
 def _summit(clutch: RollerClutch, last: Array) -> Array:
-    """Normal force [force] above which the torque no longer increases; infinite if never."""
+    """Normal force [force] above which the torque no longer increases; infinite without one."""
     return _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
 
 
@@ -140,7 +140,7 @@ def _corner_angle(now: RollerClutchState) -> Array:
 def _first(
     clutch: RollerClutch, last: Array, met: Callable[[RollerClutchState], NDArray[np.bool_]]
 ) -> Array:
-    """Smallest normal force [force] at which `met` is true, by bisection; infinite if never."""
+    """Smallest normal force [force] at which `met` is true, by bisection; infinite if none."""
     shape = np.broadcast_shapes(last.shape, clutch.cam.alpha0.shape)
     low, high = np.broadcast_to(LEAST * last, shape), np.broadcast_to(last, shape)
     never = ~met(state.at_normal_force(clutch, high))

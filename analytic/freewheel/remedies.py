@@ -85,7 +85,7 @@ def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) 
 
 
 def _nearer(duty: Duty, dX: Array) -> RollerClutch:
-    """Clutches with flats shifted by dX; the last possible shift replaces impossible ones."""
+    """Clutches with flats shifted by dX; impossible shifts are set to the last possible shift."""
     for share in np.linspace(1.0, 0.0, 50):
         try:
             return shifted(duty.clutch, "X", np.maximum(dX, share * dX.min()))
@@ -154,7 +154,10 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
 def _towards(
     T: float, near: float, far: float, made: Callable[[float], RollerClutch]
 ) -> float | None:
-    """Value between `near` and `far` from which on the clutch `made` with it transmits T [N m]."""
+    """Value between `near` and `far` beyond which `made(value)` transmits T [N m].
+
+    The value is found by bisection. None if the clutch does not transmit T at `far`.
+    """
 
     def bears(value: float) -> bool:
         return bool(np.isfinite(state.loaded(made(value), T).N))

@@ -110,10 +110,11 @@ def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
 
 
 def _shortened(clutch: SpragCoupling, q: Array, step: Array, P: Array) -> float:
-    """Fraction of a step for which the slope of the potential at its end is not too steep; else 0.
+    """Fraction of a step at whose end the slope of the potential is below a limit; 0 if none is.
 
-    The fraction is halved until this is true. Slopes are compared, because round-off affects values
-    of the potential long before it affects loads.
+    The fraction is halved until the slope is at most 0.9 times the magnitude of the initial slope.
+    Slopes are compared, because round-off affects values of the potential long before it affects
+    loads.
     """
     slope = float((clutch.loads(q) - P) @ step)
     share = 1.0

@@ -61,7 +61,7 @@ def _parts(rotor: TransferMatrixRotor, w: float) -> list[int]:
 
 
 def _stiffness(rotor: TransferMatrixRotor, parts: list[int], w: Array) -> Array:
-    """Dynamic stiffness D (m, n, n) [N m/rad] of torsion; stations first, then cuts."""
+    """Dynamic stiffness D (m, n, n) [N m/rad] of torsion; stations first, then inner nodes."""
     nodes = rotor.stations + sum(parts) - len(parts)
     D = np.zeros((w.size, nodes, nodes))
     cut = rotor.stations

@@ -53,7 +53,7 @@ class Line:
 
 @dataclass
 class _Pen:
-    """End of the line as assembled so far, and its second moments."""
+    """End of a partly assembled line, and the second moments of this line."""
 
     at: Array
     heading: Array
@@ -74,7 +74,7 @@ class _Pen:
         return self
 
     def here(self) -> "_Pen":
-        """Copy of this end with the same line behind it."""
+        """Copy of this end and of the line that leads to it."""
         other = _Pen(self.at, self.heading)
         other.drawn = self.drawn
         return other
