@@ -58,8 +58,8 @@ class Cholesky:
             cholmod.numeric(self._lower, self._factor)
         except ArithmeticError as error:
             raise ArithmeticError(
-                "the matrix is not positive definite to working precision: it has no "
-                f"pivot {error} of {self.n}"
+                "the matrix is not positive definite to working precision: pivot "
+                f"{error} of {self.n} is not positive"
             ) from error
 
     def solve(self, b: Array) -> Array:
@@ -74,9 +74,9 @@ class Cholesky:
         return int(self._stored.xsize)
 
     def last_block(self, count: int) -> Array:
-        """Last block (count, count) of L, for unknowns that were eliminated in their order.
+        """Last block (count, count) of L; the unknowns must not have been reordered.
 
-        The product of the block with its transpose is A condensed to its last unknowns.
+        The product of the block with its transpose is A condensed to the last `count` unknowns.
         """
         of, first = self._stored, self.n - count
         start, at, value_at = (

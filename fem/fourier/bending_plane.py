@@ -13,9 +13,10 @@ CUT = 0.98  # relative to the volume, whose stress a picture's colours span
 
 
 class BendingPlane(NamedTuple):
-    """Points (n, 2) along and across the axis, cells (m, 4), displacements (n, 2), stresses (m,).
+    """Bent section as a mesh with displacements and axial stresses.
 
-    The largest displacement component is 1. The axial stress of the cells is divided by the
+    `points` (n, 2) are coordinates along and across the axis, `cells` (m, 4) node numbers. The
+    largest component of `displacement` (n, 2) is 1. `stress` (m,) of the cells is divided by the
     magnitude that a share CUT of the volume does not exceed, and is limited to this magnitude.
     """
 

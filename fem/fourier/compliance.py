@@ -50,7 +50,7 @@ class SurfaceCompliance:
         return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
 
     def between(self, across: Array, tilt: float) -> Array:
-        """Matrix (M, M, cells, cells) of a patch: mean displacement times area per unit pressure.
+        """Compliance matrix (M, M, cells, cells) of a patch: area times mean displacement.
 
         Unknowns are pressures on |s| in M cells between the rising arc lengths `across` (M + 1,),
         from 0. Pressures act along the contact normal, which is inclined to the surface normal by
@@ -101,10 +101,11 @@ def _lagrange(knots: Array, x: Array) -> Array:
 def surface_flexibility(
     solid: FourierSolid, boundary: str, *, stations: Array, n: int = 0
 ) -> Array:
-    """Compliance G_n (2, cells, 2, cells) for one harmonic: directions inwards and around the axis.
+    """Compliance G_n (2, cells, 2, cells) of the `boundary` for the harmonic `n`.
 
-    The cells are along z. G_0 is the compliance under pressures that are constant around the axis.
-    For ValueError, see `surface_compliance`.
+    The two directions of displacement and of load are inwards, and around the axis. The cells are
+    along z. G_0 is the compliance under pressures that are constant around the axis. For
+    ValueError, see `surface_compliance`.
     """
     return _by_cells(n, solid.flexibility(n, _loaded(solid, boundary, stations)[2]))
 
@@ -143,10 +144,11 @@ def _waves(angle: Array, n: Indices, tilt: float) -> Array:
 
 
 def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
-    """Multiples of `places` to be solved: 0, the eight lowest, then a geometric series.
+    """Harmonics for which the compliance is solved, all of them multiples of `places`.
 
-    Each harmonic of the series is about `growth` times the previous harmonic. The last harmonic is
-    the first that reaches `highest`.
+    They are 0, the eight lowest multiples, then a geometric series. Each harmonic of the series is
+    about `growth` times the previous harmonic. The last harmonic is the first that reaches
+    `highest`.
     """
     found = [0, *(places * k for k in range(1, LOW + 1))]
     while found[-1] < highest:
@@ -171,7 +173,8 @@ def surface_compliance(
         or orders.size <= CUBIC
     ):
         raise ValueError(
-            f"orders must be 0 and at least four rising multiples of places={places}, got {orders}"
+            "orders must begin with 0, followed by at least four rising multiples of "
+            f"places={places}, got {orders}"
         )
     cells, curvature, f = _loaded(solid, boundary, stations)
     G = np.array([

@@ -1,4 +1,4 @@
-"""Harmonics of a body under loads on few unknowns, which are eliminated last.
+"""Flexibility of a body in many harmonics, under loads on a few unknowns that are eliminated last.
 
 For n >= 2, all harmonics have the same free unknowns. A single selection and a single sparsity
 pattern are therefore used for all of them.
@@ -17,10 +17,10 @@ from fem.plane.discretisation import Array, Indices
 
 @dataclass(frozen=True)
 class Selected:
-    """Parts `data` (3, entries) of the lower triangle of T' (K_0 + n K_1 + n^2 K_2) T.
+    """Lower triangle of T' (K_0 + n K_1 + n^2 K_2) T, where T selects the free unknowns.
 
-    T is a selection of unknowns. Zero entries are stored, so that all harmonics have the same
-    pattern.
+    The rows of `data` (3, entries) belong to K_0, K_1 and K_2. Zero entries are stored, so that all
+    harmonics have the same pattern.
     """
 
     T: csr_array
@@ -30,7 +30,7 @@ class Selected:
 
     @classmethod
     def of(cls, parts: tuple[csr_array, csr_array, csr_array], T: csr_array) -> Self:
-        """Free parts of three matrices with one pattern, such as the parts of a stiffness."""
+        """Lower triangles of T' K T for the three matrices K in `parts`, which have one pattern."""
         first = parts[0]
         number = np.arange(1.0, first.nnz + 1)
         chosen = tril(T.T @ csr_array((number, first.indices, first.indptr), first.shape) @ T)
@@ -49,10 +49,10 @@ class Selected:
 
 
 def flexibility(factor: Cholesky, T: csr_array, f: Array) -> Array:
-    """Work f_i . u_j (k, k) of the loads `f` (unknowns, k) on the displacements u_j.
+    """Work f_i . u_j (k, k) of each load f_i on the displacements u_j that the load f_j causes.
 
-    u = T q is computed with the factors of K. With K = L L', only the last rows of L, from the
-    first loaded unknown, are used.
+    The loads are the columns of `f` (unknowns, k). u = T q is computed with the factors of K. With
+    K = L L', only the last rows of L, from the first loaded unknown, are used.
     """
     load = T.T @ f
     first = int(np.argmax(np.any(load, axis=1)))

@@ -29,10 +29,11 @@ class NarrowPatchError(ValueError):
 
 @dataclass(frozen=True)
 class PatchContact:
-    """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
+    """Contact pressures `p` (M, cells) on a grid of cells, with the load and the approach.
 
-    `across` are distances from the plane through the axes, for points at the arc lengths s. `load`
-    and `approach` belong to the modelled length.
+    The cells have the ends `across` (M + 1,) in x and `stations` (cells + 1,) in z. `across` are
+    distances from the plane through the axes, for points at the arc lengths s. `load` and
+    `approach` belong to the modelled length.
     """
 
     across: Array
@@ -144,7 +145,8 @@ def _check(
         )
     if first.places != second.places:
         raise ValueError(
-            f"both bodies must have the same number of loads, got {first.places}, {second.places}"
+            "both bodies must have the same number of loads around the axis, got "
+            f"{first.places} and {second.places}"
         )
     same = first.stations.shape == second.stations.shape
     if not same or np.ptp(first.stations - second.stations) > SAME * np.ptp(first.stations):

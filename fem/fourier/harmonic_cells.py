@@ -61,10 +61,10 @@ def stress(strain: Array, lam: Array, mu: Array) -> Array:
 
 @dataclass(frozen=True, kw_only=True)
 class HarmonicCells:
-    """Isotropic cells: `slope` and `around` of `strain_rows` at the quadrature points (m, q).
+    """Isotropic cells, with their shape functions at the quadrature points (m, q).
 
-    `dx` (m, q) are the weights of the points times r, `dofs` (m, 3 n) the unknowns, `lam` and `mu`
-    (m,) Lamé's constants.
+    `slope` and `around` are the arguments of `strain_rows`, `dx` (m, q) are the weights of the
+    points times r, `dofs` (m, 3 n) the unknowns, `lam` and `mu` (m,) Lamé's constants.
     """
 
     slope: Array
@@ -120,7 +120,10 @@ class HarmonicCells:
         return found
 
     def strain(self, u: Array, n: int) -> Array:
-        """Amplitudes (m, q, 6) of the strains of `u` at the quadrature points; `n` has a sign."""
+        """Amplitudes (m, q, 6) of the strains of `u` at the quadrature points.
+
+        `n` is negative for the antisymmetric harmonic.
+        """
         B_0, B_1 = strain_rows(self.around, self.slope)
         local = u[self.dofs].reshape(len(self.dofs), -1, 3)
         return np.asarray(np.einsum("mqsnc,mnc->mqs", B_0 + n * B_1, local, optimize=True))

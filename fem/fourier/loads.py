@@ -1,4 +1,4 @@
-"""Loads of a harmonic on named boundaries, as forces that are work-conjugate to its amplitudes."""
+"""Loads of a harmonic on named boundaries, as forces work-conjugate to displacement amplitudes."""
 
 from collections.abc import Callable, Mapping
 

@@ -11,9 +11,10 @@ from fem.plane.discretisation import Array
 
 
 def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
-    """Pressure (cells,) between `stations` (cells + 1,) of two surfaces with unit interference.
+    """Contact pressure (cells,) of two surfaces that are fitted with unit interference.
 
-    Each body is given with the name of its surface. Both bodies deflect uniformly around the axis.
+    The cells lie between the axial `stations` (cells + 1,). Each body is given with the name of its
+    surface. Both bodies deflect uniformly around the axis.
     """
     G = sum(surface_flexibility(solid, name, stations=stations)[0, :, 0] for solid, name in bodies)
     return np.asarray(np.linalg.solve(G, np.diff(stations)), dtype=np.float64)

@@ -94,18 +94,19 @@ class FourierSolid:
         return nested_dissection(self.basis)
 
     def harmonic(self, n: int, *, antisymmetric: bool = False) -> "Harmonic":
-        """Factorised harmonic (U cos n t, V sin n t, W cos n t), or (U sin, V cos, W sin).
+        """Factorised harmonic `n`, with the displacements (U cos n t, V sin n t, W cos n t).
 
-        Raises ValueError unless n is a whole number >= 0, and if a body can move rigidly.
+        If `antisymmetric`, the displacements are (U sin n t, V cos n t, W sin n t). Raises
+        ValueError unless n is a whole number >= 0, and if a body can move rigidly.
         """
         return Harmonic.of(self, _whole(n), antisymmetric)
 
     def flexibility(self, n: int, f: Array) -> Array:
-        """Work f_i . u_j (k, k) of the loads `f` (unknowns, k) on their displacements u_j.
+        """Work f_i . u_j (k, k) of each load f_i on the displacements u_j that the load f_j causes.
 
-        It is intended for forces on few unknowns, such as pressures on one surface: these unknowns
-        are eliminated last, and all others are only factorised. The harmonics are symmetric; errors
-        are those of `harmonic`.
+        The loads are the columns of `f` (unknowns, k). The method is intended for forces on few
+        unknowns, such as pressures on one surface: these unknowns are eliminated last, and all
+        others are only factorised. The harmonics are symmetric; errors are those of `harmonic`.
         """
         return next(self.flexibilities((n,), f))
 
@@ -131,7 +132,10 @@ class FourierSolid:
             yield flexibility(factor, higher.T, f)
 
     def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
-        """Sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
+        """Solution as the sum of symmetric harmonics n under `tractions[n][boundary]`.
+
+        The tractions are amplitudes (t_r, t_t, t_z) [stress].
+        """
         return FourierSolution(tuple(self.harmonic(n).solve(own) for n, own in tractions.items()))
 
 
@@ -150,7 +154,7 @@ class Harmonic:
     def of(
         cls, solid: FourierSolid, n: int, antisymmetric: bool, place: Indices | None = None
     ) -> "Harmonic":
-        """Assemble and factorise in the order `place` (unknowns,), or in the order of the solid."""
+        """Harmonic factorised in the order `place` (unknowns,); by default the order of `solid`."""
         place = solid.place if place is None else place
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)
@@ -169,9 +173,10 @@ class Harmonic:
         )
 
     def displacements(self, f: Array) -> Array:
-        """Amplitudes (unknowns, ...) under the forces `f` (unknowns, ...), with one correction.
+        """Displacement amplitudes (unknowns, ...) under the forces `f` (unknowns, ...).
 
-        Raises ArithmeticError if the residual exceeds 1e-8 of the forces.
+        The solution is corrected once by its residual. Raises ArithmeticError if the residual
+        exceeds 1e-8 of the forces.
         """
         load = self.T.T @ f
         q = self.factor.solve(load)

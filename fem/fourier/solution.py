@@ -68,7 +68,7 @@ class HarmonicSolution:
         return np.einsum("mn,mnc->cm", N, local), sigma.T
 
     def reaction(self, boundary: str) -> Array:
-        """Forces of the supports of `boundary` along the rigid motions of this harmonic.
+        """Resultant forces and moments of the supports of `boundary` in this harmonic.
 
         n = 0: the axial force (antisymmetric: the torque). n = 1: the force along x and the moment
         about y (antisymmetric: along y, about x). For n >= 2 the result is empty, because there is
@@ -93,7 +93,7 @@ class FourierSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Sum over the harmonics, which are orthogonal over the circumference [force x length]."""
+        """Strain energy [force x length]: sum over the harmonics, which are orthogonal."""
         return sum(part.strain_energy for part in self.parts)
 
     def at(self, points: Array, angle: Array) -> tuple[Array, Array]:

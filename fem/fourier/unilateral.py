@@ -11,12 +11,12 @@ ROUND_OFF = 1e-11  # relative to the largest pressure, and to the largest gap
 
 
 def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array, float]:
-    """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
+    """Contact pressures (n,) of n cells, and the approach of the bodies, under the total `load`.
 
-    A p + area (gap - approach) is 0 if p > 0, otherwise positive; area . p = load. `A` (n, n) is
-    symmetric and positive definite. Initially all cells are in contact. Cells in tension are
-    removed and overlapping cells are added until neither occurs. Raises ArithmeticError if this
-    does not end.
+    `gap` (n,) and `area` (n,) are the initial gaps and the areas of the cells. A p + area (gap -
+    approach) is 0 if p > 0, otherwise positive; area . p = load. `A` (n, n) is symmetric and
+    positive definite. Initially all cells are in contact. Cells in tension are removed and
+    overlapping cells are added until neither occurs. Raises ArithmeticError if this does not end.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):
@@ -32,6 +32,6 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
             return np.maximum(p, 0.0), float(approach)
         touching = (touching & ~pulls) | overlaps
     raise ArithmeticError(
-        f"the contact did not converge in {MAX_CHANGES} changes: {pulls.sum()} cells are in "
-        f"tension, {overlaps.sum()} cells overlap"
+        f"the contact did not converge: after {MAX_CHANGES} changes of the set of cells in "
+        f"contact, {pulls.sum()} cells are in tension, {overlaps.sum()} cells overlap"
     )

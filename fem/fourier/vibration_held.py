@@ -14,8 +14,8 @@ from fem.plane.discretisation import Array
 def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Array]) -> None:
     """Raise ValueError if no force resists a rigid motion of the bodies in harmonic n.
 
-    u = T q are the supported displacements; `pulls` (free,) are functionals of q, one for each
-    spring.
+    u = T q are the supported displacements. `pulls` are vectors (free,), one for each stiffness of
+    the springs; the energy of a spring is half of the square of its product with q.
     """
     motions = _of_bodies(basis, n)
     if not motions.shape[1]:
@@ -30,8 +30,8 @@ def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Arr
     free = int(np.count_nonzero(s < FREE))
     if free:
         raise ValueError(
-            f"harmonic {n}: the bodies can still make {free} rigid motions, across the axis or "
-            "tilting: prevent them by supports or springs"
+            f"harmonic {n}: the bodies can still make {free} rigid motions (across the axis or "
+            "tilting): prevent these motions by supports or springs"
         )
 
 

@@ -1,4 +1,4 @@
-"""Springs and rigid discs on the mean motions of boundaries of a body, in harmonic 1."""
+"""Springs and rigid discs that follow the mean motions of boundaries of a body, in harmonic 1."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -13,9 +13,10 @@ from fem.plane.discretisation import Array
 
 @dataclass(frozen=True, kw_only=True)
 class Mount:
-    """Isotropic spring on the mean motion of `boundary`, to the ground or to the boundary `to`.
+    """Isotropic spring from a boundary to the ground, or to another boundary `to`.
 
-    `k` acts across the axis [force/length], `k_tilt` against tilting [force x length/rad].
+    The ends of the spring follow the mean motions of the boundaries. `k` acts across the axis
+    [force/length], `k_tilt` against tilting [force x length/rad].
     """
 
     boundary: str
@@ -52,7 +53,10 @@ class RigidDisc:
 
 
 def pulls_of(basis: Basis, T: csr_array, mounts: Sequence[Mount]) -> list[Array]:
-    """Functionals (free,) of q in u = T q whose squares are twice the energies of the springs."""
+    """Vectors c (free,), one for each stiffness of the springs, with the energy (c . q)^2/2.
+
+    q (free,) are the free unknowns in u = T q.
+    """
     found = []
     for mount in mounts:
         c = mean_motion(basis, mount.boundary)
@@ -71,7 +75,10 @@ def inertias(
     discs: Sequence[RigidDisc],
     of: Callable[[RigidDisc], tuple[float, float]],
 ) -> csr_array:
-    """Sum (free, free) over all discs of the inertias `of` against lateral motion and tilt."""
+    """Inertia matrix (free, free) of all discs.
+
+    `of` returns the inertia of a disc against lateral motion, and against tilt.
+    """
     motions = [c for d in discs for c in np.asarray(T.T @ mean_motion(basis, d.boundary)).T]
     weights = np.array([of(disc) for disc in discs]).ravel()
     return squares(motions, weights, T.shape[1])

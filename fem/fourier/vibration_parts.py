@@ -28,7 +28,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
-    """Value of each cell (cells,); `values` is one for all cells, or one for each body.
+    """Value of each cell (cells,), from a single value of all cells or a value of each body.
 
     Raises ValueError for unknown bodies, cells without a value, and values that are not finite.
     """
@@ -50,9 +50,10 @@ def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Arr
 def mass_matrix(
     cells: HarmonicCells, basis: Basis, n: int, density: Array, form: Array
 ) -> csr_array:
-    """Integral of density u . form u over the circumference, with `form` (3, 3) on (U, V, W).
+    """Matrix (unknowns, unknowns) of the integral of density u . (form u) over the body.
 
-    `density` (cells,) is in mass/length^3, or is density times a speed.
+    `form` (3, 3) acts on the amplitudes u = (U, V, W). `density` (cells,) is in mass/length^3, or
+    is density times a speed.
     """
     N, _ = shapes(basis.elem.elem, basis.X)
     weight = turn_of(n) * density[:, None] * cells.dx
@@ -66,16 +67,20 @@ def mass_matrix(
 
 
 def gyroscopic_form(n: int) -> Array:
-    """Form 2 (n + P) whose integral with density times speed is the gyroscopic matrix."""
+    """Form 2 (n I + P) (3, 3), for which `mass_matrix` gives the gyroscopic matrix.
+
+    The density is then multiplied by the speed. P exchanges U and V and has no entry for W.
+    """
     return 2 * (n * np.eye(3) + SWAP)
 
 
 def mean_motion(basis: Basis, boundary: str) -> Array:
-    """Functionals (unknowns, 2) of harmonic 1: lateral shift and tilt of `boundary`.
+    """Vectors (unknowns, 2) whose products with u are the lateral shift and tilt of `boundary`.
 
-    They belong to the rigid motion about the centre of the boundary that is nearest to u in the
-    mean square over its area: a displacement along x and a rotation about y [rad], from the
-    amplitudes (U, V, W). Raises ValueError for an unknown boundary, or a boundary on the axis.
+    u is a displacement in harmonic 1. Shift and tilt belong to the rigid motion about the centre of
+    the boundary that is nearest to u in the mean square over its area: a displacement along x and a
+    rotation about y [rad], from the amplitudes (U, V, W). Raises ValueError for an unknown
+    boundary, or a boundary on the axis.
     """
     facets = named_facets(basis.mesh, boundary)
     if not has_area(basis.mesh, facets):

@@ -12,7 +12,7 @@ AT_AXIS = 1e-8  # relative to a cell's radius: u_r/r loses as many digits there 
 
 
 def depth(x: Array, turn: bool) -> Array:
-    """Weight of a length or area at `x` (2, ...): 1 (unit thickness), or 2 pi r with `turn`."""
+    """Thickness at `x` (2, ...): 1, or the circumference 2 pi r if `turn` (body of revolution)."""
     return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
 
 

@@ -67,7 +67,7 @@ class LateBasis(Basis):
 
 
 def degree_on(mesh: Mesh2D, degree: int | None) -> int:
-    """Given `degree`; by default the degree of the mesh."""
+    """Degree of the displacements: `degree` if given, otherwise the degree of the mesh."""
     return degree if degree is not None else 2 if is_curved(mesh) else 1
 
 

@@ -1,4 +1,4 @@
-"""Factors of symmetric, positive definite matrices; the last few are stored for further use."""
+"""Cache of the last few factors of symmetric, positive definite matrices."""
 
 import numpy as np
 from scipy.sparse import csc_array

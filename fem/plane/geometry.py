@@ -91,5 +91,5 @@ def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
         x, y = (start + end)[:, np.argmax(same)] / 2
         raise ValueError(
             f"cells {first} and {second} of {mesh.nelements} lie on the same side of their common "
-            f"edge about ({x:.10g}, {y:.10g}): one of them is inverted"
+            f"edge about ({x:.10g}, {y:.10g}): one of the two cells is inverted"
         )

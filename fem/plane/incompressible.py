@@ -22,7 +22,7 @@ def plane_ratio(lam: Array, mu: Array) -> Array:
 
 
 def nearly_incompressible(lam: Array, mu: Array) -> bool:
-    """True if Poisson's ratio of a cell is above the limit; never in plane stress."""
+    """True if Poisson's ratio of a cell is above `LIMIT`; never in plane stress."""
     return bool(np.any(plane_ratio(lam, mu) > LIMIT * (1 + ROUND_OFF)))
 
 

@@ -44,11 +44,13 @@ class Mean:
 
 
 def mean_rows(basis: Basis, means: Mapping[str, Mean], *, turn: bool = False) -> csr_array:
-    """Rows (k, unknowns) that give the mean motions from displacements, in order of components."""
+    """Matrix C (k, unknowns) of the mean motions C u of displacements u, in order of components."""
     rows = [np.zeros((0, basis.N))]
     for name, mean in means.items():
         if turn and set(mean.held) != {"y"}:
-            raise ValueError(f"mean motion of {name!r}: if axisymmetric, it can only be y")
+            raise ValueError(
+                f"mean motion of {name!r}: in a body of revolution, only y can be prescribed"
+            )
         side = facet_basis(basis, named_facets(basis.mesh, name))
         x = np.asarray(side.global_coordinates())
         dA = np.asarray(side.dx) * depth(x, turn)
@@ -103,7 +105,8 @@ def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array,
     whole = np.sqrt(np.asarray((C * C).sum(axis=1)).ravel())[order]
     if size.size < len(own) or np.any(size <= INDEPENDENT * whole):
         raise ValueError(
-            "a prescribed mean motion must not be fixed by supports or another mean motion as well"
+            "a prescribed mean motion must not also be fixed by supports or another mean motion: "
+            "remove one of them"
         )
     others = np.setdiff1d(np.arange(inner), touched)
     kept = T[:, touched]

@@ -19,7 +19,7 @@ MOTIONS = ("x", "y", "rotation")
 
 @dataclass(frozen=True)
 class Motions:
-    """Rigid motions of the bodies that the conditions permit.
+    """Rigid motions of bodies; the conditions permit these motions.
 
     `fields` (unknowns, k) are the displacements of the motions; `words` describe the body that
     moves most, and its motion.
@@ -40,7 +40,7 @@ def check_rigid_motions(
 def free_motions(
     basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> Motions:
-    """Rigid motions of a body, or of a chain of hinged bodies, that the conditions permit.
+    """Rigid motions that the conditions permit to a body, or to a chain of hinged bodies.
 
     A body is a set of cells connected by edges; bodies with only a common vertex are hinged there.
     Ties and the rows `means` (k, unknowns) are also conditions. With `turn`, the bodies are bodies

@@ -29,7 +29,7 @@ from fem.plane.traces import Trace
 
 @dataclass(frozen=True)
 class Held:
-    """Ties and mean motions of a solution; `rows` (k, unknowns) give the means."""
+    """Ties and mean motions of a solution; the mean motions of displacements u are `rows` @ u."""
 
     tied: Tied
     rows: csr_array
@@ -97,7 +97,10 @@ class PlaneSolution:
         return self._resultant(self.conditions.of(boundary))
 
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Force (x, y) that an anchor at `point` exerts; in a body of revolution, on a ring."""
+        """Force (x, y) that an anchor at `point` exerts.
+
+        In a body of revolution, it is the total force on the ring through the point.
+        """
         node = nearest_node(self.basis, point)
         x, y, _ = self._resultant(self.conditions.anchored_at(node))
         return x, y

@@ -58,7 +58,7 @@ class Trace(FacetBasis):
         return value, np.einsum("nmi,jnmq->ijmq", local, slope)
 
     def load(self, traction: Array) -> Array:
-        """Forces (unknowns,) of `traction` (2, m, q) [stress, times the weight of the points]."""
+        """Forces (unknowns,) of `traction` (2, m, q): stress times the thickness at the points."""
         N, _ = self.shapes
         force = np.einsum("nmq,imq->nmi", N, traction * self.dx)
         return np.bincount(self._unknowns.ravel(), force.ravel(), self.N).astype(float)

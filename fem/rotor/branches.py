@@ -32,7 +32,7 @@ class Branches:
 
 
 def check_speeds(speeds: ArrayLike) -> Array:
-    """Speeds (m,) as an array. Raises ValueError unless they are finite numbers."""
+    """Speeds (m,) as an array. Raises ValueError unless all speeds are finite numbers."""
     given = np.atleast_1d(np.asarray(speeds, float))
     if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
         raise ValueError("speeds must be a row of finite numbers in rad/s")
@@ -40,14 +40,14 @@ def check_speeds(speeds: ArrayLike) -> Array:
 
 
 def check_count(count: int) -> int:
-    """Number of modes. Raises ValueError unless it is an integer of at least 1."""
+    """Number of modes. Raises ValueError unless `count` is an integer of at least 1."""
     if count != int(count) or count < 1:
         raise ValueError(f"count, the number of modes, must be an integer >= 1, got {count}")
     return int(count)
 
 
 def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
-    """Blocks of `plane` to be solved; of two conjugate blocks, only the forward block."""
+    """Blocks of `plane`, without backward blocks: these are conjugate to forward blocks."""
     known = ("bending", "torsion", "axial", "all")
     if plane not in known:
         raise ValueError(f"plane must be one of {', '.join(known)}, got {plane!r}")
@@ -56,14 +56,14 @@ def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
 
 
 def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branches]:
-    """Branches of every block of `rotor`: at least `count` for each block, if it has as many."""
+    """Branches of every block of `rotor`: at least `count` branches, or all that the block has."""
     unknowns = rotor.system.M.shape[0]
     if not rotor.system.varying:
         return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]
     made = [parts(rotor, float(s), plane) for s in speeds]
     if len({tuple(b.at.tobytes() for b in own) for own in made}) > 1:
         raise ValueError(
-            "supports must couple the planes at all speeds or at none: solve each speed separately"
+            "supports must couple the same unknowns at every speed: solve each speed separately"
         )
     columns = zip(*made, strict=True)
     return [_joined(list(own), speeds, count, unknowns) for own in columns]

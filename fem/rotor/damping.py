@@ -59,11 +59,13 @@ class Modal:
             raise ValueError(f"damping ratios must not be negative, got {tuple(self.ratios)}")
 
     def matrix(self, M: Array, K: Array) -> Array:
-        """Damping matrix C (n, n). Raises ValueError for a rotor with unknowns without mass."""
+        """Damping matrix C (n, n). Raises ValueError if an unknown of the rotor has no mass."""
         try:
             squares, Phi = eigh((K + K.T) / 2, M)
         except np.linalg.LinAlgError:
-            raise ValueError("modal damping requires a mass for every unknown") from None
+            raise ValueError(
+                "modal damping requires a mass for every unknown: use Rayleigh damping"
+            ) from None
         omega = np.sqrt(np.where(squares > 1e-12 * squares[-1], squares, 0.0))
         zeta = np.full(omega.size, float(self.ratios[-1]))
         zeta[: len(self.ratios)] = self.ratios[: omega.size]

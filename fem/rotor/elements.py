@@ -63,7 +63,7 @@ def translational_mass(s: Sections) -> Array:
 
 
 def rotary_mass(s: Sections) -> Array:
-    """Rotary mass M_r (m, 4, 4) of rho I phi^2."""
+    """Rotary mass matrices M_r (m, 4, 4): q M_r q is the integral of rho I phi^2."""
     f, L = _slenderness(s), s.L
     c = s.rotary / (L * (1 + f) ** 2)
     end, turn = 6 / 5 * c, (1 / 10 - f / 2) * L * c

@@ -1,7 +1,8 @@
-"""Sets of parameters with given critical speeds: many, because few speeds fix few parameters.
+"""Many sets of parameters with the same given critical speeds.
 
-Initial values are Sobol points in the ranges (log-uniform). From each point, least-norm steps lead
-to a system with these speeds.
+There are many such sets, because a few speeds do not determine all parameters. Initial values are
+Sobol points in the ranges (log-uniform). From each point, least-norm steps lead to a system with
+these speeds.
 """
 
 from collections.abc import Callable
@@ -48,10 +49,10 @@ class Ranges:
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Parameters (members, k), and masks (starts,) of initial points.
+    """Sets of parameters `members` (m, k), and masks of the initial points of the search.
 
-    `met` marks the points from which the speeds were reached, `kept` those with parameters within
-    the ranges.
+    `met` marks the initial points from which the speeds were reached, `kept` those of them with
+    final parameters within the ranges.
     """
 
     members: Array
@@ -62,7 +63,7 @@ class Ensemble:
 def ensemble(
     ranges: Ranges, speeds: tuple[float, ...], systems: Systems, members: int, *, seed: int
 ) -> Ensemble:
-    """At least `members` sets of parameters that have the `speeds` [rad/s].
+    """At least `members` sets of parameters, all with the lowest critical `speeds` [rad/s].
 
     There are fewer sets if 32 batches of initial points do not give as many.
     """

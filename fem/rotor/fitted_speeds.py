@@ -23,7 +23,7 @@ Systems = Callable[[Array], WhirlSystems]  # at places (m, k)
 def fitted(
     start: Array, wanted: tuple[float, ...], systems: Systems
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Positions (m, k) reached by steps from `start`, and a mask (m,) of those that succeeded.
+    """Positions (m, k) of parameters, by steps from `start`, and a mask (m,) of converged sets.
 
     `wanted` are the prescribed lowest forward critical speeds [rad/s].
     """
@@ -46,7 +46,10 @@ def fitted(
 
 
 def gradients(x: Array, v: Array, systems: Systems) -> Array:
-    """Derivatives (m, modes, k) of the logarithms of the speeds by the positions x, at shapes v."""
+    """Derivatives (m, modes, k) of the logarithms of the critical speeds by the positions x.
+
+    They are calculated from the energies of the mode shapes v.
+    """
     made = []
     for change in SMALL * np.eye(x.shape[1]):
         K_up, N_up = systems(x + change).energies(v)

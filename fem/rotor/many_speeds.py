@@ -34,9 +34,9 @@ GOOD = 1e-8  # relative to the motion: a larger correction leaves more than roun
 
 @dataclass(frozen=True)
 class Diagonal:
-    """Modes `V` (n, n), their `mu` (n,), and the damping C in the coordinates of the modes.
+    """Modes of a block: shapes `V` (n, n), eigenvalues `mu` (n,), and damping C of the modes.
 
-    C is `left` (n, r) times `right` (n, r)^H.
+    The eigenvalues satisfy A V = K V diag(mu). C is `left` (n, r) times `right` (n, r)^H.
     """
 
     block: Block
@@ -48,7 +48,11 @@ class Diagonal:
 
     @classmethod
     def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
-        """Modes of `block` for speeds and frequencies (m,); None if not applicable."""
+        """Modes of `block` for `speeds` and frequencies `omega` (m,), or None.
+
+        The result is None unless the ratio of frequency to speed is constant, K is Hermitian and
+        prevents all rigid motions, and C has a low rank.
+        """
         ratio = _ratio(speeds, omega)
         skew = abs(block.K - block.K.conj().T).max()
         if ratio is None or skew > SKEW * abs(block.K).max():

@@ -16,10 +16,11 @@ SAME_SIZE = 1e-9  # over the largest: equal displacements of a symmetric shape d
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes by ascending frequency: eigenvalues (k,), and shapes (k, nodes, 6) of e^(lambda t).
+    """Modes by ascending frequency: eigenvalues lambda (k,) and mode shapes (k, nodes, 6).
 
-    `whirl` (k,) is 1 for forward whirl, in the sense of a positive speed, -1 for backward whirl,
-    and 0 for motion in a line (or only torsion or axial motion).
+    The motion is proportional to e^(lambda t). `whirl` (k,) is 1 for forward whirl, in the sense of
+    a positive speed, -1 for backward whirl, and 0 for motion in a line (or only torsion or axial
+    motion).
     """
 
     eigenvalues: Complex
@@ -57,7 +58,11 @@ def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bendin
 
 
 def normalised(shapes: Complex) -> Complex:
-    """Shapes (k, nodes, 6) from shapes (k, n), scaled to a largest displacement of 1, real."""
+    """Shapes (k, nodes, 6) from shapes (k, n), scaled so that the largest displacement is 1.
+
+    The phase is chosen so that this displacement is real. A shape with rotations only is scaled by
+    its largest rotation.
+    """
     nodes = shapes.reshape(shapes.shape[0], -1, UNKNOWNS)
     moved = nodes[:, :, :3].reshape(len(nodes), -1)
     turned = nodes[:, :, 3:].reshape(len(nodes), -1)

@@ -146,9 +146,10 @@ class Disc:
 def joint(
     xx: float, yy: float | None, xy: float, yx: float | None, zz: float, tilt: float, turn: float
 ) -> Array:
-    """Matrix (6, 6) of a support: radial, axial, tilt about x and y (equal), rotation about z.
+    """Matrix (6, 6) of a support, for displacements x, y, z and rotations about x, y, z.
 
-    If omitted, `yy` equals `xx` and `yx` equals `xy`.
+    `zz` is axial, `tilt` acts about x and y, `turn` about z. If omitted, `yy` equals `xx` and `yx`
+    equals `xy`.
     """
     A = np.diag([xx, xx if yy is None else yy, zz, tilt, tilt, turn]).astype(float)
     A[0, 1], A[1, 0] = xy, xy if yx is None else yx
@@ -157,11 +158,12 @@ def joint(
 
 @dataclass(frozen=True)
 class Support:
-    """Bearing between a node and the ground: stiffness k.. [N/m], damping c.. [N s/m].
+    """Bearing between a node and the ground.
 
-    If omitted, `kyy` equals `kxx` and `kyx` equals `kxy`: a single number defines an isotropic
-    bearing. `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about
-    the axis [N m/rad, N m s/rad]. Raises ValueError for negative or infinite coefficients.
+    Stiffness coefficients begin with k [N/m], damping coefficients with c [N s/m]. If omitted,
+    `kyy` equals `kxx` and `kyx` equals `kxy`: a single number defines an isotropic bearing.
+    `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about the axis [N
+    m/rad, N m s/rad]. Raises ValueError for negative or infinite coefficients.
     """
 
     node: int

@@ -9,11 +9,11 @@ LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 
 
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
-    """Damping ratios (count, 2) at two frequencies, uniform in their logarithms (R2 sequence).
+    """Damping ratios (count, 2) at two frequencies, distributed evenly over their logarithms.
 
-    `apart` is the quotient of the frequencies. With Rayleigh damping, the quotient of the two
-    damping ratios is at most the quotient of the frequencies; the second ratio is limited
-    accordingly.
+    The ratios are between `low` and `high` and follow the R2 sequence. `apart` is the quotient of
+    the frequencies. With Rayleigh damping, the quotient of the two damping ratios is at most the
+    quotient of the frequencies; the second ratio is limited accordingly.
 
     >>> ratios = spread_ratios(0.005, 0.03, 3.5, 64)
     >>> bool((ratios[:, 0] >= 0.005).all() and (ratios[:, 0] <= 0.03).all())
@@ -27,9 +27,10 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 
 
 def peaks(near: Array) -> Array:
-    """Highest local maxima (...,) of `near` (..., speeds); NaN without a local maximum.
+    """Highest local maximum (...,) of the amplitudes `near` (..., speeds) over the speed.
 
-    A maximum at an end of the range is the flank of another peak and is not included.
+    The result is NaN if there is no local maximum. A maximum at an end of the range is the flank of
+    another peak and is not included.
 
     >>> peaks(np.array([[1.0, 3.0, 2.0], [1.0, 2.0, 3.0]])).tolist()
     [3.0, nan]
@@ -41,7 +42,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Largest relative height of f (3, ...) at the middle of u (3,) above the chord of its ends.
+    """Largest relative height of f (3, ...) at u[1] above the chord between u[0] and u[2].
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

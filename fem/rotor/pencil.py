@@ -64,7 +64,8 @@ def _undamped(block: Block, speeds: Array) -> Spectrum:
     squares, turn = eigh((inner + inner.conj().T) / 2)
     if squares[0] < -1e-9 * squares[-1]:
         raise ArithmeticError(
-            "the matrices of the rotor must be positive: check stiffness and mass"
+            "the stiffness and mass matrices of the rotor must not have negative eigenvalues: "
+            "check the coefficients of links and supports, and the masses"
         )
     b = np.sqrt(np.where(squares > ABSENT * squares[-1], squares, 0.0))
     half = solve_triangular(lower, block.H, lower=True)

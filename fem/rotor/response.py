@@ -99,11 +99,12 @@ class Response:
 def unbalance_response(
     rotor: Rotor, speeds: ArrayLike, unbalances: Mapping[int, complex]
 ) -> Response:
-    """Response to `unbalances`: node -> mass times eccentricity [kg m], complex for its angle.
+    """Response to `unbalances` at nodes: mass times eccentricity [kg m].
 
-    Each unbalance rotates with its shaft. All unbalances of one response must therefore be on
-    shafts with the same ratio. Raises ValueError for other unbalances, for nodes that do not exist,
-    and for a rotor without sufficient supports; ArithmeticError at a resonance without damping.
+    The argument of a complex unbalance is its angle on the shaft. Each unbalance rotates with its
+    shaft. All unbalances of one response must therefore be on shafts with the same ratio. Raises
+    ValueError for other unbalances, for nodes that do not exist, and for a rotor without sufficient
+    supports; ArithmeticError at a resonance without damping.
     """
     return unbalance_responses(rotor, speeds, [unbalances])[0]
 
@@ -150,10 +151,11 @@ def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, 
 def forced_response(
     rotor: Rotor, speeds: ArrayLike, omega: ArrayLike, force: NDArray[np.inexact]
 ) -> Response:
-    """Response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
+    """Response to the forces Re(f e^(i omega t)) with the amplitudes `force`.
 
-    `speeds` and `omega` (m,) are pairs; one of them may be a single number. Forces with a negative
-    omega rotate in the opposite sense; amplitudes refer to the positive omega.
+    `force` has the shape (speeds, unknowns), or (unknowns,) for all speeds. `speeds` and `omega`
+    (m,) are pairs; one of them may be a single number. Forces with a negative omega rotate in the
+    opposite sense; amplitudes refer to the positive omega.
     """
     return _responses(rotor, speeds, omega, [force])[0]
 

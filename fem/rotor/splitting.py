@@ -11,7 +11,7 @@ PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they a
 
 
 class Matrix(Protocol):
-    """Dense or sparse matrix that multiplies columns."""
+    """Interface of dense and sparse matrices: multiplication by columns."""
 
     def __matmul__(self, other: Array, /) -> Array: ...
 

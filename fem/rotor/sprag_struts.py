@@ -58,7 +58,10 @@ class SpragStruts:
         return float((force / self.law) ** (1 / POWER))
 
     def slices(self, psi: Array, count: int) -> tuple[Array, Array]:
-        """Angle [rad] and height [m] of all slices, `count` per sprag, of sprags at psi (Z,)."""
+        """Angles [rad] and axial positions [m] of all slices of sprags at the angles psi (Z,).
+
+        Each sprag has `count` slices.
+        """
         z = self.L * ((np.arange(count) + 0.5) / count - 0.5)
         return np.repeat(psi, count), np.tile(z, psi.size)
 
@@ -66,10 +69,11 @@ class SpragStruts:
         self, count: int, *, dx: float = 0.0, drop: float = 0.0, gone: int = 0,
         stiffer: float = 1.0,
     ) -> struts.Joint:  # fmt: skip
-        """State of struts with rolling ends, `count` slices each, under T; inner hub fixed at dx.
+        """State of struts with rolling ends under T, with the inner hub displaced by `dx` [m].
 
-        Both contacts have a parabolic crown with the `drop` [m] at its ends. The first `gone`
-        sprags are missing. Deflections are divided by `stiffer`.
+        Each sprag is modelled by `count` slices. Both contacts have a parabolic crown with the
+        `drop` [m] at its ends. The first `gone` sprags are missing. Deflections are divided by
+        `stiffer`.
         """
         step = 2 * math.pi / self.Z
         psi = step * (np.arange(gone, self.Z, dtype=float) - (self.missing - 1) / 2)
@@ -102,7 +106,10 @@ class SpragStruts:
         return held.under(self._torque, TURN)
 
     def pinned(self, count: int, *, stiffer: float = 1.0) -> struts.Joint:
-        """State of struts that are pinned to both races, in their positions under T."""
+        """State of struts that are pinned to both races, under T.
+
+        The initial positions of the pins are those under T.
+        """
         psi, z = self.slices(2 * math.pi * np.arange(self.Z) / self.Z, count)
         h = self.R_i * math.sin(self.nu)
         away = psi + self.nu - math.asin(h / self.R_e)
@@ -115,7 +122,10 @@ class SpragStruts:
         return struts.Joint.at_rest(held, struts.power_law(k / count, POWER))
 
     def off_diagonal(self, K: Array) -> float:
-        """Largest off-diagonal entry of K [N/m], with tilts divided by L and the twist by R_i."""
+        """Largest off-diagonal entry of K [N/m], if rotations are expressed as lengths.
+
+        These lengths are a tilt times L, and the twist times R_i.
+        """
         size = np.array([1, 1, 1, self.L, self.L, self.R_i])
         return float(np.abs((K - np.diag(np.diag(K))) / np.outer(size, size)).max())
 

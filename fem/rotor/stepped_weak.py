@@ -18,11 +18,11 @@ def stepped_weak(
     *, L: float, d_1: float, d_2: float, step: tuple[float, float], seats: tuple[float, float],
     k: float, reach: float, E: float, nu: float, rho: float, level: int,
 ) -> WeakShaft:  # fmt: skip
-    """Solid shaft of diameter d_1, with d_2 between the two `step`s, on springs k [N/m] at `seats`.
+    """Solid shaft on springs k [N/m] at `seats`, with the diameter d_2 between two steps.
 
-    If `reach` > 0, the diameter for the stiffness is d_1 plus twice the distance from a step, up to
-    the distance `reach`. Each cell has the diameter at its middle. Rotary inertia is distributed,
-    without lumped inertia.
+    Outside the two positions `step`, the diameter is d_1. If `reach` > 0, the diameter for the
+    stiffness is d_1 plus twice the distance from a step, up to the distance `reach`. Each cell has
+    the diameter at its middle. Rotary inertia is distributed, without lumped inertia.
     """
     first, last = step
     z = [0.0]
@@ -44,7 +44,7 @@ def stepped_weak(
 
 
 def stations(L: float, inner: tuple[float, ...]) -> list[float]:
-    """Axial positions: ends of a shaft and `inner` positions, rising; equal ones occur once.
+    """Rising axial positions: both ends of a shaft and the `inner` positions, without duplicates.
 
     >>> stations(4.0, (3.0, 1.0, 1.0 + 1e-12))
     [0.0, 1.0, 3.0, 4.0]

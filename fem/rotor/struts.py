@@ -27,7 +27,10 @@ HALVINGS = 40
 
 
 def power_law(k: Array | float, n: float) -> Law:
-    """Function that returns F = k <s>^n and its derivative; `k` [N/m^n] for each strut or all."""
+    """Function that returns F = k <s>^n and its derivative.
+
+    `k` [N/m^n] is one value for each strut, or a single value for all struts.
+    """
 
     def law(s: Array) -> tuple[Array, Array]:
         pressed = np.where(s > 0, s, 1.0)
@@ -76,10 +79,11 @@ class Joint:
         return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
 
     def under(self, loads: Array, free: tuple[int, ...], *, tolerance: float = 1e-12) -> "Joint":
-        """Joint in equilibrium with `loads` (6,) on its `free` displacements; the others are fixed.
+        """Joint in equilibrium with `loads` (6,) on its `free` displacements.
 
-        The method is Newton's; steps are halved until the residual decreases. `tolerance` is
-        relative to the largest load, with moments divided by the size of the inner hub.
+        The displacements that are not free are fixed. The method is Newton's; steps are halved
+        until the residual decreases. `tolerance` is relative to the largest load, with moments
+        divided by the size of the inner hub.
 
         Raises
         ------
@@ -106,7 +110,9 @@ class Joint:
             else:
                 break
             now = tried
-        raise ArithmeticError(f"no equilibrium of the struts under {loads[at]} N, N m")
+        raise ArithmeticError(
+            f"no equilibrium of the struts was found under the loads {loads[at]} N, N m"
+        )
 
 
 def rotation(w: Array) -> Array:

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class State:
-    """Shortenings (m,) of all struts, and their first and second derivatives by (u, w)."""
+    """Shortenings (m,) of all struts, and first and second derivatives by the hub motion (u, w)."""
 
     s: Array
     J: Array  # (m, 6)

@@ -56,7 +56,7 @@ def curvatures(u, v, w):
 
 @dataclass(frozen=True)
 class WeakShaft:
-    """Matrices K, M and G (n, n) of a shaft along the line `mesh`; `basis` of the deflection."""
+    """Matrices K, M and G (n, n) of a shaft along a line mesh, and `basis` of its deflection."""
 
     K: csr_array
     M: csr_array
@@ -71,7 +71,10 @@ class WeakShaft:
         return int(self.basis.nodal_dofs[0, nodes[0]])
 
     def on_springs(self, springs: Mapping[float, float]) -> "WeakShaft":
-        """Shaft on springs to the ground: axial position [m] -> lateral stiffness [N/m]."""
+        """Shaft on springs to the ground.
+
+        `springs` gives the lateral stiffness [N/m] (value) at each axial position [m] (key).
+        """
         K = self.K.tolil(copy=True)
         for z, k in springs.items():
             place = self.deflection_at(z)
@@ -124,8 +127,9 @@ def weak_shaft(
     rotary: ArrayLike,
     theory: str = "timoshenko",
 ) -> WeakShaft:
-    """Shaft with E I, kappa G A, rho A and rho I: one value, or one value per cell of `mesh` [SI].
+    """Shaft with the properties E I, kappa G A, rho A and rho I [SI] along the line `mesh`.
 
+    Each property is a single value, or one value per cell of `mesh`.
     Raises ValueError for an unknown theory, and for values that are not positive.
     """
     if theory not in THEORIES:

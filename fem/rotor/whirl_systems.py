@@ -40,10 +40,10 @@ class Springs(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class WhirlSystems:
-    """Systems (m,) of e tubes with `nodes` nodes; the elements begin at the nodes `first` (e,).
+    """Set of m systems, each with `nodes` nodes and e tubular elements.
 
-    `length`, `d_o`, `d_i` (m, e) are in [m]; `kappa` (e,) are shear coefficients. All elements have
-    the same material.
+    The elements begin at the nodes `first` (e,). `length`, `d_o`, `d_i` (m, e) are in [m]; `kappa`
+    (e,) are shear coefficients. All elements have the same material.
     """
 
     nodes: int

@@ -144,7 +144,7 @@ def test_what_a_cyclic_tie_leaves_free_and_cannot_be_around_a_turn_is_refused():
         cyclic_body(mesh, assumption="axisymmetric", ties=[replace(FIFTH, angle=2 * pi / 12)])
 
 
-HELD = "a prescribed mean motion must not be fixed"
+HELD = "a prescribed mean motion must not also be fixed"
 
 
 @pytest.mark.parametrize(
