@@ -24,8 +24,9 @@ def plot(
     solution: Any, value: str = "", *, ax: "Axes | None" = None, scale: float = 1.0,
     node: int | None = None, elements: Any = None,
 ) -> "Axes":  # fmt: skip
-    """Draw a solution and return its Axes, labelled in the units of the input ("as given").
+    """Draw a solution and return its Axes; values have the units of the input.
 
+    Labels of the axes state these units as "as given".
     - plane, axisymmetric and contact solutions: a field over the cells, `value` "von_mises" (the
       default), a stress "xx", "yy", "xy" or "zz" (hoop), or a displacement "x" or "y";
       "pressure" of a contact solution is the contact pressure along each slave surface
@@ -134,7 +135,9 @@ def _campbell(ax: Any, diagram: Any, **_more: Any) -> None:
 
 def _response(ax: Any, response: Any, *, node: int | None, **_more: Any) -> None:
     if node is None:
-        raise ValueError("the plot of a response requires a node: use node=")
+        raise ValueError(
+            "the plot of a response requires a node: give its number as the argument node"
+        )
     ax.plot(response.speeds, response.major(node))
     ax.set(xlabel="speed [rad/s]", ylabel=f"amplitude of node {node} [m]")
 

@@ -47,7 +47,10 @@ def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any 
 
 
 def kind_of(solution: object, known: Mapping[str, T]) -> T:
-    """Entry of `known` for the class of a solution, by its full name; no class is imported."""
+    """Entry of `known` for the class of `solution`.
+
+    Keys are full names of classes, so that classes of other solutions need not be imported.
+    """
     for cls in type(solution).__mro__:
         if found := known.get(f"{cls.__module__}.{cls.__qualname__}"):
             return found
@@ -72,7 +75,9 @@ def _contact(solution: Any, **more: Any) -> Content:
 
 def _frame(solution: Any, *, elements: Any, **_more: Any) -> Content:
     if elements is None:
-        raise ValueError("the solution of a frame contains no elements: use elements=")
+        raise ValueError(
+            "the solution of a frame contains no elements: give them as the argument elements"
+        )
     fields = {"displacement": _in_space(solution.u[:, :2]), "rotation": solution.u[:, 2]}
     return _in_space(np.asarray(solution.points)), np.asarray(elements)[:, :2], fields, {}
 

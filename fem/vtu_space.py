@@ -49,7 +49,9 @@ def shell(solution: Any, **_more: Any) -> Content:
 def modes(solution: Any, *, rotor: Any, **_more: Any) -> Content:
     """Displacements of the numbered nodes of a rotor, connected along each shaft."""
     if rotor is None:
-        raise ValueError("modes contain no positions of nodes: use rotor=")
+        raise ValueError(
+            "modes contain no positions of nodes: give the rotor as the argument rotor"
+        )
     z, shaft = rotor.z, rotor.shaft_of
     inner = sum(len(s.elements) for s in rotor.shafts) * (rotor.refine - 1)
     if solution.shapes.shape[1] != z.size + inner:

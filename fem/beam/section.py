@@ -173,7 +173,7 @@ def solve_supported(
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
             f"the linear solver did not converge: the energy of the last correction is "
-            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
+            f"{change:.1e} of the total energy, at most {RESIDUAL_LIMIT:.0e} is allowed"
         )
     energy, internal = forces(strained)
     reactions = internal - (f + tied.B.T @ pushing).reshape(-1, 3)

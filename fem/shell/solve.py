@@ -165,7 +165,7 @@ def _solve(B, D, area, dofs, f, u, number):
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
             f"the linear solver did not converge: the energy of the last correction is "
-            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
+            f"{change:.1e} of the total energy, at most {RESIDUAL_LIMIT:.0e} is allowed"
         )
     resultants, energy, internal = _forces(B, D, area, dofs, strained, f.size)
     return u, resultants, energy, internal, change

@@ -65,7 +65,10 @@ class Frame:
         return B.reshape(*c.shape[:2], UNKNOWNS)
 
     def local(self) -> tuple[Array, Array]:
-        """Unit tangents (m, k, 2, 3), the first near the cell's a_1, and ∂ξ_α/∂s_i (m, k, 2, 2)."""
+        """Unit tangents (m, k, 2, 3) at the points, and derivatives ∂ξ_α/∂s_i (m, k, 2, 2).
+
+        The first tangent is the projection of the mean tangent a_1 of the cell.
+        """
         cell = self.a[:, :, 0].mean(axis=1, keepdims=True)
         first = cell - np.sum(cell * self.n, axis=-1, keepdims=True) * self.n
         first /= np.linalg.norm(first, axis=-1, keepdims=True)
@@ -74,7 +77,7 @@ class Frame:
 
 
 def operator(corners: Array) -> tuple[Array, Array, Array]:
-    """Matrix B (m, 9, 10, 54) of strains at the Gauss points, areas (m, 9), tangents (m, 9, 2, 3).
+    """Strain matrix B (m, 9, 10, 54), areas (m, 9), tangents (m, 9, 2, 3) at the Gauss points.
 
     The rows are ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the directions of the unit
     tangents. Raises ValueError for folded cells.

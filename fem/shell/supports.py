@@ -63,7 +63,7 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """Number of the free unknown for each unknown (6 nodes,), and prescribed values.
+    """Number among the free unknowns, and prescribed value, of each unknown (6 nodes,).
 
     The number is -1 for a supported unknown. If one of several tied unknowns is supported, all of
     them are.
@@ -76,7 +76,8 @@ def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
     if np.any(differ := value[group[fixed]] != held[fixed]):
         node, column = divmod(int(np.flatnonzero(fixed)[differ][0]), 6)
         raise ValueError(
-            f"node {node}: {COMPONENTS[column]} is tied to a node with another prescribed value"
+            f"node {node}: {COMPONENTS[column]} is tied to a node with another prescribed value: "
+            "prescribe equal values"
         )
     free = np.isnan(value)
     number = np.full(groups, -1)

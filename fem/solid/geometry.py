@@ -66,7 +66,7 @@ def check_unfolded(mesh: Mesh3D) -> None:
 
 @dataclass(frozen=True)
 class Faces:
-    """Faces of cells that have one position in the reference cube, at Gauss points of the face.
+    """Faces of several cells, all on one side of the reference cube, at Gauss points of the face.
 
     `nodes` (k, n) are the nodes of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
     points. `area` (k, q, 3) are outward normals times weights. `on_face` (n,) is True for nodes on
@@ -81,7 +81,7 @@ class Faces:
 
 
 def faces(mesh: Mesh3D, facets: Indices) -> list[Faces]:
-    """Faces of the first cell at each of the `facets` of `mesh`."""
+    """Faces of the first cells at the `facets` of `mesh`, grouped by side of the reference cube."""
     cells = mesh.f2t[0, facets]
     corner = mesh.t[:, cells]
     inside = np.any(corner[:, None] == mesh.facets[:, facets], axis=1)

@@ -26,7 +26,7 @@ def moduli(mesh: Mesh3D, materials: Elastic | Mapping[str, Elastic]) -> tuple[Ar
     if bare := int(np.isnan(table[0]).sum()):
         raise ValueError(
             f"every cell needs a material, but {bare} of {mesh.nelements} cells have no material: "
-            "name every body"
+            "give a material for every body of the mesh"
         )
     return table[0], table[1]
 
@@ -65,7 +65,7 @@ def body_load(mesh: Mesh3D, cells: Cells, force: Vector | None) -> Array:
 
 
 def node_load(mesh: Mesh3D, forces: Mapping[Place, tuple[float, float, float]]) -> Array:
-    """Forces (unknowns,) of total `forces` [force], divided equally between nodes of places."""
+    """Forces (unknowns,) of `forces` [force], each divided equally between the nodes of a place."""
     f = np.zeros((mesh.doflocs.shape[1], 3))
     for place, force in forces.items():
         if np.shape(force) != (3,) or not np.all(np.isfinite(force)):

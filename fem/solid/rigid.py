@@ -25,7 +25,10 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     motion = np.array([_motion(mesh, nodes[:, body == k]) for k in range(count)])
 
     def rows(dofs: Indices, k: Indices) -> Array:
-        """Rows (dofs, bodies x 6): displacement of each unknown in unit motions of body k."""
+        """Matrix (dofs, bodies x 6) of the unknowns `dofs` in unit rigid motions of the bodies.
+
+        `k` is the body of each unknown.
+        """
         out = np.zeros((dofs.size, count, 6))
         out[np.arange(dofs.size), k] = motion[k, dofs // 3, dofs % 3]
         return out.reshape(dofs.size, 6 * count)

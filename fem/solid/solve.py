@@ -116,6 +116,6 @@ def _solve(cells, f, T, u0):
     if not change < RESIDUAL_LIMIT:
         raise ArithmeticError(
             f"the linear solver did not converge: the energy of the last correction is "
-            f"{change:.1e} of the total, allowed {RESIDUAL_LIMIT:.0e}"
+            f"{change:.1e} of the total energy, at most {RESIDUAL_LIMIT:.0e} is allowed"
         )
     return u, internal, change

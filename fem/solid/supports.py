@@ -55,7 +55,7 @@ class Conditions:
 def collect(
     mesh: Mesh3D, supports: Mapping[Place, Support], uniform: Mapping[Place, str]
 ) -> Conditions:
-    """All conditions. Raises ValueError if they contradict each other or are redundant."""
+    """All conditions. Raises ValueError if conditions contradict each other or are redundant."""
     parts = []
     for k, (place, support) in enumerate(supports.items()):
         nodes = nodes_at(mesh, place)

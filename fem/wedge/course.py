@@ -15,12 +15,13 @@ GROWING = 1.5  # first to last value, from which on logarithms are splined
 
 
 class Course:
-    """Values `at_states` of each state (n,), by name, interpolated by cubic splines.
+    """Series of n states, interpolated by cubic splines.
 
-    Splines are functions of the logarithm of a quantity that increases from state to state. For
-    values that increase by more than a factor `GROWING`, the logarithm is interpolated: its slope
-    hardly changes, because deflections of bodies in contact are nearly powers of the loads. `by` is
-    the name of the default abscissa.
+    `at_states` contains the values (n,) of each quantity, by name. Splines are functions of the
+    logarithm of a quantity that increases from state to state. For values that increase by more
+    than a factor `GROWING`, the logarithm is interpolated: its slope hardly changes, because
+    deflections of bodies in contact are nearly powers of the loads. `by` is the name of the default
+    abscissa.
     """
 
     by: ClassVar[str] = "N"
@@ -40,7 +41,7 @@ class Course:
         return lambda t: np.asarray(spline(t))
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """Value of the quantity `name` at which the quantity `by` has the given `value`.
+        """Value of the quantity `name` in the state in which the quantity `by` is `value`.
 
         Raises ArithmeticError outside the range of the states.
         """
@@ -53,9 +54,10 @@ class Course:
         return float(self.over(name, by)(np.log(value)))
 
     def integral(self, slope: Callable[[Array], Array], along: str, ends: Array) -> Array:
-        """Integrals (m,) of `slope` over the logarithm of `along`, from zero load to `ends` (m,).
+        """Integrals (m,) of `slope` over the logarithm of the quantity `along`, from zero load.
 
-        Below the first state, a power law with the slope at the first state is used.
+        The upper limits `ends` (m,) are logarithms. Below the first state, a power law with the
+        slope at the first state is used.
         """
         first = float(np.log(self.at_states[along][0]))
         x, w = np.polynomial.legendre.leggauss(GAUSS)

@@ -1,4 +1,4 @@
-"""Axial load at which a wedged roller slips: the ring is displaced along z up to its largest load.
+"""Axial load at which a wedged roller slips, from states with the ring displaced along z.
 
 The limit is obtained from solved states only. First, displacements of the rim of the ring follow
 the path of the axial load. Then the rim is displaced further until no loaded node of a contact
@@ -40,7 +40,7 @@ class Driven:
 
 @dataclass(frozen=True)
 class Drive:
-    """Clutch `one` under its torque, with the rim of its ring displaced along z.
+    """Clutch under its torque, with the rim of the ring displaced along z.
 
     The roller remains in its position: if it creeps because of friction, the ring continues to
     rotate.
@@ -57,7 +57,10 @@ class Drive:
 
     @property
     def unit(self) -> float:
-        """Force F_z [N/m] that gives, together with F_t, the resultant mu N on the mesh."""
+        """Force F_z [N/m] of a roller at which the resultant of F_t and F_z is mu N.
+
+        The forces refer to the normals of the mesh.
+        """
         return axial_unit(self.one, self.rest)
 
     @cached_property
@@ -66,7 +69,7 @@ class Drive:
         return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
-        """State at the end of a load path: at rest, then successively under `shares` x `unit`."""
+        """State at the end of a load path: from rest through the axial loads `shares` x `unit`."""
         at = Driven(self.rest, 0.0)
         for share in shares:
             at = self._to(share * self.unit, at)
@@ -83,7 +86,7 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] on the whole clutch at slip, on a path from `at`, and its uncertainty.
+        """Axial load [N] of the whole clutch at slip, starting from `at`, and its uncertainty.
 
         It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
@@ -94,12 +97,12 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """Ratio F_ax R/T at slip, on a path from `at`, and its uncertainty by the step size."""
+        """Ratio F_ax R/T at slip, starting from `at`, and its uncertainty by the step size."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
     def left(self, at: Driven) -> float:
-        """Relative increase of the axial force that the friction cone permits at this N and F_t."""
+        """Relative increase of the axial force up to the friction cone, for N and F_t of `at`."""
         b = Borne.on_mesh(at.state)
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
@@ -123,8 +126,8 @@ class Drive:
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
         raise NotFoundError(
-            f"no slip was found: after {MOST} steps along z, {left:.1e} of the axial force is "
-            "missing to the friction cone"
+            f"no slip was found: after {MOST} steps of the ring along z, friction still permits a "
+            f"relative increase of the axial force by {left:.1e}"
         )
 
     def _to(self, force: float, at: Driven) -> Driven:
@@ -140,7 +143,7 @@ class Drive:
             if not slope > 0:
                 break
         raise NotFoundError(
-            f"the axial force {force:.4g} N/m was not reached: difference {missing:.1e} N/m"
+            f"the axial force {force:.4g} N/m was not reached: the difference is {missing:.1e} N/m"
         )
 
     def _onward(self, at: Driven, du: float, ahead: float = 0.0) -> Driven:
@@ -152,7 +155,7 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """Force F_z [N/m] of a roller that friction permits in addition to F_t at rest.
+    """Largest force F_z [N/m] of a roller that friction permits in addition to F_t at rest.
 
     It is calculated for the normals of the mesh.
     """

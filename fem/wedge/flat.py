@@ -75,7 +75,10 @@ class State(Touching):
 
     @cached_property
     def motion(self) -> tuple[float, float]:
-        """Displacement [m] of the roller's centre into the wedge, and of its rim by rotation."""
+        """Displacement [m] of the roller's centre into the wedge, and rotation of the roller.
+
+        The rotation is multiplied by r [m].
+        """
         r, half, sense = self.start.q.r, self.start.psi / 2, self.start.q.sense
         u = np.array(self.solution.plane.displacement_at((self.start.x, self.start.y)))
         _, turn = core_motion(self.solution, (self.start.x, self.start.y), r)
@@ -115,7 +118,10 @@ class State(Touching):
 
     @property
     def on_race(self) -> tuple[float, float]:
-        """Force on the race: along the ray through the roller, and across it out of the wedge."""
+        """Force on the race: along the ray through the roller, and across the ray.
+
+        The second component is positive out of the wedge.
+        """
         x, y = (self.start.q.sense * f for f in self.solution.touches[1 - self._flat].force)
         psi = self.place.psi + self.tilt
         c, s = math.cos(psi), math.sin(psi)

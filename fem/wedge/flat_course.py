@@ -35,11 +35,11 @@ class FlatCourse(Course):
         self.psi = np.array([s.place.psi for s in states])
 
     def place(self, value: float, by: str = "T") -> Place:
-        """Position of the centre of the roller at which the quantity `by` has the given `value`."""
+        """Position of the roller's centre in the state in which the quantity `by` is `value`."""
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
 
     def start(self, T: float) -> Start:
-        """Initial position of the pitch under the torque T [N m], from its last state."""
+        """Approximate state of the pitch under the torque T [N m], scaled from the last state."""
         last = after(self.last)
         return last.scaled(self.at("d_o", T) / last.d[1])
 
@@ -61,12 +61,15 @@ class FlatCourse(Course):
         return float(np.exp(spline(math.log(wanted))))
 
     def torsion_by_energy(self, T: Array) -> Array:
-        """Wind-up [rad] as the integral of dU/T, with a power law below the first state."""
+        """Wind-up [rad] under the torques T [N m]: integral of dU/T from zero load."""
         U = self.logarithm("U", self.along)
         return self._up_to(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
 
     def torsion_by_rolling(self, T: Array) -> Array:
-        """Wind-up [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)), which is exact rolling."""
+        """Wind-up [rad] under the torques T [N m] for rolling without slip.
+
+        It is the integral of (dd_i + dd_o)/(R tan(alpha)).
+        """
         q = self.q
         d_i, d_o = self.logarithm("d_i", self.along), self.logarithm("d_o", self.along)
 
@@ -81,7 +84,7 @@ class FlatCourse(Course):
         return self._up_to(slope, T)
 
     def log_torque(self, t: Array) -> Array:
-        """Logarithm of the torque, for `t`, the logarithm of the quantity `along`."""
+        """Logarithm of the torque in states with the logarithm `t` of the quantity `along`."""
         return t
 
     def log_along(self, T: Array) -> Array:
@@ -94,7 +97,11 @@ class FlatCourse(Course):
 
 
 def read(L: float, state: State) -> dict[str, float]:
-    """Torque [N m] and energy [J] of the clutch; forces [N] on a roller, lengths, pressures."""
+    """Values of the `QUANTITIES` in a state of a clutch with rollers of length `L` [m], by name.
+
+    Torque [N m] and energy [J] belong to the clutch, forces [N] to one roller. Approaches and
+    half-widths are in m, pressures in Pa.
+    """
     (N, F_t), (N_race, F_race) = state.on_flat, state.on_race
     (a_i, a_o), (p_i, p_o) = state.widths, state.peaks
     return {

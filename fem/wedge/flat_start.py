@@ -51,14 +51,14 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """Approximate state with the total overlap of `state`, divided as in its equilibrium."""
+    """Approximate state with the total overlap of `state`, divided as in the equilibrium."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
 
 
 def overlap(q: Pitch, P: float) -> float:
-    """Approximate overlap [m] of both contacts under a normal force P [N/m]."""
+    """Approximate total overlap [m] of both contacts under a normal force P [N/m]."""
     return FIRST * P * (1 - q.nu**2) / q.E
 
 
@@ -76,7 +76,7 @@ def guessed_inside(q: Pitch, P: float) -> Start:
 def loaded(
     q: Pitch, now: Start, share: Callable[[State], float], *, power: float, near: float, what: str
 ) -> Start:
-    """Approximate state, on coarse meshes, at which `share` is within `near` of 1.
+    """Approximate state, on coarse meshes, with a load that equals its target to within `near`.
 
     The search begins with `now`. `share` is the ratio of target to load of a state; overlaps are
     proportional to its `power`. Raises NotFoundError if the steps do not converge; the message
@@ -88,4 +88,4 @@ def loaded(
         now = after(state).scaled(by**power)
         if abs(by - 1) < near:
             return now
-    raise NotFoundError(f"{what} was not reached: difference {by - 1:.1%}")
+    raise NotFoundError(f"{what} was not reached: difference {by - 1:.1%} after the last step")

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class SummitCourse(FlatCourse):
-    """States by the normal force, which continues to increase after the maximum of the torque."""
+    """States by increasing normal force, also beyond the maximum of the torque."""
 
     along: ClassVar[str] = "N"
 
@@ -33,7 +33,7 @@ class SummitCourse(FlatCourse):
         return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
     def at(self, name: str, value: float, by: str = "") -> float:
-        """Value of a quantity, as for inner flats.
+        """Value of the quantity `name` in the state in which the quantity `by` is `value`.
 
         If T occurs twice, the state before its maximum is used.
         """
@@ -50,7 +50,9 @@ class SummitCourse(FlatCourse):
         N = self.at_states["N"]
         top = int(np.argmax(self.at_states["T"]))
         if top in (0, N.size - 1):
-            raise ArithmeticError("the torque has no maximum among the states")
+            raise ArithmeticError(
+                "the torque has no maximum among the states: use a wider range of normal forces"
+            )
         ends = np.log(N[[top - 1, top + 1]])
         found = minimize_scalar(
             lambda t: -float(self._T(t)),

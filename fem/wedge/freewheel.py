@@ -21,11 +21,12 @@ STAR = Names("star", "ring", "star.flat", "ring.bore", "star.bore", "ring.rim")
 
 @dataclass(frozen=True)
 class FreewheelState:
-    """Equilibrium of a freewheel with flats inside; pairs are values at star and ring.
+    """Equilibrium of a freewheel with flats on the inner part, the star.
 
-    `torque` [N m] and `axial_load` [N] of the clutch are calculated from the solution. `alpha`
-    [rad] is the clamping angle, half of the angle between flat and ring. Values for one roller:
-    normal forces `N` [N], `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa],
+    In each pair of numbers, the first belongs to the star, the second to the ring. `torque` [N m]
+    and `axial_load` [N] of the clutch are calculated from the solution. `alpha` [rad] is the
+    clamping angle, half of the angle between flat and ring. Values for one roller: normal forces
+    `N` [N], `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa], and
     `required_friction` [1] (resultant friction over N). `slides` is True if a contact slides.
     `solution` contains displacements and stresses of one pitch per unit length.
     """
@@ -46,7 +47,7 @@ def solve_freewheel(
     mesh: "Callable[..., Mesh2D]", *, R: float, X: float, r: float, z: int, L: float, r_b: float,
     R_a: float, E: float, nu: float, mu: float, T: float, F_ax: float = 0.0, cells: int = 8,
 ) -> FreewheelState:  # fmt: skip
-    """State of a freewheel with flats inside under the torque T [N m], then F_ax [N].
+    """State of a freewheel with flats inside, under the torque T [N m] and then also F_ax [N].
 
     `mesh` generates one pitch: `meshes.freewheel.inner_cam_sector`, or a function with the same
     arguments. Dimensions [m]: radius R of the ring bore, distance X of the flats, `z` rollers of
@@ -81,7 +82,9 @@ def solve_freewheel(
               mesh=drawn)  # fmt: skip
     steepest = math.tan(q.rigid_angle / 2)
     if not mu > steepest:
-        raise ValueError(f"mu must be above tan(alpha) = {steepest:.4g} of the clutch, got {mu:g}")
+        raise ValueError(
+            f"mu must be above tan(alpha) = {steepest:.4g} of the clutch without load, got {mu:g}"
+        )
     one = Pulled(q, L, T, F_ax, mu)
     start = at_torque(one, cells)
     there = sector(q, start, cells, mu, driven=False)

@@ -21,7 +21,10 @@ CORRECTIONS = 2  # of a place under another torque
 
 @dataclass(frozen=True)
 class Held:
-    """Clutch under its torque and axial forces; the unit of F_z is the friction left by F_t."""
+    """Clutch under its torque and successive axial forces.
+
+    Axial forces are given relative to `unit`, the force that friction permits in addition to F_t.
+    """
 
     one: Pulled
     there: Sector
@@ -34,7 +37,10 @@ class Held:
 
     @property
     def unit(self) -> float:
-        """Force F_z [N/m] that gives, together with F_t, the resultant mu N on the mesh."""
+        """Force F_z [N/m] of a roller at which the resultant of F_t and F_z is mu N.
+
+        The forces refer to the normals of the mesh.
+        """
         return axial_unit(self.one, self.rest)
 
     def to(self, share: float, state: State) -> State:
@@ -85,7 +91,10 @@ class Held:
 
 
 def under_torque(there: Pulled, near: Start, T: float, cells: int) -> Start:
-    """Position of the clutch under the torque of `there`, from the position under `T` [N m]."""
+    """Approximate state of the clutch under the torque `there.T`.
+
+    It is calculated from `near`, the approximate state under the torque `T` [N m].
+    """
     if there.T == T:
         return near
     now = near.scaled((there.T / T) ** HARDER)

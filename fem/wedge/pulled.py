@@ -28,7 +28,11 @@ PROBE = 0.3  # mu P'/G, the first step of the ring along z; it would be the defl
 
 @dataclass(frozen=True)
 class Pulled:
-    """Pitch of rollers of length `L`, with torque and axial load of the clutch, and friction."""
+    """Pitch `q` with rollers of length `L` [m], and loads and friction of the clutch.
+
+    The loads are the torque `T` [N m] and the axial load `F_ax` [N]; `mu` is the friction
+    coefficient.
+    """
 
     q: Pitch
     L: float
@@ -55,13 +59,17 @@ class Borne:
 
     @classmethod
     def by(cls, state: State) -> Self:
-        """Forces along the rotated flat and the ray through the roller, as in the formulas."""
+        """Contact forces with the directions that the formulas use.
+
+        At the cam, N and F_t are normal and tangential to the flat in its rotated position. At the
+        ring, they act along the ray through the roller, and perpendicular to the ray.
+        """
         N, F_t = np.array([state.on_flat, state.on_race]).T
         return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
 
     @classmethod
     def on_mesh(cls, state: State) -> Self:
-        """Forces along the normals of the mesh, for which Coulomb's law and balances hold."""
+        """Contact forces along the normals of the mesh, for which Coulomb's law is satisfied."""
         cam, ring = state.solution.touches
         return cls(
             N=np.array([cam.normal_force, ring.normal_force]),
@@ -71,7 +79,7 @@ class Borne:
 
     @property
     def tangent(self) -> float:
-        """Ratio F_t/N at the mean angle of both contacts, on both sides of the bisector."""
+        """Ratio F_t/N as the tangent of the mean of the angles atan(F_t/N) of both contacts."""
         return math.tan(float(np.arctan(self.F_t / self.N).mean()))
 
     @property
@@ -81,7 +89,7 @@ class Borne:
 
 
 def lever_left(mu: float, place: Place) -> float:
-    """Ratio F_z/F_t that friction permits along the axis, at the angle of a position.
+    """Ratio F_z/F_t at the friction limit, for the wedge angle of the roller at `place`.
 
     The friction cone of the solver refers to the normals of the mesh, at the angle of the initial
     position. The torque belongs to the angle in equilibrium, with the cam in its rotated position.
@@ -90,12 +98,15 @@ def lever_left(mu: float, place: Place) -> float:
 
 
 def slipping(state: State) -> Array:
-    """Share of N (2,) on nodes that slip; 1 where contact is lost."""
+    """Share (2,) of the normal force N at nodes that slip, for each contact; 1 without contact."""
     return np.array([1 - touch.sticking_share for touch in state.solution.touches])
 
 
 def held_along(q: Pitch, *, driven: bool) -> "Along":
-    """Supports along z: the cam is clamped, the ring's rim loaded or driven, rollers are free."""
+    """Supports along z: the cam is clamped, and rollers are free.
+
+    If `driven`, the displacement of the rim of the ring is prescribed; otherwise the rim is loaded.
+    """
     from fem.contact.along import Along
 
     rim = {q.names.race_held: 0.0} if driven else {}
@@ -103,7 +114,10 @@ def held_along(q: Pitch, *, driven: bool) -> "Along":
 
 
 def sector(q: Pitch, start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
-    """Pitch at an initial position with friction `mu`; its rim is driven along z or loaded."""
+    """Pitch at the initial position `start`, with the friction coefficient `mu`.
+
+    If `driven`, the rim of the ring is displaced along z; otherwise the rim is loaded along z.
+    """
     place = Place.overlapping(q, *start.d)
     return Sector(place, start.widths, cells, mu=mu, along=held_along(q, driven=driven))
 
@@ -123,7 +137,10 @@ def wedged(q: Pitch, L: float, T: float) -> Start:
 
 
 def at_torque(one: Pulled, cells: int) -> Start:
-    """Approximate state on meshes of `cells`, with fine zones at constant positions."""
+    """Approximate state of the clutch under its torque, with `cells` cells on half of each zone.
+
+    The fine zones have the half-widths that were found on coarse meshes.
+    """
     start = wedged(one.q, one.L, one.T)
     state = start.state(one.q, cells)
     found = after(state).scaled((one.T / (state.torque * one.L)) ** HARDER)
@@ -131,7 +148,7 @@ def at_torque(one: Pulled, cells: int) -> Start:
 
 
 def pulled(one: Pulled, there: Sector, rest: State) -> State:
-    """State of the clutch at rest, then loaded axially at the rim of the ring.
+    """State of the clutch under torque and a subsequent axial load on the rim of the ring.
 
     The axial load is F_ax/T times the torque of the solution.
     """
@@ -151,11 +168,12 @@ def yielding(one: Pulled, there: Sector, stuck: State) -> float:
 
 
 def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
-    """State after `state` with the roller in its position: the ring compensates creep.
+    """State after `state`, with the creep of the roller compensated by rotation of the ring.
 
-    The ring continues to rotate, and N is constant. If its rotation is known, it is first rotated
-    by `ahead` [m]; then nodes that slip also slip in the last solution. Raises NotFoundError if the
-    roller does not come to rest, or if a solution finds no equilibrium.
+    The roller therefore remains in its position, and N is constant. If the rotation of the ring is
+    known, the ring is first rotated by `ahead` [m]; then nodes that slip also slip in the last
+    solution. Raises NotFoundError if the roller does not come to rest, or if a solution finds no
+    equilibrium.
     """
     size = state.start.d_i + state.start.d_o
 

@@ -103,7 +103,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """Displacement of the strut at its contacts, and drags for which the races follow it."""
+        """Displacement of the strut at its contacts, and drags with which the races follow it."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above
@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Position of the strut, with the share of the races in its overlaps."""
+        """Position of the strut, with the parts of the overlaps that belong to the races."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )
@@ -145,7 +145,7 @@ class State(Touching, Generic[P]):
 
     @property
     def angles(self) -> tuple[float, float]:
-        """Angles atan(T/N) [rad], nu and omega, calculated from the forces."""
+        """Angles nu and omega [rad], calculated as atan(T/N) from the forces."""
         inner, outer = (math.atan2(T, N) for T, N in zip(self.T, self.N, strict=True))
         return inner, outer
 

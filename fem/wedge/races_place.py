@@ -7,7 +7,7 @@ if TYPE_CHECKING:
 
 
 class Place(Protocol):
-    """Position of the strut, with its pole at the distance `D` [m] from the axis, and its outline.
+    """Position and outline of a strut, whose pole is at the distance `D` [m] from the axis.
 
     `overlaps` are those of both contacts without loads; `bends` is the share of the overlaps that
     is included in the mesh, H the sum of the overlaps. `OA` and `OB` are the radii at which forces

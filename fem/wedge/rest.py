@@ -53,7 +53,7 @@ class Touching:
 
 
 class Unrest(NamedTuple):
-    """Displacement `moves` [m] of a body, total overlap `size` [m], and compensating drags."""
+    """Displacement `moves` [m] of a body, total overlap `size` [m], and corrected `drags` [m]."""
 
     moves: float
     size: float
@@ -64,7 +64,7 @@ def at_rest(
     at: Callable[[Drags], S], drags: Drags, unrest: Callable[[S], Unrest], *, body: str,
     most: int, still: float | None = None,
 ) -> S:  # fmt: skip
-    """Equilibrium state of the `body`: the first with a motion below `still` of its size.
+    """First state in which the `body` moves by at most `still` times the total overlap.
 
     `at` solves with surfaces displaced by `drags`; each correction compensates the motion of the
     body. Raises NotFoundError if the body does not come to rest in `most` steps.
@@ -85,10 +85,10 @@ def at_rest(
 def core_motion(
     solution: "ContactSolution", centre: tuple[float, float], size: float
 ) -> tuple[Array, float]:
-    """Displacements (2, 4) [m] and rotation [rad] of a body of this `size` [m] about `centre`.
+    """Displacements (2, 4) [m] of four points of a body, and rotation [rad] about `centre`.
 
-    The displacements are those of points to the right, left, above and below. The rotation is
-    positive anticlockwise.
+    The points are to the right, to the left, above and below the centre, at the distance CORE x
+    `size` [m]. The rotation is positive anticlockwise.
     """
     near = CORE * size
     points = np.array([[centre[0]], [centre[1]]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
-    """States of the clutch with ample friction: under torque, and also under axial load."""
+    """Two states of the clutch with ample friction: under torque alone, then with axial load."""
     mu = ample(one, Place.overlapping(one.q, *start.d))
     there = sector(one.q, start, cells, mu, driven=False)
     rest = there.rest(start.drags)
@@ -22,10 +22,10 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
 
 
 def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """Path of the ring, displaced to `displacements` [m] along z at constant N, until it creeps.
+    """Path (m, 8) of states with the ring displaced to `displacements` [m] along z at constant N.
 
-    The columns (m, 8) are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N
-    and F_z/N of both contacts at the normals of the mesh, and N of the ring and T relative to the
+    The columns are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N and
+    F_z/N of both contacts along the normals of the mesh, and N of the ring and T relative to the
     values at rest.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck
@@ -36,7 +36,10 @@ def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array
 
 
 def let_out(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """Path (m, 8) of the ring driven along z without rotation: rollers move out of the wedge."""
+    """Path (m, 8) of states with the ring displaced along z without rotation.
+
+    The rollers then move out of the wedge. The columns are those of `driven`.
+    """
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:
         state = there.at(stuck.drags, after=state.solution, axial_displacements=_rim(there, u))

@@ -1,4 +1,4 @@
-"""Friction limit of a roller: by friction coefficient, by wedge angle, and with axial load."""
+"""Friction limit of a roller, as a function of friction coefficient, wedge angle and axial load."""
 
 import math
 from collections.abc import Callable
@@ -38,7 +38,7 @@ class Limit:
         self.tan = math.tan(self.place.psi / 2)
 
     def slipping(self, mu: float) -> Array:
-        """Share of N (2,) on slipping nodes of both contacts; 1 where contact is lost."""
+        """Share (2,) of N at nodes that slip, for each contact; 1 if contact is lost."""
         return slipping(self._under_torque(mu))
 
     def sticks(self, mu: float) -> bool:
@@ -49,17 +49,23 @@ class Limit:
         return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
 
     def shares(self) -> Array:
-        """Ratios mu/tan(alpha) and the slipping shares of N (3, m)."""
+        """Ratios mu/tan(alpha), and the shares `slipping` of both contacts, in rows (3, m)."""
         found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
         return np.array(found).T
 
     def of_torque(self) -> Array:
-        """Friction over tan(psi/2) (2,) at complete slip of both contacts: value, half-width."""
+        """Ratio mu/tan(psi/2) at which both contacts slip completely: value, half-width (2,).
+
+        The half-width is that of the interval in which the value lies.
+        """
         steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Friction over Eq. 8 (2,) at which the axial load is the limit: value, half-width."""
+        """Ratio of mu to its value by Eq. 8 at which the clutch just holds its axial load (2,).
+
+        The result is the value and its uncertainty.
+        """
         if self.asked == 0:
             return self.of_torque()
         first = 1 + AXIAL_ABOVE
@@ -90,8 +96,8 @@ class Limit:
         lever, doubt = self._lever(mu)
         if abs(lever - self.asked) <= doubt:
             raise NotFoundError(
-                f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
-                "whether the clutch holds cannot be decided"
+                f"F_ax R/T = {self.asked:.4g} is within the uncertainty {doubt:.1e} of the limit "
+                f"{lever:.4g}: whether the clutch holds cannot be decided"
             )
         return lever > self.asked
 
@@ -102,7 +108,7 @@ class Limit:
 
     @property
     def full(self) -> float:
-        """Friction of Eq. 8 at the angle of the bisector."""
+        """Friction coefficient by Eq. 8 for the wedge angle of the mesh: `tan` sqrt(1 + asked²)."""
         return math.hypot(1.0, self.asked) * self.tan
 
     def _lever(self, mu: float) -> tuple[float, float]:
@@ -125,14 +131,15 @@ def over_angles(
     one: Pulled, start: Start, stuck: State, *, N: float, unit: float,
     built: Callable[[float], Pitch],
 ) -> Array:  # fmt: skip
-    """Friction limits of clutches that differ in X only, at equal overlap.
+    """Friction limits of clutches that differ only in the distance X of the flats.
 
-    The result has one row (m, 7) per clutch. `built` generates the pitch with flats at X [m]; it
-    raises ValueError if such a pitch is impossible, and the row is omitted. Rows contain
-    tan(alpha)/mu, the remaining share of `N` [N/m], F_t/(mu N) (0 if the roller is released), and
-    F_t/(mu N) and F_z/(mu N) of cam and ring after the ring was driven along z until all contacts
-    slip. At its angle, the clutch `stuck` deflects by `unit` [m] along z before it slips. Angles
-    and forces refer to the normals of the mesh, because slip depends on them.
+    The overlaps of the contacts are equal in all clutches. The result has one row (m, 7) per
+    clutch. `built` generates the pitch with flats at X [m]; it raises ValueError if such a pitch is
+    impossible, and the row is omitted. Rows contain tan(alpha)/mu, the remaining share of `N`
+    [N/m], F_t/(mu N) (0 if the roller is released), and F_t/(mu N) and F_z/(mu N) of cam and ring
+    after the ring was driven along z until all contacts slip. At its angle, the clutch `stuck`
+    deflects by `unit` [m] along z before it slips. Angles and forces refer to the normals of the
+    mesh, because slip depends on them.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu

@@ -20,7 +20,7 @@ STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
 
 class TurnedPlace(Place, Protocol):
-    """Position at a given rotation [rad], with the angles of the strut [rad]."""
+    """Position of a strut that is rotated by `alpha` [rad], with its angles `strut` [rad]."""
 
     @property
     def alpha(self) -> float: ...

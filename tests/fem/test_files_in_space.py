@@ -143,7 +143,7 @@ def test_a_file_of_modes_has_their_shapes_along_the_shaft(tmp_path):
         real, imaginary = (read.point_data[f"mode_{k + 1}_{p}"] for p in ("real", "imaginary"))
         assert real + 1j * imaginary == pytest.approx(modes.shapes[k, :5, :3])
     assert abs(modes.shapes[:, :5, :2].imag).max() > 1e-6
-    with pytest.raises(ValueError, match="modes contain no positions of nodes: use"):
+    with pytest.raises(ValueError, match="modes contain no positions of nodes: give the rotor"):
         fem.to_vtu(modes, tmp_path / "x.vtu")
     with pytest.raises(ValueError, match="but have 9 nodes; the rotor has 5"):
         fem.to_vtu(modes, tmp_path / "x.vtu", rotor=Rotor([shaft], rotor.discs, bearings))

@@ -135,7 +135,7 @@ def test_results_of_rotors_are_drawn_over_the_speed():
     swing = unbalance_response(rotor, speeds, {2: 1e-4})
     (line,) = fem.plot(swing, node=2).lines
     assert line.get_ydata() == pytest.approx(swing.major(2))
-    with pytest.raises(ValueError, match="the plot of a response requires a node: use"):
+    with pytest.raises(ValueError, match="the plot of a response requires a node: give"):
         fem.plot(swing)
 
 
