@@ -42,7 +42,7 @@ def plane_mesh(*, straight: bool = False) -> Mesh2D:
 
 @dataclass(frozen=True)
 class Read:
-    """Nodes `p` (2, n) and cells `t` (k, m) of the current gmsh model, with gmsh numbers."""
+    """Nodes `p` (2, n) and cells `t` (k, m) of the current gmsh model, with their gmsh tags."""
 
     shape: type[Mesh2D]
     kind: int
@@ -54,7 +54,7 @@ class Read:
 
 
 def nodes_and_cells(*, straight: bool = False) -> Read:
-    """Cells of the current gmsh model. Raises ValueError unless all are of one kind."""
+    """Nodes and cells of the current gmsh model. Raises ValueError unless cells are of one kind."""
     kinds = [k for k in gmsh.model.mesh.getElementTypes(2) if k in KINDS]
     if len(kinds) != 1:
         names = [gmsh.model.mesh.getElementProperties(k)[0] for k in kinds]

@@ -1,4 +1,4 @@
-"""Context that starts and ends gmsh, with reproducible meshes and without remaining data."""
+"""Context that starts and ends gmsh; meshes are reproducible, and no data remain in gmsh."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -21,7 +21,10 @@ NODES = 500_000  # of all that are stored, with 200 bytes each
 
 @dataclass(frozen=True)
 class Topology:
-    """A `mesh`, and the index (n,) of each of its nodes among the nodes that were read."""
+    """Mesh whose nodes can be moved.
+
+    `source` (n,) is the index of each node of `mesh` among the nodes that were read.
+    """
 
     mesh: Mesh2D
     source: Indices
@@ -36,7 +39,7 @@ class Topology:
         return cls(mesh, source)
 
     def at(self, p: Array) -> Mesh2D:
-        """Mesh with the nodes that were read at the positions `p` (2, n)."""
+        """Mesh with new positions `p` (2, n) of the nodes that were read."""
         mesh = copy(self.mesh)
         mesh.doflocs = np.ascontiguousarray(p[:, self.source])
         return mesh

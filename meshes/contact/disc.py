@@ -64,7 +64,10 @@ def _quarter(R: float, zone: float, cells: int, refine: int) -> list[Block]:
 
 
 def diagonal(corner: Point, slope: float, R: float) -> tuple[Point, Point]:
-    """Centre and end of the arc from `corner`, `slope` [rad] down, that is normal to y = -R."""
+    """Centre and end of an arc that starts at `corner` and ends normal to the line y = -R.
+
+    At the corner, the arc descends at the angle `slope` [rad].
+    """
     x, y = corner
     radius = (R + y) / math.cos(slope)
     x -= radius * math.sin(slope)

@@ -16,9 +16,9 @@ GROWTH = 1.6  # largest ratio of the lengths of successive cells of the coarsest
 
 @dataclass(frozen=True)
 class Zone:
-    """Fine core: `width` along the surface in x, with `cells` cells on it on the mesh `refine` 1.
+    """Fine core with the given `width` in x along the surface, and `cells` cells over the width.
 
-    `refine` 2 halves every cell of the mesh, and so on.
+    This number of cells applies to `refine` 1; `refine` 2 halves every cell of the mesh, and so on.
     """
 
     width: float
@@ -59,7 +59,10 @@ class Outline:
 
 
 def core(zone: Zone, centre: float | None) -> tuple[Point, Point]:
-    """End of the core on the surface about (0, `centre`), and its corner inside the body."""
+    """End of the core on the surface, and corner of the core inside the body.
+
+    The surface is an arc about (0, `centre`), or a straight line if `centre` is None.
+    """
     x = zone.width
     if centre is None:
         return (x, 0.0), (x, -zone.depth)
@@ -103,7 +106,7 @@ def fan(
 
 
 def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
-    """Number of equal cells over `length` that continue the last cell of a graded edge.
+    """Number of equal cells over `length`, which continue the last cell of the edge `beside`.
 
     No cell is longer than GROWTH times this last cell, whose length is about two fifths of the
     thickness.
@@ -113,7 +116,7 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
 
 
 def graded(edges: list[tuple[Edge, float]], refine: int, *, least: int = 1) -> list[Edge]:
-    """Edges with equal numbers of cells, which grow from the given sizes at the start."""
+    """Edges with equal numbers of graded cells; the size of the first cell is given per edge."""
     n = max(cells_along(length=edge.length, first=size, growth=GROWTH) for edge, size in edges)
     n = max(n, least)
     return [

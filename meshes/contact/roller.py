@@ -40,7 +40,7 @@ def half_roller(
 
 
 def half_blocks(R: float, fine: Sequence[Zone]) -> list[Block]:
-    """Blocks of the half roller, with the fine zones `fine` near and far."""
+    """Blocks of the half roller, with the fine zones `fine` at (-R, 0) and (R, 0)."""
     wide = max(fine, key=lambda zone: zone.width)
     # both quarters end on one cut, and their diagonals in one point of it
     _, far = diagonal(core(wide, -R)[1], math.pi / 4 + math.asin(wide.width / R), R)

@@ -37,8 +37,8 @@ def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float)
     for race, distance in (("flat", flat), ("circle", circle)):
         if not abs(distance - r) <= ASTRAY * r:
             raise ValueError(
-                f"the roller's centre must be at the distance r={r:g} m from the {race}, within "
-                f"r/2, got {distance:g} m"
+                f"the roller's centre must be at the distance r={r:g} m, to within r/2, from the "
+                f"{race}, got {distance:g} m"
             )
     if not math.hypot(*centre) * math.sin(math.pi / z) > r:
         raise ValueError(
@@ -60,13 +60,15 @@ def check_zones(r: float, cam: FlatRace, race: RoundRace, *, flat: float, circle
     bound = min(r / 2, wall, room)
     if not 0 < flat <= bound:
         raise ValueError(
-            "the fine zone on the flat must be positive and at most r/2, the wall and half of the "
-            f"length to the end of the flat: at most {bound:g} m, got {flat:g} m"
+            f"the fine zone on the flat must be positive and at most {bound:g} m, got {flat:g} m: "
+            "the limit is the smallest of r/2, the thickness of the wall, and half of the length "
+            "to the end of the flat"
         )
     wall = race.touched * min(abs(math.log(race.other / race.touched)), race.pitch / 4)
     bound = min(r / 2, wall)
     if not 0 < circle <= bound:
         raise ValueError(
-            "the fine zone on the circle must be positive and at most r/2, about the wall and a "
-            f"quarter of the pitch: at most {bound:g} m, got {circle:g} m"
+            f"the fine zone on the circle must be positive and at most {bound:g} m, got "
+            f"{circle:g} m: the limit is about the smallest of r/2, the thickness of the wall, and "
+            "a quarter of the pitch"
         )

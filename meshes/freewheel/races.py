@@ -67,7 +67,7 @@ class FlatRace:
 
     @property
     def half_outline(self) -> float:
-        """Length from the middle of the flat to the section, along the flat and the corner."""
+        """Length of the outline from the middle of the flat to the section at half a pitch."""
         if self.apothem / math.cos(self.pitch / 2) <= self.tip:
             return self.half_flat
         return self.half_flat + self.tip * (self.pitch / 2 - self._end)

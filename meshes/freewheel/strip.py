@@ -18,7 +18,10 @@ LONG = 0.6  # over the width across the strip, how long its cells far from the c
 
 @dataclass(frozen=True)
 class Side:
-    """Half of the surface: name and end [length from the origin] of each part, outwards."""
+    """Half of the surface of a strip, divided into `parts` from the origin outwards.
+
+    Each part has a name and an end, given as its distance [length] from the origin.
+    """
 
     parts: tuple[tuple[str, float], ...]
     cut: str
@@ -31,7 +34,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Strip:
-    """Strip between the sections of `left` and `right`, with `depth` and cell sizes."""
+    """Strip with the halves `left` and `right` of its surface, the `depth` and the fine `zone`."""
 
     left: Side
     right: Side

@@ -58,9 +58,9 @@ def half_sector(
     stops = _stops(ring, hub, first=None if fine is None else ring.wall(0.0))
     if fine is not None and not 0 < fine.width <= min(ring.wall(0.0), ring.above(stops[0])[1]) / 2:
         raise ValueError(
-            "the fine zone must have 0 < zone <= half of the wall at the middle of the side, "
-            f"{ring.wall(0.0):g} m, and of the outside beside it, {ring.above(stops[0])[1]:g} m; "
-            f"got zone={fine.width:g} m"
+            "the fine zone must be positive and at most half of two lengths: the thickness of the "
+            f"wall at the middle of the side ({ring.wall(0.0):g} m), and the outside of the blocks "
+            f"below the roller ({ring.above(stops[0])[1]:g} m); got zone={fine.width:g} m"
         )
     blocks = [] if fine is None else roller_fan(ring, fine, stops[0])
     for ends in pairwise(stops):
@@ -88,8 +88,8 @@ def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) 
         low, high = hub
         if not 0 < low < high < end:
             raise ValueError(
-                "the hub must act on the flat at 0 < s_0 < s_1 < half of the flat, "
-                f"{end:g} m; got s_0={low:g} m, s_1={high:g} m"
+                "the hub must act on the flat at 0 < s_0 < s_1 < half of the flat = "
+                f"{end:g} m, got s_0={low:g} m, s_1={high:g} m"
             )
     start = 0.0 if first is None else (first if first < NEAR * low else low)
     stop = end - last if last < NEAR * (end - high) else high

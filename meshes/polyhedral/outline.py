@@ -30,9 +30,9 @@ class Outline:
             )
         if not 0 < self.fillet < self.r_i:
             raise ValueError(
-                "the fillet must satisfy 0 < fillet < d_i/2 (a sharp corner has infinite stress, "
-                "with fillet = d_i/2 the bore is round), "
-                f"got fillet={self.fillet:g} m, d_i/2={self.r_i:g} m"
+                f"the fillet must satisfy 0 < fillet < d_i/2, got fillet={self.fillet:g} m, "
+                f"d_i/2={self.r_i:g} m: a sharp corner has infinite stress, and a fillet of d_i/2 "
+                "makes the bore round"
             )
 
     @property

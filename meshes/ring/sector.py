@@ -49,8 +49,8 @@ def half_sector(
     width, depth, zone = math.pi / n, math.log(r_o / r_i), patch / r
     if not 0 < zone <= min(width / 2, depth):
         raise ValueError(
-            "a patch must have 0 < patch <= half of half a pitch and patch <= the wall, got "
-            f"patch={patch:g} m, half a pitch {width * r:g} m, wall {r_o - r_i:g} m"
+            "the patch must be positive, at most a quarter of the pitch, and at most the wall, got "
+            f"patch={patch:g} m, half of the pitch {width * r:g} m, wall {r_o - r_i:g} m"
         )
     block = half_block(
         width=width, depth=depth, zone=zone, refine=refine, cells=cells, order=order,

@@ -76,7 +76,7 @@ def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
     """The band; an end that differs from the end of a part by round-off is moved to that end."""
     if not 0 <= band[0] < band[1] <= z[-1] * (1 + SAME):
         raise ValueError(
-            f"a band must lie on the shaft, 0 to {z[-1]:g} m, from low to high, got {band}"
+            f"a band must lie on the shaft: 0 <= low < high <= {z[-1]:g} m, got {band}"
         )
     low, high = (
         float(z[k]) if abs(z[k] - end) <= SAME * z[-1] else end
@@ -115,6 +115,6 @@ def _check(parts: Sequence[Part]) -> None:
     for a, b in pairwise(parts):
         if not max(a[2], b[2]) < min(a[1], b[1]):
             raise ValueError(
-                f"neighbours of d_o={a[1]:g}, d_i={a[2]:g} and d_o={b[1]:g}, d_i={b[2]:g} m must "
-                "have a common section"
+                "neighbouring parts must have a common section, but there is none between "
+                f"d_o={a[1]:g}, d_i={a[2]:g} m and d_o={b[1]:g}, d_i={b[2]:g} m"
             )

@@ -65,9 +65,9 @@ def _check(
     if not width > 0:
         raise ValueError(f"width must be positive, got {width:g}")
     if fewest < 1:
-        raise ValueError(f"at least one cell is required along each piece and across, got {fewest}")
+        raise ValueError(f"per_arc, per_leaf and across must be at least 1, got {fewest}")
     if finest is not None and not finest > 0:
-        raise ValueError(f"finest must be positive, got {finest:g}")
+        raise ValueError(f"the finest cell size must be positive, got finest={finest:g}")
     if not 0 < leaf_ends <= 1:
         raise ValueError(f"leaf_ends must lie in (0, 1], got {leaf_ends:g}")
 

@@ -23,7 +23,8 @@ def solid_block(
     """
     if min(cells) < 1 or not all(-math.inf < low < high < math.inf for low, high in (x, y, z)):
         raise ValueError(
-            f"a block requires rising x, y, z and a cell per direction, got x={x}, y={y}, z={z}, "
+            "a block requires rising x, y, z and at least one cell per direction, got "
+            f"x={x}, y={y}, z={z}, "
             f"cells={cells}"
         )
     with gmsh_session():

@@ -117,7 +117,7 @@ def _check(pieces: Sequence[Piece], b: float, width: float, counts: tuple[int, .
         raise ValueError(f"a strip must have b > 0 and width > 0, got b={b:g} m, width={width:g} m")
     if min(counts) < 1:
         raise ValueError(
-            "a strip requires a cell per direction, got through, per_arc, per_leaf, across = "
+            "numbers of cells of a strip must be >= 1, got through, per_arc, per_leaf, across = "
             + ", ".join(map(str, counts))
         )
     for piece in pieces:

@@ -32,10 +32,10 @@ class Reach:
         return 2 * self.least / (self.left + self.right)
 
     def stretched(self, share: Array, depth: Array) -> Array:
-        """Lengths from the contact at the positions -1 to 1 of the half column.
+        """Lengths along the outline from the contact, for relative positions `share` from -1 to 1.
 
-        They are equal on both sides near the contact, and uniform over the whole outline from the
-        `depth` 1.
+        -1 is the left flank and 1 is the right flank. The lengths are equal on both sides near the
+        contact, and uniform over the whole outline from the `depth` 1.
         """
         end = np.where(share < 0, self.left, self.right)
         near = self.least * share + (end - self.least) * share**3
@@ -53,7 +53,7 @@ def reaches(at: Placed) -> tuple[Reach, Reach]:
 
 
 def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: bool) -> Mesh2D:
-    """Mesh of the sprag `at` its position, fine at the inner and the outer contact.
+    """Mesh of the sprag in the position `at`, fine at the inner and the outer contact.
 
     Boundaries: "inner", "outer", and the flanks "left" and "right". Body: "sprag".
     """

@@ -38,8 +38,8 @@ def check_place(at: Placed, R_i: float, R_e: float) -> None:
     for where, place, radius in (("inner", at.inner, R_i), ("outer", at.outer, R_e)):
         if not abs(math.hypot(*place) - radius) <= ASTRAY * (R_e - R_i):
             raise ValueError(
-                f"the sprag must reach the {where} race at {radius:g} m, within a quarter of "
-                f"R_e - R_i, got {math.hypot(*place):g} m"
+                f"the sprag must reach the {where} race at the radius {radius:g} m, to within a "
+                f"quarter of R_e - R_i, got the radius {math.hypot(*place):g} m"
             )
 
 
@@ -59,7 +59,7 @@ def check_beside(at: Placed, pitch: float) -> None:
         raise ValueError(
             f"sprags of the width b={sprag.b:g} m must not overlap: at the radius "
             f"{radius[widest]:g} m, a sprag needs {math.degrees(width[widest]):.4g} degrees, "
-            f"available are {math.degrees(pitch):.4g}"
+            f"but only {math.degrees(pitch):.4g} degrees are available"
         )
 
 
@@ -67,8 +67,9 @@ def check_flank(where: str, reach: Reach) -> None:
     """Raise ValueError if the contact is too close to a flank for cells between them."""
     if not reach.share >= NEAREST:
         raise ValueError(
-            f"the sprag touches the {where} race {reach.least:g} m from a flank, but the distance "
-            f"must be {NEAREST * reach.least / reach.share:g} m: make it wider or rotate it less"
+            f"the sprag touches the {where} race at {reach.least:g} m from a flank, but this "
+            f"distance must be at least {NEAREST * reach.least / reach.share:g} m: "
+            "make the sprag wider or rotate it less"
         )
 
 
@@ -78,7 +79,7 @@ def check_zone(where: str, race: RoundRace, room: float, zone: float) -> None:
     bound = min(room / ROOM, wall)
     if not 0 < zone <= bound:
         raise ValueError(
-            f"the fine zone at the {where} contact must be positive and at most about the wall, a "
-            "quarter of the pitch and 3/4 of the distance to the flank: "
-            f"at most {bound:g} m, got {zone:g} m"
+            f"the fine zone at the {where} contact must be positive and at most {bound:g} m, got "
+            f"{zone:g} m: the limit is about the smallest of the thickness of the wall, a quarter "
+            "of the pitch, and 3/4 of the distance to the flank"
         )

@@ -51,8 +51,8 @@ class Sprag:
         for end, place in (("spiral", self._ends_below), ("arc", self._ends_above)):
             if place is None:
                 raise ValueError(
-                    f"the width b={self.b:g} m of a sprag must not exceed the width of its {end} "
-                    f"within {math.degrees(STEEPEST):g} degrees of its middle"
+                    f"the width b={self.b:g} m of a sprag must not exceed the width of its {end}, "
+                    f"which extends {math.degrees(STEEPEST):g} degrees to both sides of the middle"
                 )
 
     @property
@@ -154,7 +154,7 @@ class Placed:
         left, right = sprag.below
 
         def off(theta: float) -> float:
-            """Component of the point's position along the tangent."""
+            """Component of the position of a point of the spiral along the tangent at the point."""
             c, s = math.cos(theta - self.turn), math.sin(theta - self.turn)
             x, y = self.pole
             return x * (sprag.m * s + c) + y * (s - sprag.m * c) + sprag.m * sprag.radius(theta)
@@ -162,7 +162,7 @@ class Placed:
         if not off(left) < 0 < off(right):
             raise ValueError(
                 f"the sprag, rotated by {math.degrees(self.turn):.4g} degrees, touches the inner "
-                "race beyond a flank: make it wider or rotate it less"
+                "race beyond a flank: make the sprag wider or rotate it less"
             )
         return brentq(off, left, right, xtol=1e-15)
 
@@ -175,7 +175,7 @@ class Placed:
         if not left < phi < right:
             raise ValueError(
                 f"the sprag, rotated by {math.degrees(self.turn):.4g} degrees, touches the outer "
-                "race beyond a flank: make it wider or rotate it less"
+                "race beyond a flank: make the sprag wider or rotate it less"
             )
         return phi
 

@@ -212,7 +212,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """Approximate position rotated by `alpha` [rad], and ratio of the total deflections."""
+        """Approximate position rotated by `alpha` [rad], and ratio of its H to the present H."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

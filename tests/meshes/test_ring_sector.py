@@ -44,8 +44,8 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
         ({"r_o": 0.9}, "0 < r_i < r_o"),
         ({"n": 1}, "balanced, evenly spaced loads require n >="),
         ({"loaded": "side"}, "'bore' or 'rim'"),
-        ({"patch": 0.2}, "half of half a pitch"),
-        ({"r_o": 1.005}, "a patch must have 0 < patch <= half of half"),
+        ({"patch": 0.2}, "a quarter of the pitch"),
+        ({"r_o": 1.005}, "the patch must be positive, at most a quarter"),
         ({"refine": 0}, "refine >= 1"),
     ],
 )

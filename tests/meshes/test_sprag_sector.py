@@ -107,7 +107,7 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
         ({"turn": radians(24)}, "the sprag touches the inner race"),
         ({"z": 20}, "at the radius 0.01215.* m, a sprag needs 19.05 degrees"),
         ({"zones": (1e-4, 1.3e-3)}, "of the distance to the flank"),
-        ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "about the wall"),
+        ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "the thickness of the wall"),
         ({"cells": 0}, "cells >= 1"),
         ({"refine": 0}, "refine >= 1"),
     ],

@@ -41,9 +41,9 @@ def test_cells_are_fine_at_the_corners_and_halve():
         ([], {}, "a shaft must have at least one part, got"),
         ([(0.1, 0.04, 0.04)], {}, "0 <= d_i < d_o"),
         ([(-0.1, 0.04, 0.0)], {}, "length > 0"),
-        ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.04)], {}, "neighbours of d_o=0.04, d_i=0 and d_o=0.08"),
+        ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.04)], {}, "d_o=0.04, d_i=0 m and d_o=0.08"),
         (PARTS, {"seat": (0.4, 0.5)}, "must lie on the shaft"),
-        (PARTS, {"seat": (0.2, 0.1)}, "from low to high"),
+        (PARTS, {"seat": (0.2, 0.1)}, "0 <= low < high <="),
     ],
 )
 def test_what_makes_no_sense_is_refused(parts, bands, message):

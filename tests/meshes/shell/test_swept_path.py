@@ -46,8 +46,8 @@ def test_cells_area_and_boundaries_are_those_of_the_path():
     ("make", "message"),
     [
         (lambda: spring(width=0.0), "width must be positive, got 0"),
-        (lambda: spring(across=0), "at least one cell is required along each"),
-        (lambda: spring(finest=-1.0), "finest must be positive, got -1"),
+        (lambda: spring(across=0), "per_arc, per_leaf and across must be at least 1"),
+        (lambda: spring(finest=-1.0), "the finest cell size must be positive, got finest=-1"),
         (lambda: spring(leaf_ends=2.0), r"leaf_ends must lie in \(0, 1\], got 2"),
         (lambda: swept_path([], **CELLS), "a path must have at least one leaf or arc"),
         (lambda: rectangle(length=0.0, width=1.0, along=1, across=1),

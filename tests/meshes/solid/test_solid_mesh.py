@@ -89,14 +89,14 @@ def test_cells_shrink_towards_the_edge_by_the_grading_and_halve_on_one_map():
     [
         (lambda: sheet(()), "at least one leaf or arc"),
         (lambda: sheet(across=0),
-         "a cell per direction, got through, per_arc, per_leaf, across = 2, 4, 3, 0"),
+         "must be >= 1, got through, per_arc, per_leaf, across = 2, 4, 3, 0"),
         (lambda: sheet(grading=0.5), "got grading=0.5"),
         (lambda: sheet([Piece("arc", 0, 0, 0, 0.05, 1.2, 1)]),
          "the radius of an arc must be above b/2, got"),
         (lambda: solid_strip([QUARTER], b=0.0, width=1.0, **CELLS),
          "b > 0 and width > 0, got b=0 m, width=1 m"),
         (lambda: solid_block(x=(0, 1), y=(1, 1), z=(0, 1), cells=(1, 1, 1)),
-         "a block requires rising x, y, z and a cell"),
+         "a block requires rising x, y, z and at least one cell"),
     ],
 )  # fmt: skip
 def test_wrong_input_gets_one_clear_line(make, words):
