@@ -34,13 +34,14 @@ def verdict_data(report: Report) -> Data | None:
 
 def _line(one: FormulaVerdict) -> Data:
     parts = [
-        one.words, one.model, f"limited by {one.limited_by}" if one.limited_by else "",
-        f"use instead {one.instead}" if one.instead else "",
+        one.words, f"{one.model[:1].upper()}{one.model[1:]}",
+        f"Limited by: {one.limited_by}" if one.limited_by else "",
+        f"Use instead: {one.instead}" if one.instead else "",
     ]  # fmt: skip
     return {
         "name": one.name, "form": one.form.value, "what": prose(one.what),
         "verdict": one.verdict.value, "error": at_paper(one), "sides": sides(one),
-        "words": prose("; ".join(filter(None, parts))),
+        "words": prose(". ".join(filter(None, parts))),
     }  # fmt: skip
 
 

@@ -91,9 +91,8 @@ def _percents(size: float) -> str:
 
 
 def short_words(one: FormulaVerdict) -> str:
-    """Sentence of a verdict without the verdict itself, which has a separate column."""
-    text = one.words.replace(f"; {SHARED}", "")
-    text = text.removeprefix(f"{one.verdict}: ").removeprefix(f"{one.verdict}; ")
+    """Sentences of a verdict without the verdict itself, which has a separate column."""
+    text = one.words.replace(f". The formula is {SHARED}", "").removeprefix(f"{one.verdict}: ")
     first = text[0].upper() if text[0].isascii() else text[0]  # a symbol stays as it is
     return f"{first}{text[1:]}."
 
@@ -137,7 +136,7 @@ def counts_in_markdown(report: Report) -> str:
 def markdown(report: Report) -> str:
     """Markdown table of all verdicts."""
     lines = (
-        f"| {paper.cited} | {v.name} | {v.form} | {v.what} | **{v.verdict}** | {v.words} |"
+        f"| {paper.cited} | {v.name} | {v.form} | {v.what} | **{v.verdict}** | {v.words}. |"
         for paper in by_paper(report)
         for v in paper.verdicts
     )

@@ -13,6 +13,7 @@ from verify.verdicts.words import percent
 _NAMED = re.compile(
     r"(?P<paper>[a-z]+(?: ?20\d\d)?)[ /,:]*(?:eqs?\.?|equation)? *(?P<number>\d{1,2})"
 )
+_FIRST = re.compile(r";|\. (?=[A-Z])")  # end of the first clause
 
 
 @dataclass(frozen=True)
@@ -110,7 +111,7 @@ def _short(one: FormulaVerdict) -> str:
 
 
 def _brief(one: FormulaVerdict) -> str:
-    return one.words.removeprefix(f"{one.verdict}: ").partition(";")[0]
+    return _FIRST.split(one.words.removeprefix(f"{one.verdict}: "), maxsplit=1)[0]
 
 
 def _safe(one: FormulaVerdict) -> str:

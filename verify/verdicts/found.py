@@ -12,7 +12,7 @@ from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, point_
 from verify.verdicts.misprint import misprint
 from verify.verdicts.regions import ranges
 from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged, on_unsafe_side
-from verify.verdicts.words import SMALLEST, sentence
+from verify.verdicts.words import SMALLEST, joined, sentences
 
 
 def verdicts(rows: Sequence[Row], key: str = "") -> tuple[FormulaVerdict, ...]:
@@ -44,7 +44,7 @@ def _verdict(
         if formula.caution_row:
             require(formula.caution_row, rows, may_be_note=True)
         if formula.missing:
-            words = "; ".join(filter(None, (formula.missing, formula.caution)))
+            words = joined((formula.missing, formula.caution))
             return replace(head, verdict=Verdict.UNVERIFIABLE, words=words)
         part, model = evidence(formula.part, rows), evidence(formula.model, rows)
         changed = misprint(part.rows + model.rows, [rows[i] for i in corrected if i in rows])
@@ -56,7 +56,7 @@ def _verdict(
     head = replace(head, verdict=verdict, is_of_part=bool(part.rows), readings=readings,
                    misprint=changed if formula.errata else None)  # fmt: skip
     described = _described(head, judged_on)
-    return replace(described, model=_model(model) if part.rows else "", words=sentence(described))
+    return replace(described, model=_model(model) if part.rows else "", words=sentences(described))
 
 
 def _of(

@@ -1,6 +1,7 @@
-"""Text of a verdict in one sentence."""
+"""Text of a verdict in a few sentences."""
 
 import re
+from collections.abc import Sequence
 
 from verify.core.verdicts import SHARED, FormulaVerdict, Safe, Side, Verdict, VerdictRange
 from verify.studies.validity.messages import number
@@ -8,56 +9,65 @@ from verify.verdicts.rule import CLASSES
 
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
+ONLY = ", which are the only inputs compared"
 VALUES = re.compile(r" \(\d+ values\)")  # numbers of points, which the ranges state
 SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 
 
-def sentence(found: FormulaVerdict) -> str:
-    """Sentence with the accuracy or the error of a formula, its range, and its safe side."""
+def sentences(found: FormulaVerdict) -> str:
+    """Sentences with the accuracy or the error of a formula, its range, and its safe side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
-    parts = (
-        _head(found), "" if has_better else SHARED, found.caution,
-        f"readings that the paper leaves open: {found.readings}" if found.readings else "",
-    )  # fmt: skip
-    return "; ".join(filter(None, parts))
+    readings = f"the readings that the paper leaves open give {found.readings}"
+    return joined((
+        *_head(found), "" if has_better else f"the formula is {SHARED}", found.caution,
+        readings if found.readings else "",
+    ))  # fmt: skip
 
 
-def _head(found: FormulaVerdict) -> str:
+def joined(parts: Sequence[str]) -> str:
+    """The parts that are not empty as sentences; the last sentence has no full stop."""
+    first, *others = filter(None, parts)
+    return ". ".join((first, *(one[0].upper() + one[1:] for one in others)))
+
+
+def _head(found: FormulaVerdict) -> Sequence[str]:
     match found.verdict:
         case Verdict.EXACT:
             largest = percent(max(found.above or 0.0, found.below or 0.0))
-            return f"exact within its idealisation; largest difference: {largest}"
+            return (f"exact within its idealisation: the largest difference is {largest}",)
         case Verdict.ACCURATE:
-            return f"accurate within {percent(found.within)} over {_studied(found)}{_unsafe(found)}"
+            over = f"accurate within {percent(found.within)} over {_studied(found)}"
+            return over, _unsafe(found)
         case Verdict.PART:
             own, part = _error(found), _part(found)
-            first = f"{own}; {part}" if _is_outside(found) else f"{part}; {own}"
-            return f"{first}{_unsafe(found)}"
+            first = (own, *part) if _is_outside(found) else (*part, own)
+            return *first, _unsafe(found)
         case Verdict.WRONG:
             return _wrong(found)
         case _:
-            left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
-            only = left if found.points else ", the only ones compared"
+            left = f" ({found.unsolved} points have no answer)" if found.unsolved else ""
+            only = left if found.points else ONLY
             is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
             over = f" over {_studied(found)}" if is_over else ""
             is_alone = _one_at_a_time(found) and not any(map(constant, found.ranges))
             alone = ", one input changed at a time" if is_alone and not over else ""
-            largest = sides(found.above or 0.0, found.below or 0.0) + alone
-            errors = f"{largest}; {_error(found)}{only}"
-            return f"{found.verdict.value}{over}: {errors}; {SIDE[found.safe]}"
+            largest = sides(found.above or 0.0, found.below or 0.0)
+            errors = f"{found.verdict.value}{over}: {largest} the reference{alone}"
+            return errors, f"{_error(found)}{only}", SIDE[found.safe]
 
 
 def _unsafe(found: FormulaVerdict) -> str:
     """Text of the largest error on the unsafe side over all points; both sides if none is safe."""
     if found.safe is Safe.NEITHER:
         both = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
-        return f"; {both}" if both else ""
+        return f"the values are {both} the reference" if both else ""
     is_low = found.safe is Safe.ABOVE
     largest = (found.below if is_low else found.above) or 0.0
     if largest < SMALLEST:
-        return "; all errors on the safe side"
+        return "all errors are on the safe side"
     most = "up to" if any(map(_is_star, found.ranges)) else "at most"
-    return f"; {most} {percent(largest)} too {'low' if is_low else 'high'}, the unsafe side"
+    side = f"too {'low' if is_low else 'high'}, which is the unsafe side"
+    return f"the values are {most} {percent(largest)} {side}"
 
 
 def _is_star(one: VerdictRange) -> bool:
@@ -71,16 +81,16 @@ def _one_at_a_time(found: FormulaVerdict) -> bool:
     return bool(several) and all(map(_is_star, several))
 
 
-def _wrong(found: FormulaVerdict) -> str:
-    """Text of the effect of a misprint, alone and together with the error of the formula."""
+def _wrong(found: FormulaVerdict) -> Sequence[str]:
+    """Sentences on the effect of a misprint, alone and together with the error of the formula."""
     if found.error is None:
-        return f"wrong as printed: {found.limited_by}"
+        return (f"wrong as printed: {found.limited_by}",)
     largest = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
-    total = f"{_error(found)}{f', {largest} over all points' if largest else ''}"
+    over = f"over all points, the values are {largest} the reference" if largest else ""
     if found.misprint is None or signed(found.misprint) == signed(found.error):
-        return f"wrong as printed; {total}"
-    alone = signed(found.misprint)
-    return f"wrong as printed; by the misprint alone {alone}, in total {total}"
+        return f"wrong as printed: {_error(found)}", over
+    alone = f"wrong as printed: the misprint alone changes the value by {signed(found.misprint)}"
+    return alone, _error(found).replace("the error is", "the total error is"), over
 
 
 def signed(value: float) -> str:
@@ -113,7 +123,7 @@ def _error(found: FormulaVerdict) -> str:
     if found.error is None or found.U is None:
         return "the error is not known"
     bar = f" ± {percent(found.U)}" if found.U >= SMALLEST else ""
-    return f"{signed(found.error)}{bar} {_default(found)}"
+    return f"the error is {signed(found.error)}{bar} {_default(found)}"
 
 
 def _default(found: FormulaVerdict) -> str:
@@ -130,32 +140,29 @@ def sides(high: float, low: float) -> str:
     return " and ".join(f"up to {percent(size)} {side}" for size, side in both if size >= SMALLEST)
 
 
-def _part(found: FormulaVerdict) -> str:
+def _part(found: FormulaVerdict) -> Sequence[str]:
     if not found.points:
-        limit = percent(found.within)
-        return f"accurate within {limit} at the default inputs, the only ones compared"
+        return (f"accurate within {percent(found.within)} at the default inputs{ONLY}",)
     if found.within is not None:
         missing = [one.words for one in found.design if not one.spanned]
-        parts = (
+        own = " and ".join(found.own_only)
+        return (
             f"accurate within {percent(found.within)} over {_studied(found)}",
-            f"{found.unsolved} points without an answer" if found.unsolved else "",
-            f"not compared over all of {', '.join(missing)}" if missing else "",
-            f"in {', '.join(found.own_only)} only at the default inputs"
-            if found.own_only else "",
+            f"{found.unsolved} points have no answer" if found.unsolved else "",
+            f"the formula was not compared over all of {', '.join(missing)}" if missing else "",
+            f"the formula was compared only at the default inputs in {own}" if own else "",
         )  # fmt: skip
-        return "; ".join(filter(None, parts))
     widest = _widest(found)
     best = [one for one in widest if one.inside]
     if not best:
-        return "accurate only at the default inputs"
+        return ("accurate only at the default inputs",)
     limit = percent(best[0].limit)
     where = "; ".join(dict.fromkeys(map(_range, best)))
     inside, points = (sum(getattr(one, n) for one in widest) for n in ("inside", "points"))
+    few = f"the error is within {limit} at {inside} of {points} points, for {where}"
     if _is_outside(found):
-        return f"within {limit} at {inside} of {points} points, for {where} only"
-    if 2 * inside < points:
-        return f"within {limit} at {inside} of {points} points, for {where}"
-    return f"accurate within {limit} for {where}"
+        return (f"{few} only",)
+    return (few if 2 * inside < points else f"accurate within {limit} for {where}",)
 
 
 def _widest(found: FormulaVerdict) -> list[VerdictRange]:

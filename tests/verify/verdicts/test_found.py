@@ -67,7 +67,8 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     got = verdict(formula(), shown, row("x: convergence", 0.0, kind=Kind.FACT))
     assert got.verdict is Verdict.UNSAFE
     assert got.words.startswith(
-        "unsafe: up to 20 % below; −20 % at the default inputs, the only ones compared; a higher"
+        "unsafe: up to 20 % below the reference. The error is −20 % at the default inputs, which "
+        "are the only inputs compared. A higher"
     )
     same = row("x", -0.2, status=Status.SHOWN, kind=Kind.IDENTITY)  # an identity is predicted
     got = verdict(formula(), same, row("x: convergence", 0.0, kind=Kind.FACT))
@@ -100,7 +101,7 @@ def test_what_has_no_evidence_has_a_reason():
 def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
     warned = formula(**CAUTION)
     stands = row("c", 0.0, kind=Kind.FACT)
-    assert verdict(warned, row("x", 0.001), stands).words.endswith("; but it buckles")
+    assert verdict(warned, row("x", 0.001), stands).words.endswith(". But it buckles")
     contradiction = row("c", 0.0, kind=Kind.FACT, status=Status.NOTE)
     assert verdict(warned, row("x", 0.001), contradiction).verdict is Verdict.PART
     failed = row("c", 0.0, kind=Kind.FACT, status=Status.FAIL)
@@ -108,7 +109,7 @@ def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
         "ring-lame/c cannot be evidence: it has the status FAIL"
     )
     unknown = formula(part=(), missing="no data", **CAUTION)
-    assert verdict(unknown, stands).words == "no data; but it buckles"
+    assert verdict(unknown, stands).words == "no data. But it buckles"
     assert verdict(unknown).verdict is Verdict.NONE
 
 
@@ -138,8 +139,8 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
 
 def test_an_accurate_formula_states_its_unsafe_side(row):
     low, high = (verdict(formula(), row("x", error, 0.001)).words for error in (-0.004, 0.004))
-    assert "; at most 0.5 % too low, the unsafe side" in low
-    assert "; all errors on the safe side" in high
+    assert ". The values are at most 0.5 % too low, which is the unsafe side" in low
+    assert ". All errors are on the safe side" in high
 
 
 def studied(monkeypatch, *errors, is_star=True, held=""):
@@ -160,9 +161,10 @@ def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monke
     x = row("x", 0.001)
     for is_star, most in ((True, "up to"), (False, "at most")):
         studied(monkeypatch, 0.001, -0.2, is_star=is_star)
-        assert f"; {most} 20 % too low, the unsafe side" in verdict(formula(), x).words
+        side = f". The values are {most} 20 % too low, which is the unsafe side"
+        assert side in verdict(formula(), x).words
         words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
-        assert (", one input changed at a time;" in words) == is_star
+        assert (", one input changed at a time." in words) == is_star
 
 
 def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row, monkeypatch):
@@ -172,21 +174,26 @@ def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row
     for ranges, most in (((grid, star), "up to"), ((grid, grid), "at most")):
         monkeypatch.setattr(found, "ranges", lambda _, ranges=ranges: ranges)
         words = verdict(formula(), row("x", 0.001)).words
-        assert f"; {most} 20 % too low, the unsafe side" in words
+        assert f". The values are {most} 20 % too low, which is the unsafe side" in words
         assert words.count("T 1 to 9 N, z 1 to 9 N in ring-lame") <= 1  # no range twice
 
 
 def test_an_error_beyond_the_limits_at_the_default_inputs_comes_first(row, monkeypatch):
     studied(monkeypatch, 0.01, 0.2, -0.03)
     words = verdict(formula(), row("x", 0.24)).words
-    assert words.startswith("+24 % at the default inputs; within 10 % at 1 of 2 points, for T 1")
-    assert " in ring-lame, 1 of 2 points only; up to 3 % too low" in words
+    assert words.startswith(
+        "the error is +24 % at the default inputs. The error is within 10 % at 1 of 2 points, for T"
+    )
+    assert " in ring-lame, 1 of 2 points only. The values are up to 3 % too low" in words
 
 
 def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, monkeypatch):
     studied(monkeypatch, 0.001, -0.2)
     (star,) = found.ranges(())
-    for points, starts in ((2, "accurate within 10 % for"), (3, "within 10 % at 1 of 3 points,")):
+    for points, starts in (
+        (2, "accurate within 10 % for"),
+        (3, "the error is within 10 % at 1 of 3 points,"),
+    ):
         few = replace(star, points=points)
         monkeypatch.setattr(found, "ranges", lambda _, few=few: (few,))
         assert verdict(formula(), row("x", 0.001)).words.startswith(starts)
@@ -202,7 +209,9 @@ def test_default_inputs_are_those_of_the_case_of_the_largest_error(row):
 def test_a_conservative_formula_states_over_which_range(row, monkeypatch):
     studied(monkeypatch, 0.2, -0.01)
     words = verdict(formula(), row("x", 0.3)).words
-    assert words.startswith("conservative over T, z: up to 30 % above and up to 1 % below; +30 %")
+    assert words.startswith(
+        "conservative over T, z: up to 30 % above and up to 1 % below the reference. The error is +"
+    )
 
 
 def test_values_that_a_study_holds_are_stated(row, monkeypatch):
@@ -215,20 +224,23 @@ def test_values_that_a_study_holds_are_stated(row, monkeypatch):
 def test_both_sides_are_stated_where_neither_is_safe(row, monkeypatch):
     studied(monkeypatch, 0.03, -0.08)
     words = verdict(formula(safe=Safe.NEITHER), row("x", 0.001)).words
-    assert "; up to 8 % below and up to 3 % above" in words
+    assert ". The values are up to 8 % below and up to 3 % above the reference" in words
 
 
 def test_a_misprint_states_the_errors_of_its_study(row, monkeypatch):
     studied(monkeypatch, 0.27, -0.52)
     words = verdict(formula(**MISPRINT), row("x", -0.33)).words
-    assert "−33 % at the default inputs, up to 52 % below and up to 27 % above over all" in words
+    assert (
+        "−33 % at the default inputs. Over all points, the values are up to 52 % below and up to "
+        "27 % above the reference"
+    ) in words
 
 
 def test_an_unsafe_formula_states_its_error_at_the_default_inputs_on_the_unsafe_side(row):
     rows = row("x", -0.2), row("y", 0.5)
     got = verdict(formula(part=(ID, "ring-lame/y")), *rows)
     assert (got.verdict, got.worst_row) == (Verdict.UNSAFE, ID)
-    assert "; −20 % at the default inputs" in got.words
+    assert ". The error is −20 % at the default inputs" in got.words
 
 
 # Misprints
@@ -253,7 +265,9 @@ def test_a_misprint_counts_separately_from_the_error_of_the_formula(row):
     got = beside(-0.22, -0.2161)
     assert got.verdict is Verdict.WRONG
     assert got.misprint == pytest.approx(0.78 / 0.7839 - 1)
-    assert got.words.startswith("wrong as printed; by the misprint alone −0.5 %, in total −22 %")
+    assert got.words.startswith(
+        "wrong as printed: the misprint alone changes the value by −0.5 %. The total error is −22"
+    )
     same = beside(-0.22, -0.22)
     assert same.verdict is Verdict.NONE
     assert "the printed form reveal no error" in same.words
