@@ -36,6 +36,9 @@ def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
 
 
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
-    """Expected interval; not sharp if it is wider than `WIDEST` for a user's star."""
+    """Expected interval of an error.
+
+    For inputs of a user, it is not sharp if it is wider than `WIDEST`.
+    """
     low, high = interval
     return Expected(low, high, source, sharp=q.is_default or high - low <= WIDEST)

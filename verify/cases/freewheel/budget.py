@@ -18,7 +18,7 @@ LIGHTER, THICKER = 4, 4
 
 
 def light(q: Any) -> Any:
-    """Inputs with a quarter of the torque and of any axial load: contacts half as wide."""
+    """Inputs with a quarter of the torque and any axial load, which halves the contact widths."""
     more = {"T": q.T / LIGHTER}
     if hasattr(q, "F_ax"):
         more["F_ax"] = q.F_ax / LIGHTER

@@ -29,7 +29,7 @@ def overlapping(q: OneClutch, d_i: float, d_o: float) -> Place:
 
 
 def fem_mesh(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
-    """Mesh of the pitch with `cells` on half of the fine zones, for half-widths `widths` [m]."""
+    """Mesh of the pitch for contact half-widths `widths` [m]; `cells` on half a fine zone."""
     from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
 
     q = place.q

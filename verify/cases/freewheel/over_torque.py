@@ -64,7 +64,7 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 
 
 def pressure(where: str) -> AlongLine:
-    """Figure of the pressure on a part, over its maximum, in the state of largest load."""
+    """Figure of the pressure on a part divided by its maximum, in the state of largest load."""
     return AlongLine(
         title=f"Pressure on the {where}, in the state of largest load",
         x=("x/a", "1"), y=("p/p_0", "1"),

@@ -22,7 +22,7 @@ SPLINE = 5e-6  # relative error of splines between the states; twice for phi
 
 
 def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
-    """Values under T (angle, force, travel, wind-up), at N_0 (approaches, contacts), statics."""
+    """Values under T (angle, force, travel, wind-up) and under N_0 (contacts), and statics."""
     T, N_0, place = q.T, rigid_force(q), sweep.place(q.T)
     values = {
         "alpha": place.psi / 2,
@@ -37,7 +37,7 @@ def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
 
 
 def over_torque(q: OneClutch, sweep: Sweep) -> dict[str, Array]:
-    """Profiles over the torque, all states, and pressures of the state of largest load."""
+    """Profiles over the torque, loads of all states, and pressures in the state of largest load."""
     grid, at = GRID * q.T, sweep.at_states
     psi, d = np.array([(p.psi, p.to_race) for p in map(sweep.place, grid)]).T
     names, touches = sweep.q.names, sweep.last.solution.touches

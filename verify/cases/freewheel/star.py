@@ -212,7 +212,10 @@ class Star(Rollers):
         return float(np.tan(self.state.alpha))
 
     def refusal(self) -> str:
-        """Reason why finite elements do not cover the inputs: displacements under N_0 not small."""
+        """Reason why finite elements do not cover the inputs; empty if they do.
+
+        Displacements under N_0 must be small.
+        """
         same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
         for one in (self, same, self.loaded_by("ψ")):
             _ = one.state  # ValueError if it has none

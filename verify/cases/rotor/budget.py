@@ -27,12 +27,12 @@ def low_step(q: Any) -> Any:
 
 
 def low_and_slender(q: Any) -> Any:
-    """Inputs of a low step on a slender shaft: reduces both causes of the error of a beam."""
+    """Inputs of a slender shaft with a low step: both causes of the error of a beam are reduced."""
     return slender_step(low_step(q))
 
 
 def flat(q: Any) -> Any:
-    """Inputs with a quarter of the wedge angle and equal normal forces."""
+    """Inputs with a quarter of the wedge angle and unchanged normal forces."""
     nu = q.nu / 4
     return q.model_copy(update={"nu": nu, "T": q.T * math.tan(nu) / math.tan(q.nu)})
 

@@ -256,7 +256,7 @@ class FreewheelClutch(ClutchInputs):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows under the torque, with shifted flats, and for friction close to mu_req."""
+        """Rows on results under the torque, with shifted flats, and with friction near mu_req."""
         yield from compared.comparisons(self, FreewheelClutch)
 
     figures = drawn_by(drawn.figures)
@@ -275,7 +275,7 @@ class FreewheelClutch(ClutchInputs):
         return summary(self, self.values)
 
     def refusal(self) -> str:
-        """Reason why these finite elements do not cover the clutch; empty if they do."""
+        """Reason why the finite elements of this case do not cover the clutch; empty if they do."""
         if not self.is_star:
             return (
                 "finite elements of this case cover only inner cams (the case freewheel-cup "

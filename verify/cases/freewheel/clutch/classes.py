@@ -28,6 +28,6 @@ def past_corners(q: ClutchInputs, v: Values) -> bool:
 
 
 def overloaded(q: ClutchInputs, v: Values) -> bool:
-    """Whether the pressure, also at the rollers' ends, exceeds p_lim or the tilt its limit."""
+    """Whether the pressure (also at the rollers' ends) exceeds p_lim, or the tilt its limit."""
     pressed = q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim
     return pressed or v["e_L"] > q.duty.allowed_shift

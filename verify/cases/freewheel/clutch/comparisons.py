@@ -28,7 +28,7 @@ def expected(q: ClutchInputs) -> StarBounds:
 
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
-    """Interval of the error of dalpha/dX under torque, with all approaches within their bounds."""
+    """Interval of the error of dalpha/dX under torque, from the error bounds of the approaches."""
     ends = [moved(q, dX) for dX in (-q.off, q.off)]
     return of_turn(ends, expected(q), off=q.off, F_t=q.T / (q.z * q.R))
 
@@ -45,12 +45,12 @@ def moved(q: ClutchInputs, dX: float) -> Moved:
 
 
 def slips_below(context: Context) -> tuple[float, float]:
-    """Positive margin if friction 1 % below mu_req does not hold; with its uncertainty 0."""
+    """Positive margin if the clutch slips with friction 1 % below mu_req; uncertainty 0."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
 
 def bears(context: Context) -> tuple[float, float]:
-    """Positive margin if friction 1 % above mu_req holds; with its uncertainty 0."""
+    """Positive margin if the clutch holds with friction 1 % above mu_req; uncertainty 0."""
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 

@@ -13,7 +13,7 @@ FAR = 10.0  # limits beyond this multiple of the next limit are not reported
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
-    """Messages on limits of the torque, exceeded and next, at constant axial load."""
+    """Messages on the exceeded and the next limits of the torque, at constant axial load."""
     limits = q.duty.of_torque
     passed = [limit for limit in limits if limit.at < q.T]
     ahead = [limit for limit in limits if limit.at > q.T]
@@ -49,7 +49,7 @@ def where_friction_holds(q: ClutchInputs) -> str:
 
 
 def axial(q: ClutchInputs, v: Values) -> list[str]:
-    """Messages on limits of the axial load, exceeded and next, at constant torque."""
+    """Messages on the exceeded and the next limits of the axial load, at constant torque."""
     if v["F_slip"] == 0:
         return ["friction transmits no axial load at this torque"]
     limits = [limit for limit in q.duty.of_axial_load if limit.at > 0]

@@ -152,7 +152,7 @@ class ClutchInputs(Case):
 
     @property
     def off(self) -> float:
-        """Shift [m] of the flats, for the sensitivity of the angle under torque to X."""
+        """Shift [m] of the flats with which the derivative dalpha/dX under torque is computed."""
         x, _ = self.cam.centre(d_i=0.0, d_o=0.0)
         return min(OFF, TURNED * float(x) * 2 * float(self.cam.alpha0))
 
@@ -178,7 +178,7 @@ class ClutchInputs(Case):
 
     @shared
     def scatter(self) -> Scatter | None:
-        """Random clutches within tolerance under these loads; None without tolerances."""
+        """Random clutches within tolerance under the loads of this one; None without tolerances."""
         return scatter(self.duty, self.deviations, self.spread)
 
     @property

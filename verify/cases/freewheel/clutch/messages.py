@@ -130,7 +130,7 @@ def default_poisson(q: ClutchInputs) -> list[str]:
 
 
 def reached(q: ClutchInputs) -> list[str]:
-    """A warning if the tolerances together reach the clearance that the wedge requires."""
+    """A warning if X_tol + 2 r_tol + R_tol reaches the clearance that the wedge requires."""
     used, room = q.X_tol + 2 * q.r_tol + q.R_tol, float(q.cam.room)
     if used < room:
         return []

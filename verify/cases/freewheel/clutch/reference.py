@@ -55,7 +55,10 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:
-    """1 if friction `AROUND` mu_req holds at the angle of finite elements, else 0; shape (2,)."""
+    """Whether the clutch holds with friction `AROUND` mu_req, as 1 or 0, shape (2,).
+
+    mu_req follows from the angle of the finite elements.
+    """
     given = Pulled(pitch(one), L=one.L, T=one.T, F_ax=q.F_ax, mu=q.mu)
     limit = Limit(given, start, start.drags)
     needed = limit.tan * math.hypot(1.0, q.F_ax * q.R / q.T)

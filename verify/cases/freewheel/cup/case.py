@@ -213,7 +213,7 @@ class FreewheelCup(Cup):
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
 
     def reference(self, level: int) -> Level:
-        """States of a pitch, beyond the largest torque; meshes of `level` cells per half-width."""
+        """Results of one pitch, beyond the largest torque; `level` cells on half a fine zone."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.cup.sweep import CupSweep, given_angle
 
@@ -232,7 +232,7 @@ class FreewheelCup(Cup):
                       **reference.over_torque(self, sweep))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows at equal torque, force, angle; at the largest torque; without load; of statics."""
+        """Rows at equal torque, force and angle, at the largest torque, without load; statics."""
         cup, rigid = FreewheelCup, self.loaded_by("N_0")
         force = self.within(rigid.state)
         yield from self._at_torque()
@@ -340,7 +340,10 @@ class FreewheelCup(Cup):
             )
 
     def refusal(self) -> str:
-        """Reason why finite elements do not cover T: near 0 or the maximum, or wide contacts."""
+        """Reason why finite elements do not cover the inputs; empty if they do.
+
+        T near 0 or near its maximum and wide contacts are excluded.
+        """
         _ = self.state  # ValueError where no equilibrium exists at T
         top, share = self.at_summit, self.T / self.T_max
         if not LITTLE < share < NEAR:
@@ -358,7 +361,7 @@ class FreewheelCup(Cup):
 
 
 def margin(key: str) -> Callable[[Context], tuple[float, float]]:
-    """Function that returns the value `key` of the finest mesh, and twice its last change."""
+    """Function that returns `key` of the finest mesh and twice its change from the mesh before."""
 
     def of(context: Context) -> tuple[float, float]:
         before, now = (r.values[key] for r in context.fem[-2:])

@@ -42,10 +42,11 @@ SHARED = "Coulomb's law of friction, plane strain, load uniform along the roller
 
 
 class FreewheelFriction(Pulled):
-    """Friction criterion: the wedge requires friction tan α, an axial load adds at right angles.
+    """Friction criterion: the friction forces of wedge and axial load add at right angles.
 
-    Finite elements of the elastic clutch slip at the limit of this criterion, under torque and
-    along the axis. Beyond the limit the ring also rotates: slip has the direction of the resultant.
+    The wedge requires a friction coefficient of tan α. Finite elements of the elastic clutch slip
+    at the limit of this criterion, under torque and along the axis. Beyond the limit the ring also
+    rotates: slip has the direction of the resultant.
     """
 
     id = "freewheel-friction"
@@ -202,7 +203,7 @@ class FreewheelFriction(Pulled):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the clutch slips, or if axial forces lift off the ends of its rollers."""
+        """Warnings if the clutch slips, or if axial forces tilt the rollers: one end lifts off."""
         light = str(criterion.traffic_light(self.safety))
         if not self.bears_axial_load:
             yield (
@@ -245,7 +246,7 @@ class FreewheelFriction(Pulled):
 
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
-    """Expected error: the interval with its source; underived if there is no interval."""
+    """Expected error with its source: `interval`, or an underived error if there is none."""
     return underived(source) if interval is None else Expected(*interval, source)
 
 

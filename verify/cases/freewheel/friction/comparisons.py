@@ -26,7 +26,7 @@ COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Rows on friction at full slip, without and with axial load, the cone and wedge angles."""
+    """Rows on friction at full slip without and with axial load, on the cone and wedge angles."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)
@@ -110,7 +110,10 @@ def _off(context: Context, forces: Array) -> float:
 
 
 def on_the_cone(context: Context) -> tuple[float, float, str]:
-    """Largest deviation of the resultant from mu N at full slip, all contacts and clutches."""
+    """Largest relative deviation of the friction from mu N at full slip.
+
+    The maximum includes both contacts, and clutches with other wedge angles.
+    """
     arrays, mu = context.fem[-1].arrays, context.inputs.mu
     last = arrays["creep"][-1] / mu
     slid = [row for row in arrays["angles"] if row[3] > 0]
@@ -120,7 +123,10 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Largest deviation of F_t/(mu N) from tan(alpha)/mu up to 1; beyond 1, N is nearly zero."""
+    """Largest deviation of F_t/(mu N) from tan(alpha)/mu, over clutches with different angles.
+
+    If tan(alpha) exceeds mu, the remaining share of N is judged instead.
+    """
     k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
     mu = context.inputs.mu
     alpha = np.arctan(k * mu)

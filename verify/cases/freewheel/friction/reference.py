@@ -25,7 +25,10 @@ SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
 
 
 def solve(q: "FreewheelFriction", level: int) -> Level:
-    """Results of a level: ample friction, path to slip; on the finest mesh, motion beyond slip."""
+    """Results of a level: with ample friction, and on the path to slip.
+
+    The finest mesh also gives the motion beyond slip.
+    """
     one = one_pulled(q)
     start = at_torque(one, level)
     rest, held = under_load(one, start, level)

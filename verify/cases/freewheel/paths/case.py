@@ -219,7 +219,7 @@ class LoadPaths(Pulled):
         return self.under(self.T_peak)
 
     def in_phase(self, sine: float) -> Self:
-        """The clutch under the loads of load case 3 in its last cycle, at a value of the sine."""
+        """The clutch under load case 3 in its last cycle; `sine` is the sine of the phase."""
         return self.at(T=self.T_m + sine * self.T, F_ax=self.F_ax * sine)
 
     def limit_of(self, T: float) -> Interval | None:

@@ -54,7 +54,7 @@ def along(context: Context, name: str) -> Pair:
 
 
 def torque(context: Context) -> tuple[float, float, str]:
-    """Largest change of the torque up to the limit, relative to the torque at rest."""
+    """Largest change of the torque up to the limit of the axial load, over the torque at rest."""
     before, now = (
         max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
         for r in context.fem[-2:]
@@ -80,7 +80,10 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """Positive margin if the ring rotates less in every cycle of a small alternating load."""
+    """Positive margin if a small load creeps less in its last cycle than in its first.
+
+    The ratio of both must be below `SETTLES`.
+    """
     before, now = (
         float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
     )
@@ -93,7 +96,10 @@ def settles(context: Context) -> tuple[float, float, str]:
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """Positive margin if creep goes on in the last cycle of a large amplitude: ratcheting."""
+    """Positive margin if a large load causes ratcheting.
+
+    The ratio of the creep in the last cycle to that in the cycle before must exceed `GOES_ON`.
+    """
     before, now = (
         float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
     )
@@ -107,16 +113,17 @@ def walks(context: Context) -> tuple[float, float, str]:
 
 
 def falls(context: Context) -> tuple[float, float]:
-    """Relative excess of mu_req at the largest torque over mu_req at a low torque."""
+    """Relative amount by which mu_req at the largest torque exceeds mu_req at a low torque."""
     key, low = MU_REQ.values()
     before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
     return now, abs(now - before)
 
 
 def in_time(context: Context, case: int) -> Pair:
-    """Times of slip by formula and finite elements; `SLIP` of the load gives the allowed times.
+    """Times of slip by formula and finite elements, with the accepted interval.
 
-    A course states its first time beyond slip, so that half a time step is uncertain.
+    The interval contains the times at loads that differ by up to the fraction `SLIP`. A course
+    states its first time beyond slip, so that half a time step is uncertain.
     """
     q, course = context.inputs, context.inputs.courses[case]
     F, half = slips(context, case)
@@ -146,7 +153,7 @@ def agrees(
     q: Quantity, name: str, pair: Callable[[Context], Pair], figure: float, why: str, unit: str,
     symbol: str = "",
 ) -> Comparison:  # fmt: skip
-    """Row of the formula against finite elements, with a tolerance that the suite requires."""
+    """Row that compares formula and finite elements, with a tolerance set by the suite."""
     check = Agreement(name=name, symbol=symbol or q.symbol, unit=unit, pair=pair, accepted=figure,
                       source=suites(why), **demanded(figure))  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)

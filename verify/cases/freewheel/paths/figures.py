@@ -171,7 +171,7 @@ def creeping(context: Context) -> Curves:
 
 
 def walked(context: Context) -> Curves:
-    """Figure of the share of N on nodes that slip at the extremes."""
+    """Figure of the share of F_n on slipping nodes, at the extremes of the axial load."""
     last = context.fem[-1].arrays
     return plot(
         "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",

@@ -149,7 +149,7 @@ class FreewheelTorque(Star):
                    tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
 
     def reference(self, level: int) -> Level:
-        """Finite elements: all states of a pitch on meshes of `level` cells per half-width."""
+        """Finite elements: all states of a pitch, meshes with `level` cells on half a fine zone."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.sweep import given_angle, sweep
 
@@ -161,7 +161,7 @@ class FreewheelTorque(Star):
                       **reference.over_torque(self, states))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows at equal torque, force and angle; without load; equilibrium of forces."""
+        """Rows at equal torque, force and angle, without load, and on the equilibrium of forces."""
         yield from self._at_torque()
         yield from self._at_force()
         angle = State(self.loaded_by("ψ"), "angle", "at a given angle")

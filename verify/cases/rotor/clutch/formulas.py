@@ -23,7 +23,10 @@ UNEVEN = {  # cause of the unevenness of each state, and its name in text
 
 
 class ClutchStiffness(SpragLink):
-    """Stiffness under T: closed forms under even load, sums over sprags under uneven load."""
+    """Clutch stiffness under T.
+
+    Closed forms apply to even load, sums over sprags to uneven load.
+    """
 
     with_offset: ClassVar[bool] = False
     with_crown: ClassVar[bool] = False
@@ -210,6 +213,6 @@ class ClutchStiffness(SpragLink):
 
     @property
     def aside(self) -> dict[str, float]:
-        """Offset [m] and tilt [rad] of the clutch with offset and tilt."""
+        """Offset [m] and tilt [rad] of the clutch in the state with offset and tilt."""
         dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
         return {"dx": dx, "tilt": tilt}

@@ -18,7 +18,7 @@ SLICES = 41  # slices of a sprag; the paper states no number
 
 
 class SpragLink(Case):
-    """Z sprags between two races under a torque, without offset, crown and missing sprags."""
+    """Z sprags between two races under a torque, without offset or crown; no sprag is missing."""
 
     T: float = given("15 N m", "N m", "T", "torque that preloads the sprags", gt=0, le=1e9,
                         claims="huang2022:orbit-torque")  # fmt: skip

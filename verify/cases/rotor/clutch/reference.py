@@ -70,7 +70,10 @@ def solve(q: SpragLink, level: int) -> Level:
 
 
 def series_fem(q: SpragLink, struts: "SpragStruts") -> dict[str, Array]:
-    """Stiffnesses over torque, wedge angle and offset; with pinned ends over deflection."""
+    """Stiffnesses over torque, over wedge angle and over offset.
+
+    With pinned ends, the stiffness is given over the deflection.
+    """
     by_torque = [replace(struts, T=x * q.T).rolling(COARSE).tangent() for x in TORQUES]
     flat = []
     for share in ANGLES:  # equal normal forces at all angles

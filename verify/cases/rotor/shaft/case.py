@@ -62,7 +62,7 @@ class UniformShaft(BeamTheories):
         return solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a theory is inaccurate, or the speed is near-critical or bursts the shaft."""
+        """Warnings if a theory is inaccurate, or if the speed is almost critical or too high."""
         if (error := self.euler.at_rest(1) / self.exact.at_rest(1) - 1) > 0.02:
             yield f"Euler's beam has an error of {error:+.1%} at mode 1: use Timoshenko's theory"
         worst = max((self.at_rest(j) / self.exact.at_rest(j) - 1 for j in MODES), key=abs)
@@ -78,7 +78,7 @@ class UniformShaft(BeamTheories):
             yield f"the rim speed is {rim:.0f} m/s: steel bursts at about {FASTEST:.0f} m/s"
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Table of frequencies by all theories, and of the elastic body."""
+        """Table of the frequencies of all theories and of the elastic body."""
         yield drawn.frequencies(context)
 
 

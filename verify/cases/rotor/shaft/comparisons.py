@@ -183,7 +183,7 @@ def _fine(beam: BeamTheories, context: Context) -> Pair:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulasLimit(Limit):
-    """A limit for which both sides are formulas, without finite elements."""
+    """A limit in which a formula is compared with another formula, without finite elements."""
 
     @property
     def needs_fem(self) -> bool:

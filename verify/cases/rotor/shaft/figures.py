@@ -35,7 +35,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def frequencies(context: Context) -> Table:
-    """Table of frequencies by all theories, and of the elastic body."""
+    """Table of the frequencies of all theories and of the elastic body."""
     q = context.inputs
     rows = [
         (f"mode {j} {sense}",
@@ -114,7 +114,7 @@ def campbell(context: Context) -> Campbell:
 
 
 def refinement(context: Context, order: int) -> Refinement:
-    """Figures of the errors of mode 1 forward against exact values, by convergence order."""
+    """Figures of the errors of elements with convergence order `order`, against exact values."""
     q, first = context.inputs, "whirl_1_forward"
     series = {
         4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),

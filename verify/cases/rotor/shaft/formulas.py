@@ -14,7 +14,7 @@ SENSES: tuple[Sense, ...] = ("forward", "backward")
 
 
 class BeamTheories(TurningShaft):
-    """Frequencies by Timoshenko's theory; the other theories are states."""
+    """Frequencies by Timoshenko's theory; the other theories are states of the case."""
 
     theory: ClassVar[Theory | Literal["elasticity"]] = "timoshenko"
 

@@ -102,7 +102,7 @@ def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> Rotati
 
 
 def of_body(q: TurningShaft, solid: RotatingSolid) -> dict[str, float]:
-    """Whirl frequencies of the body at the speed and at rest, splitting and critical speed."""
+    """Whirl frequencies of the body (at the speed, at rest), their splitting, critical speed."""
     found = solid.modes(q.n, len(MODES))
     at_rest = solid.modes(0.0, len(MODES)).forward
     return _whirl("solid", found.forward, found.backward) | {

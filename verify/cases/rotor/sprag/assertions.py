@@ -37,7 +37,7 @@ class Statement:
     place: str = "Sec. 2.2"
 
     def asked(self, a: Arrays) -> Members:
-        """Whether all compared responses of a member have a peak, shape (m,)."""
+        """Mask (m,) of the members in which all compared responses have a peak."""
         of = self.compares(a)
         return np.asarray(np.isfinite(of.reshape(len(of), -1)).all(axis=1))
 
@@ -49,7 +49,7 @@ def opposite(a: Arrays) -> Arrays:
 
 
 def base(a: Arrays) -> Array:
-    """Peaks (m, 3, 22) under the lowest unbalance 2."""
+    """Peaks (m, 3, 22) under the smallest unbalance 2."""
     return a["peaks"][:, 0]
 
 
@@ -59,7 +59,7 @@ def outer_peaks(a: Arrays, *orders: int, last: int = OUTER) -> Array:
 
 
 def outer(a: Arrays, node: int, *orders: int, last: int = OUTER) -> Members:
-    """Whether `node` has the highest peak of the outer rotor's nodes up to `last`."""
+    """Whether `node` has the highest of all peaks of the outer rotor's nodes up to `last`."""
     of = outer_peaks(a, *orders, last=last)
     return np.asarray((of.argmax(axis=2) == node - 1).all(axis=1))
 
@@ -108,7 +108,7 @@ def rises(loads: Array) -> Members:
 
 
 def anomaly(a: Arrays) -> Members:
-    """Whether the peak of node 19 at critical speed 3 falls from the middle to the largest U_2."""
+    """Whether node 19's peak at critical speed 3 is lower at the largest than at the middle U_2."""
     peaks = a["peaks"][:, :, 1, 18]
     return np.asarray(peaks[:, 1] > peaks[:, 2])
 

@@ -1,4 +1,4 @@
-"""Sprag clutch - flexible rotor system: 22 nodes, three critical speeds, and no dimensions."""
+"""Sprag clutch - flexible rotor system: 22 nodes, three critical speeds, unknown dimensions."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -67,11 +67,11 @@ class SpragRotor(CentralSystem):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Exact, fitted, linear and elastic rows, and rows of the paper's statements."""
+        """Rows on exact, fitted, linear and elastic results, and on the paper's statements."""
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
-        """Critical speeds, the one nearest to the rig's speed, and deflection of the sprags."""
+        """Critical speeds, difference of the rig's speed from the nearest one, sprag deflection."""
         found = {k: self.critical_forward(k) for k in ORDERS}
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())

@@ -42,7 +42,7 @@ class Share(Claim):
     of: str = "sets"
 
     def asked(self, context: Context) -> Members:
-        """Whether a claim is evaluated for a set, shape (m,): all sets."""
+        """Mask (m,) of the sets for which a claim is evaluated; here true for all sets."""
         return np.ones(self.holds(context).size, dtype=bool)
 
     def words(self, context: Context) -> str:
@@ -67,9 +67,10 @@ class Share(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Share):
-    """A statement of the paper, evaluated for sets with peaks, also with opposite unbalances.
+    """A statement of the paper, evaluated for the sets that have the compared peaks.
 
-    The statement of the paper names only nodes, not values.
+    It is also evaluated with opposite unbalances. The statement of the paper names only nodes, not
+    values.
     """
 
     statement: Statement
@@ -84,7 +85,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Text: number of sets in which a statement holds, of the sets with the compared peaks."""
+    """Text that states in how many of the sets with the compared peaks a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
@@ -138,9 +139,11 @@ class Rounded(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class FittedTo(Claim):
-    """A critical speed of the central system, fitted to the printed value: CALIBRATED within 2e-4.
+    """A critical speed of the central system, which was fitted to the printed value.
 
-    It was fitted with the mesh of the paper; the formula is the exact model of the same system.
+    The speed was fitted with the mesh of the paper; the formula is the exact model of the same
+    system. The status is CALIBRATED if the formula differs from the printed value by at most 2e-4
+    of that value, otherwise FAIL.
     """
 
     kind = Kind.APPROXIMATION

@@ -31,13 +31,13 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """Margin of the frequencies on the mesh of the paper against the exact model, with its text."""
+    """Amount by which the error of 20 elements is below `WITHIN_PRINTED`; uncertainty, text."""
     error = largest_error(context, 0, FREQUENCIES)
     return WITHIN_PRINTED - error, 0.0, f"20 elements differ by at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
-    """Frequencies of the exact model and of 20 elements, at their largest difference."""
+    """Pair of a frequency by the exact model and by 20 elements, where they differ most."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])

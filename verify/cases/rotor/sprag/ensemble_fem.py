@@ -10,7 +10,10 @@ RANGES = Ranges(LOW, HIGH)
 
 
 def ensemble_fem(members: int) -> Ensemble:
-    """At least `members` sets (m, 12) [SI]; fewer if 32 batches of initial values give fewer."""
+    """At least `members` sets (m, 12) of parameters [SI] that give the printed speeds.
+
+    The result has fewer sets if 32 batches of initial values do not give enough.
+    """
     return ensemble(RANGES, PRINTED, systems_fem, members, seed=2022)
 
 

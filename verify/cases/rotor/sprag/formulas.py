@@ -71,12 +71,19 @@ def rotor() -> transfer.TransferMatrixRotor:
 
 
 def coupling(offset: float) -> float:
-    """K_xz [N/rad] of the central clutch with its rings offset along x by `offset` deflections."""
+    """K_xz [N/rad] of the central clutch with an offset of its rings along x.
+
+    `offset` is the ratio of the offset to the sprag deflection.
+    """
     return float(uneven(offset)[0, 4])
 
 
 def uneven(offset: float) -> Array:
-    """K (5, 5) of the central clutch at 1 µm deflection; only the ratio of offset to it matters."""
+    """Stiffness K (5, 5) of the central clutch with an offset of its rings along x.
+
+    `offset` is the ratio of the offset to the sprag deflection of 1 µm. K depends on this ratio
+    only.
+    """
     R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
     k = 2 * CENTRAL[K_C] / SPRAGS
     clutch = SpragCoupling(

@@ -29,7 +29,7 @@ OPPOSITE = ", opposite"  # key suffix of arrays with unbalance 2 opposite to unb
 
 @dataclass(frozen=True, kw_only=True)
 class Parameter:
-    """A value that the paper does not print: symbol, meaning, unit and its SI factor, range."""
+    """A parameter that the paper does not print: symbol, meaning, unit, SI factor and range."""
 
     symbol: str
     what: str

@@ -44,7 +44,7 @@ NODES = {
 
 
 def as_drawn(_: Context) -> float:
-    """Positive margin if node numbers and unknowns of a node agree with the printed numbers."""
+    """Positive margin if the model has the printed node numbers and unknowns of a node."""
     unknowns = published("huang2022:commercial-beam-dofs").value
     off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
@@ -73,13 +73,19 @@ def exponents(a: dict[str, Array]) -> Array:
 
 
 def linear(context: Context) -> Pair:
-    """Exponent of torsion over the offset, and 1, for the member with the largest difference."""
+    """Exponent of the power law of torsion over the offset, and its expected value 1.
+
+    The member with the largest difference is taken.
+    """
     found = exponents(dict(arrays(context)))
     return farthest(found, np.ones_like(found), 0.0)
 
 
 def never_between(context: Context) -> tuple[float, str]:
-    """Smallest rise of node 19's peak from U_2 = 3 to 5e-5 kg m, if it rises from 1 to 3e-5."""
+    """Smallest relative rise of node 19's peak from U_2 = 3e-5 to 5e-5 kg m, with text.
+
+    Only members whose peak rises from 1e-5 to 3e-5 kg m are counted; -1 if there are none.
+    """
     peaks = arrays(context)["peaks"][:, :, 1, 18]
     peaks = peaks[np.isfinite(peaks).all(axis=1)]
     rising = peaks[:, 1] > peaks[:, 0]
@@ -95,7 +101,11 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Shares of sets with node 11 highest: unbalance 1 at node 4 (figure) or at node 11 (text)."""
+    """Positive margin if the printed nodes of highest peak and of unbalance 1 differ, with text.
+
+    The text states in how many sets node 11 has the highest peak, with unbalance 1 at node 4
+    (figure) and at node 11 (text of the paper).
+    """
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))
     moved = a | {"peaks": a["peaks, moved"][:, None]}

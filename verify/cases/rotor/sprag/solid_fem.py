@@ -30,7 +30,7 @@ COARSEST = 0.012  # m, cell size before refinement
 
 
 def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
-    """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, in ascending order.
+    """Frequencies (3, 6) [Hz] of the bodies on three meshes at `q.speed`, in ascending order.
 
     Also the frequencies (6,) of the coarsest mesh with bands of twice the width, and the mass [kg],
     the polar and the diametral moment about node 1 [kg m^2] of all rotating parts.
@@ -93,7 +93,10 @@ def parts(s: Layout, k: int) -> list[tuple[float, float, float]]:
 
 
 def bands(s: Layout, k: int, width: float) -> dict[str, tuple[float, float]]:
-    """Bands on the rim of a rotor at nodes with bearing, disc or clutch; z from its first node."""
+    """Axial intervals [m] of bands on the rim, by node, measured from the rotor's first node.
+
+    Nodes with a bearing, a disc or the clutch have a band.
+    """
     held = {*GROUNDED, *DISCS, *CLUTCH, *(n for pair in BETWEEN for n in pair)}
     first = OUTER if k else 0
     own = sorted(n for n in held if (n > OUTER) == bool(k))

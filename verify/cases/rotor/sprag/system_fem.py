@@ -77,7 +77,10 @@ def uneven_clutch_fem(parameters: Array, offset: float) -> Array:
 
 
 def systems_fem(p: Array, *, across: bool = True, tilt: bool = True) -> "WhirlSystems":
-    """Systems of parameters (m, 12); clutch without radial (`across`) or `tilt` stiffness."""
+    """Whirl systems of the parameters (m, 12).
+
+    Without `across`, the clutch has no radial stiffness; without `tilt`, no tilting stiffness.
+    """
     from fem.rotor.parts import Element, Material
     from fem.rotor.whirl_systems import Discs, Springs, WhirlSystems
 

@@ -72,7 +72,10 @@ def frequencies(q: Any, body: Values) -> Table:
 
 
 def errors(context: Context) -> Any:
-    """Errors (shares, ratios, 2) of mode 1 at rest, with nominal diameters and by the 45° rule."""
+    """Errors of mode 1 at rest, shape (values of L_2/L, values of d_2/d_1, 2).
+
+    The last axis distinguishes nominal diameters and the 45° rule.
+    """
     return next(r.arrays["map"] for r in context.fem if "map" in r.arrays)
 
 

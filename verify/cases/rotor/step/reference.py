@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:
-    """Results of all models on a level; with a single level, also the map of errors."""
+    """Results of all models on a level; level `MAPPED` also gives the map of errors."""
     values = elements(q, level)
     weak = {"weak": weak_form(q, level), "weak_cone": weak_form(q, level, cone=True)}
     for name, shaft in weak.items():
@@ -92,7 +92,7 @@ def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> Ro
 
 
 def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Field]:
-    """Whirl of the body; differences of its mass and polar moment from the sums over the parts."""
+    """Values of the body (whirl, errors of mass and polar moment), and its field in mode 1."""
     found = solid.modes(q.n, len(MODES))
     values = _whirl("solid", found.forward, found.backward)
     values["solid_critical"] = solid.critical_speeds(1)[0][0]

@@ -17,7 +17,7 @@ T = TypeVar("T", bound=CoaxialRotor)
 
 
 def companion(form: type[T]) -> T:
-    """The companion as the case class `form`: for the formulas, or for the reference."""
+    """The companion as an instance of the case class `form` (of formulas or reference)."""
     turned = np.deg2rad
     return form(
         speed=5200 * RPM,

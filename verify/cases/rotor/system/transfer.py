@@ -93,7 +93,7 @@ class DescribedRotor(CoaxialRotor):
         return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
 
     def unbalanced(self) -> dict[float, dict[int, complex]]:
-        """Unbalances [kg m] by the speed ratio of the shaft and by station, numbered from 0."""
+        """Complex unbalances [kg m] by the shaft's speed ratio and by node, numbered from 0."""
         found: dict[float, dict[int, complex]] = {}
         for u in self.unbalances:
             ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio

@@ -98,7 +98,7 @@ def beside(q: ClutchFormulas) -> str:
 
 
 def elastic(q: ClutchFormulas) -> list[str]:
-    """Sentence on sprag rotation and period of oscillation with elastic bodies; may be empty."""
+    """Sentence on sprag rotation and period with elastic bodies; empty without a solution."""
     if not math.isfinite(q.alpha_elastic + q.theta_elastic):
         return []
     share = q.theta / q.theta_elastic

@@ -14,7 +14,7 @@ from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
-    """Ratio of the deflection of a race under a sprag, without indentation, to that by Eq. 6."""
+    """Deflection of a race under a sprag, without indentation, divided by that of Eq. 6."""
     a = sprag_wedge_model.bodies(q).half_widths(np.asarray(N))[loaded == "bore"]
     return over_smeared(parts(q), float(a), loaded)
 

@@ -101,7 +101,7 @@ def figures(q: ClutchFormulas, v: Values) -> Sequence[Figure]:
 
 
 def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
-    """Figures of p(y, t) on both races; the contact radii are those under the largest force."""
+    """Figures of p(y, t) on both races, computed with the contact radii under the largest force."""
     e, one = found.engagement, found.one
     every = slice(None, None, max(1, len(e.t) // ACROSS))
     planes = [
@@ -118,7 +118,7 @@ def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
 
 
 def along(q: ClutchFormulas, found: Run) -> Curves:
-    """Figure of the pressure along the sprags on the inner race up to N_max, outer at N_max."""
+    """Figure of the pressure along the sprags: inner race up to N_max, outer race at N_max."""
     y = pressures.centres(q) * 1e3
     curves = []
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):

@@ -54,7 +54,7 @@ def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
 
 
 def in_time(q: ClutchFormulas, v: Values) -> str:
-    """Verdict of the engagement, as one of the verdicts at rest."""
+    """Verdict of the engagement, in the terms of the verdict at rest."""
     run = run_fem(q)
     found = run.engagement.verdict
     if found == "over the end":
@@ -86,7 +86,7 @@ def least_time(q: ClutchFormulas) -> float:
 
 
 def outcome(found: Run) -> str:
-    """Verdict as a sentence; if the formulas end before the profile, it states this."""
+    """Sentence on the verdict, or on contacts that become too wide for the formulas."""
     e = found.engagement
     if e.over and not found.end_of_profile:
         return "the contacts become too wide for the formulas"

@@ -198,7 +198,7 @@ class ClutchFormulas(EngagementInputs, Case):
         return _read(self._pressed, contact, mid=mid)
 
     def half_pressure(self, contact: int, *, mid: bool) -> float:
-        """Pressure [Pa] at mid-length, or the largest pressure, under half of the normal force."""
+        """Pressure [Pa] under half of the normal force: at mid-length if `mid`, or the largest."""
         return _read(self._half_pressed, contact, mid=mid)
 
     @Quantity("p_i(0)", "MPa", "pressure at mid-length, inner race", safe="too high")
@@ -337,7 +337,7 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @property
     def uneven(self) -> tuple[float, float]:
-        """Ratios of the deflections of inner and outer race under a sprag to those by Eq. 6."""
+        """Deflections of inner and outer race under a sprag, divided by those of Eq. 6."""
         if self.state is None:
             return 0.0, 0.0
         N_e = self._in_state("N_e")

@@ -27,7 +27,10 @@ Crown = tuple[float, float, float]
 
 
 def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
-    """Inputs of the paper's clutch with `crown` for the static load at 25 N m, or without."""
+    """Inputs of the paper's clutch with `crown`, or without a crown if it is None.
+
+    The design load is the static load at 25 N m.
+    """
     q = EngagementInputs()
     nu_0 = more.get("nu_0", q.nu_0)
     K_1, K_2, z_m = crown or (q.K_1, q.K_2, 0.0)

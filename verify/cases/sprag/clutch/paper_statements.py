@@ -28,7 +28,10 @@ def rectangle(q: EngagementInputs) -> tuple[float, float]:
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Relative margin of the length within the interval given by rounded m_g and I_g."""
+    """Distance of the length from the ends of its interval, relative to the length, with text.
+
+    The interval follows from rounding of m_g and I_g.
+    """
     q = context.inputs
     w, l = rectangle(q)  # noqa: E741
     (_, low), (_, high) = corners(q)
@@ -43,7 +46,7 @@ def length(context: Context) -> tuple[float, float, str]:
 
 
 def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Width and length [m] of the shortest and the longest rectangle that the digits allow."""
+    """Width and length [m] of the shortest and longest rectangle that rounded inputs allow."""
     found = [
         rectangle(q.model_copy(update={"m_g": q.m_g + a * ROUNDED["m_g"],
                                        "I_g": q.I_g + b * ROUNDED["I_g"]}))
@@ -54,7 +57,7 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """Margin of the change of N_max below 0.5 %, with the width of the rectangle instead of b."""
+    """0.5 % minus the change of N_max if b is replaced by the width of the rectangle; text."""
     narrow = float(measured(context)["narrow"][0])
     change = narrow / float(measured(context)["N_max"][0]) - 1
     w, _ = rectangle(context.inputs)
@@ -67,7 +70,7 @@ def width(context: Context) -> tuple[float, float, str]:
 
 
 def preload(context: Context) -> tuple[float, float, str]:
-    """Margin of the spring force below a hundredth of the static force."""
+    """Amount by which the ratio of spring force to static force is below 0.01, with text."""
     share = context.analytic["N_0"] / context.analytic["N"]
     return 0.01 - share, 0.0, f"{share:.2%} of N"
 
@@ -85,7 +88,7 @@ def at_rest(context: Context) -> Pair:
 
 
 def first_is_largest(context: Context) -> tuple[float, float, str]:
-    """Margin of the second peak below the first, relative to it, uncertainty, text."""
+    """Relative amount by which the second peak is below the first; uncertainty, text."""
     found = measured(context)
     share = found["second peak"] / found["first peak"]
     words = f"second peak over first peak: {share[0]:.3f} at 25 N m, {share[1]:.3f} at 40 N m"
@@ -103,7 +106,10 @@ def deeper_is_lower(context: Context) -> tuple[float, float, str]:
 
 
 def ends_carry(context: Context) -> tuple[float, float, str]:
-    """Relative excess of end over middle pressure at the peak without a crown, with text."""
+    """Relative amount by which the end pressure exceeds the pressure at mid-length, with text.
+
+    Both are pressures at the peak, without a crown.
+    """
     end, middle = measured(context)["flat, ends"] / 1e6
     return (
         float(end / middle - 1),
@@ -113,7 +119,7 @@ def ends_carry(context: Context) -> tuple[float, float, str]:
 
 
 def grows(context: Context) -> tuple[float, float, str]:
-    """Smallest increase, from one doubling of the slices to the next, of the rise of the peak.
+    """Smallest increase of the peak's relative rise from one doubling of slices to the next.
 
     The peak is that without a crown. The text states pressures and slope.
     """
@@ -129,7 +135,7 @@ def grows(context: Context) -> tuple[float, float, str]:
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Margin of the computed ratio of forces between the ratios that the printed pairs require."""
+    """Margin of the computed force ratio within the interval that printed pressures require."""
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))

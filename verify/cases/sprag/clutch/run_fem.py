@@ -33,7 +33,7 @@ class Run:
 
 @lru_cache(maxsize=32)
 def run_fem(q: EngagementInputs) -> Run:
-    """Engagement of the clutch. Raises ArithmeticError or ValueError if none is found."""
+    """Engagement of the clutch. Raises ArithmeticError or ValueError if no engagement is found."""
     one, now = built(q), under(q)
     least = np.nanmax([spring_force(q), float(now.N) if now else one.N_top])
     return engaged_fem(one, q, AHEAD * float(least))

@@ -42,7 +42,7 @@ def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
 
 
 def box_fem(q: EngagementInputs, engaged: Peaks) -> dict[str, Array]:
-    """Largest forces and pressures under T of the crowns of Eq. 19; `engaged`: 27 engagements."""
+    """Largest forces and pressures under T of crowns of Eq. 19, from 27 engagements `engaged`."""
     many = factorial(q, MANY)
     N = forces(q, engaged, many)
     return {

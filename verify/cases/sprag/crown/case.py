@@ -174,7 +174,7 @@ class SpragCrown(EngagementInputs, Case):
         return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 
     def peak_of(self, crown: Crown) -> float:
-        """Largest pressure [Pa] of `crown` under the first peak force of the given crown."""
+        """Largest pressure [Pa] of `crown` under the first peak force of the inputs' crown."""
         return _largest(formulas.pressed(self, self.N_max, crown))
 
     @property
@@ -208,7 +208,10 @@ class SpragCrown(EngagementInputs, Case):
             yield table_2()
 
     def refusal(self) -> str:
-        """Reason why no reference exists: no crown, no peak, or no solution at rest; else empty."""
+        """Reason why no reference exists; empty if it exists.
+
+        The reference requires a crown, a peak, and a solution at rest.
+        """
         if self.z_m == 0:
             return "without a crown there is nothing to compare; check it without --fem"
         if not math.isfinite(self.N_max):

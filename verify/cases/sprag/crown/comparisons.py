@@ -51,10 +51,10 @@ MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 
 
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Interval of the relative difference, for p ~ √N; None for a user's inputs.
+    """Interval of the relative difference of pressures, if p ~ √N; None for a user's inputs.
 
-    It contains two differences: slices against strips, and two races on a spring against the
-    equations of motion with all sprags. No tolerance is stated for a user's inputs.
+    The interval contains two differences: slices against strips, and two races on a spring against
+    the equations of motion with all sprags. No tolerance is stated for a user's inputs.
     """
     if not q.is_default:
         return None
@@ -78,7 +78,7 @@ def drops(q: EngagementInputs, crowns: Array) -> Array:
 
 
 def straight_and_ends(context: Context) -> tuple[float, float]:
-    """Smallest of three margins for the crowns of Eq. 19, and its uncertainty.
+    """Smallest of three margins of the drops of the crowns of Eq. 19; uncertainty.
 
     1. The straight length differs from (1 - K_2) l by less than 2.5 of MEAN_OF points.
     2. The drop does not exceed z_m.
@@ -95,7 +95,7 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """Margin of the largest share of z_m in the mean drop of the printed crowns below 0.5 %."""
+    """Margin by which the shares of z_m in the mean drop of printed crowns are below 0.5 %."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
@@ -109,12 +109,12 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
 
 
 def inner_above(context: Context) -> tuple[float, float]:
-    """Smallest ratio of inner to outer largest pressure of all crowns, minus 1; uncertainty."""
+    """Smallest ratio of largest inner to largest outer pressure of all crowns, minus 1."""
     return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max from the given to the optimal crown of Eq. 19, with text."""
+    """Relative reduction of p_max by the optimal crown of Eq. 19, from the given crown; text."""
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
     p, given = float(found["box p"][k]), q.p_peak

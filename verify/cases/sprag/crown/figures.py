@@ -64,7 +64,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def shares(q: EngagementInputs) -> Curves:
-    """Figure of the share of z_m in the mean drop, over z_m/A."""
+    """Figure of the increase of the mean drop in % for 1 % more z_m, over z_m/A."""
     m = np.geomspace(0.05, 30.0, 121)
     printed = np.array([(c[2] / (c[0] * unit(q)), z_m_share(c[0] * unit(q), c[2]))
                         for c in DESIGNS])  # fmt: skip
@@ -132,7 +132,7 @@ def by_force(context: Context) -> Curves:
 
 
 def by_torque(found: Mapping[str, Array]) -> Curves:
-    """Figure of p_max over the torque: range of the crowns of Eq. 19, and both of Fig. 14."""
+    """Figure of p_max over the torque: range over Eq. 19's crowns, and the two of Fig. 14."""
     T = found["band T"]
     curves = [
         line("lowest of 125 crowns of Eq. 19", T, found["band low"] / MPa, 1),
@@ -149,7 +149,7 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
 
 
 def above(found: Mapping[str, Array]) -> Curves:
-    """Figure of the excess of p_max of the printed crowns over the lowest p_max at each torque."""
+    """Figure of the relative amount by which p_max of printed crowns exceeds the lowest p_max."""
     T, low = found["band T"], found["band low"]
     names = (*FIG_14, EQ_21, EQ_22)
     return plot(

@@ -28,20 +28,20 @@ def number(crown: tuple[float, float, float]) -> int:
 
 
 def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """Whether Fig. 12's optimal and worst crown have lowest and highest p_max, (forces,)."""
+    """Mask (forces,): Fig. 12's optimal crown has the lowest p_max and its worst the highest."""
     p = found[f"swept, {by}"]
     best, worst = map(number, FIG_12)
     return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
 
 
 def window(found: Mapping[str, Array], by: str) -> str:
-    """Range of forces of the sweep with the order of Fig. 12, as text."""
+    """Range of swept forces in which the crowns have the order of Fig. 12, as text."""
     N = found["swept"][ordered(found, by)] / 1e3
     return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"at no force by {by}"
 
 
 def first_peaks(found: Mapping[str, Array]) -> str:
-    """Range of torques whose first peaks have the order of Fig. 12 by slices, as text."""
+    """Range of torques at whose first peaks the slices give the order of Fig. 12, as text."""
     N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
     T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
     return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
@@ -70,7 +70,10 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """Relative excess of p_max of Fig. 12's optimal over its worst crown at 25 N m, first peak."""
+    """p_max of Fig. 12's optimal crown over that of its worst, minus 1; uncertainty, text.
+
+    Both are pressures at the first peak at 25 N m.
+    """
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
     N = float(found["named N"][number(FIG_12[0]), AT[25]])
@@ -95,7 +98,7 @@ def first_and_trough(context: Context) -> tuple[float, float, str]:
 
 
 def uneven(p: Array) -> float:
-    """Load share to be redistributed for a uniform line load, which is proportional to p²."""
+    """Share of load to be redistributed for a uniform line load, which is proportional to p²."""
     return float(np.abs(p**2 / (p**2).mean() - 1).mean() / 2)
 
 
@@ -107,7 +110,10 @@ def more_even(context: Context) -> tuple[float, float, str]:
 
 
 def order_at(which: int) -> Margin:
-    """Function that returns the margin of Fig. 14's crown `which` below the other crown."""
+    """Function that returns the ratio of the other crown's p_max to that of `which`, minus 1.
+
+    Both are crowns of Fig. 14, at 10 N m (`which` 0) or 30 N m (1).
+    """
     T = (10, 30)[which]
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -120,7 +126,7 @@ def order_at(which: int) -> Margin:
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """Relative excess of p_max of Fig. 14's crown `which` over the lowest of Eq. 19, with text."""
+    """Ratio of p_max of Fig. 14's crown `which` to the lowest of Eq. 19, minus 1, with text."""
     T, found = (10, 30)[which], arrays(context)
     p = found["many p"][:, AT[T]]
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
@@ -138,7 +144,7 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 
 
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """Relative excess of p_max of Fig. 14's crown over the lowest at 30 N m, uncertainty, text."""
+    """Ratio of p_max of Fig. 14's crown to the lowest at 30 N m, minus 1; uncertainty, text."""
     above, words = above_lowest(context, 1)
     N = arrays(context)["many N"][:, AT[30]].mean() / crowned_for(context.inputs)
     return above, STEP, f"{words}; N_max/Q = {N:.2f}"
@@ -151,7 +157,7 @@ def lowest(context: Context) -> Array:
 
 
 def grows_with_torque(context: Context) -> tuple[float, float, str]:
-    """Increase of K_1 of the lowest crown from the smallest to the largest torque, with text.
+    """Increase, over the range of torques, of K_1 of the crown with the lowest p_max; text.
 
     If K_1 decreases between two torques, the largest decrease is returned instead.
     """

@@ -26,7 +26,7 @@ ALONG = np.linspace(1.0, 5.0, 41)  # K_1
 
 
 def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
-    """Arrays for Figs. 12 to 14 and Table 2, from engagements `few` of 27 crowns."""
+    """Arrays for Figs. 12 to 14 and Table 2, from the engagements `few` with 27 crowns."""
     T = q.T * np.array(SHARES)
     named = peaks_fem(q, np.array(DESIGNS), T)
     many = factorial(q, MANY)

@@ -13,7 +13,10 @@ WITHIN = 5e-3
 
 
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
-    """Margin of the relative spread of p_max by slices below WITHIN; the text states strips."""
+    """Amount by which the relative spread of p_max by slices is below WITHIN; uncertainty, text.
+
+    The text also states the pressures by strips.
+    """
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM
     by_slices = found["counted, slices"][1][enough] / MPa

@@ -66,7 +66,7 @@ class Recomputed(PrintedClaim):
 
 
 def cut_off(_context: Context) -> tuple[float, float, str]:
-    """Excess of the error of the last row over the largest value that rounds to the printed one."""
+    """Amount by which the last row's error exceeds all values that round to its printed error."""
     entry = published(f"huang2018:table2-row{CUT}-error")
     v = relative_error(CUT)
     rounds = (entry.value + half_last_digit(entry.printed)) / 100
@@ -74,7 +74,7 @@ def cut_off(_context: Context) -> tuple[float, float, str]:
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Mean square of the differences minus SURE² times the mean MSE [Pa²], uncertainty, text."""
+    """Mean square of the differences minus SURE² times the mean MSE [Pa²]; uncertainty, text."""
     d = np.array([cell(k, "actual") - cell(k, "predicted") for k in ROWS if k != SAMPLE])
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
@@ -87,7 +87,10 @@ def too_small(_context: Context) -> tuple[float, float, str]:
 
 
 def is_a_sample(_context: Context) -> tuple[float, float, str]:
-    """Smallest MSE [Pa²] of the other rows, negative if row 4 has an error or an MSE; with text."""
+    """Positive margin [Pa²] if error and MSE of row 4 are zero, otherwise negative; with text.
+
+    The magnitude of the margin is the smallest MSE of the other rows.
+    """
     others = min(cell(k, "mse") for k in ROWS if k != SAMPLE)
     same = cell(SAMPLE, "mse") == 0 and relative_error(SAMPLE) == 0
     words = (
@@ -98,7 +101,7 @@ def is_a_sample(_context: Context) -> tuple[float, float, str]:
 
 
 def between(column: str) -> Margin:
-    """Function that returns the margin [Pa] of a column's values to the ranges of Eq. 19.
+    """Function that returns the margin [Pa] by which a column lies within the ranges of Eq. 19.
 
     All values must lie inside the range at 25 N m and below the range at 40 N m.
     """
@@ -125,7 +128,7 @@ MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
 
 def demanded(row: int) -> dict[str, Any]:
-    """Required sensitivity if the printed digits of a row's error do not allow the default."""
+    """Required sensitivity, if the digits of a row's printed error do not permit the default."""
     entry = published(f"huang2018:table2-row{row}-error")
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:

@@ -42,7 +42,7 @@ class Partnered(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class AtPeak(Approximation):
-    """Row on the work of the forces on the deflections, up to the peak, against the input work."""
+    """Row on the work stored by forces on deflections up to the peak, against the input work."""
 
     def rows(self, context: Context) -> list[Row]:
         N = context.fem[-1].values["N_1 strut"]
@@ -51,7 +51,10 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Ratio of work by rolling to work on the deflections, and 1; both use the same closure."""
+    """Ratio of the work by rolling to the work on the deflections, and its expected value 1.
+
+    Both use the same geometric closure.
+    """
     turning = context.inputs.number("by turning")
     return Pair(turning, 1.0, 0.0, f"relative difference of the work {turning - 1:+.1e}")
 
@@ -71,7 +74,7 @@ def expected(
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Largest difference of N(t) from LSODA relative to N_max, uncertainty, text."""
+    """Largest difference of N(t) from LSODA, relative to N_max; uncertainty, text."""
     last = context.fem[-1]
     d = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
     worst = float(np.abs(d).max() / last.values["N_max"])
@@ -96,7 +99,7 @@ def order(context: Context) -> tuple[float, float, str]:
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
-    """Margin of the effect of the paper's crowns on the largest force below CROWN, with text."""
+    """Margin by which the paper's crowns change the largest force by less than CROWN; text."""
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
     words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
@@ -104,14 +107,17 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """Margin of the effect of the centroid's position on the largest force below CENTROID."""
+    """Margin by which other centroids change the largest force by less than CENTROID; text."""
     v = context.fem[-1]
     worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
     return CENTROID - worst, 0.0, f"N_max changes by {worst:.1e} with two other centroids"
 
 
 def balanced(context: Context) -> Pair:
-    """First peak [N] without damping by energy and by steps, with N_e/N_i by statics."""
+    """First peak [N] without damping by energy and by time steps.
+
+    Both take the ratio N_e/N_i from statics.
+    """
     v, last = context.analytic, context.fem[-1]
     N_max, free = last.arrays["balanced"]
     off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
@@ -142,14 +148,14 @@ def liu(context: Context) -> tuple[float, float, str]:
 
 
 def first(context: Context) -> tuple[float, float, str]:
-    """Margin of the highest later peak below the first peak, relative to it, uncertainty, text."""
+    """Relative amount by which the highest later peak is below the first; uncertainty, text."""
     v = context.fem[-1].values
     share = v["later peak"] / v["first peak"]
     return 1 - share, LSODA, f"the highest later peak is {share:.3f} of the first"
 
 
 def inner(context: Context) -> tuple[float, float]:
-    """Smallest ratio of inner to outer largest pressure over the force, minus 1; uncertainty."""
+    """Smallest ratio of inner to outer largest pressure over all forces, minus 1; uncertainty."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
     both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]
@@ -158,7 +164,7 @@ def inner(context: Context) -> tuple[float, float]:
 
 
 def rolling(context: Context) -> Pair:
-    """Largest forces [N] with contacts that always roll and with contacts that may slip."""
+    """Largest forces [N] with contacts that always roll, and with contacts that may slip."""
     last = context.fem[-1]
     always = float(last.arrays["rolling"][0])
     off = last.values["N_max"] / always - 1

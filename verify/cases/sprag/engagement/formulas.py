@@ -32,7 +32,10 @@ MORE = 1.6  # torque of the second engagement: 40 N m for the paper's 25
 
 @lru_cache(maxsize=64)
 def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
-    """Oscillation of two races on the clutch as a spring; with rigid races (Liu) if `rigid`."""
+    """Oscillation of two races, with the clutch as a spring.
+
+    The races are rigid (Liu) if `rigid`.
+    """
     driven = Driven(T=q.T, t_ramp=q.t_ramp, w_i=q.w_i, t_end=q.t_end)
     return swinging.swing(wedge(q, rigid=rigid), driven, motion(q))
 

@@ -71,7 +71,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
-    """Uncertainties of all values that depend on the force, due to the table of the force."""
+    """Uncertainties of all values that depend on the force, caused by its tabulation."""
     other = engaged_fem(q, wedge(q), main.dt, intervals=COARSER)
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)
@@ -199,7 +199,10 @@ def designs_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N] with damping, and first peak without, both with N_e/N_i by statics."""
+    """Largest N [N] with damping, and first peak [N] without damping.
+
+    Both take the ratio N_e/N_i from statics.
+    """
     from analytic.sprag.transient import engage
 
     damped = engage(

@@ -61,7 +61,10 @@ class SpragFriction(FrictionFormulas):
         return (LAW,)
 
     def refusal(self) -> str:
-        """Reason why nothing is compared: rollover, too many steps, too little friction."""
+        """Reason why nothing is compared; empty if the engagement is compared.
+
+        Reasons are rollover, too many steps, and too little friction.
+        """
         more = swing(with_torque(self, MORE)).peak[1]
         if not (math.isfinite(more) and math.isfinite(self.mu_b)) or swing(self).over:
             return "the sprags roll over: nothing can be compared; check it without --fem"
@@ -80,7 +83,7 @@ class SpragFriction(FrictionFormulas):
         return ""
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the sprags roll over, or lock only without initial slip."""
+        """Warnings if the sprags roll over, or if the clutch can lock only without prior slip."""
         if not math.isfinite(self.mu_b):
             yield "the sprags roll over at a lower torque than T"
         elif self.mu_c < self.mu_b <= self.mu_s:

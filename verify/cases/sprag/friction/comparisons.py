@@ -51,7 +51,7 @@ class Ended(Partnered):
 
 
 def at_tan(context: Context) -> Pair:
-    """Worst ratio, at three torques, of the smallest friction for locking to tan(nu), and 1."""
+    """Ratio of the smallest friction for locking to tan(nu), most different from 1, and 1."""
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
     words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
     found = farthest(np.ones_like(ratio), ratio, 0.0)
@@ -59,13 +59,16 @@ def at_tan(context: Context) -> Pair:
 
 
 def refused(context: Context) -> tuple[float, float, str]:
-    """Margin 1 if the guard rejects the narrow band, otherwise -1; uncertainty, text."""
+    """Margin +1 if the guard rejects the narrow band, otherwise -1; uncertainty, text."""
     refuses, _ = context.fem[-1].arrays["narrow"]
     return 2 * refuses - 1, 0.0, "rejected" if refuses else "not rejected"
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """Margin of the spread of the force without guard over nearly equal torques, with text."""
+    """Amount by which the spread of N_max without the guard exceeds SPREAD, with text.
+
+    The spread is that over nearly equal torques, as a share of the correct force.
+    """
     found = context.fem[-1].arrays
     share = found["unguarded"] / found["narrow"][1]
     words = f"{share.min():.0%} to {share.max():.0%} of the correct force, without an error message"
@@ -73,7 +76,7 @@ def unguarded(context: Context) -> tuple[float, float, str]:
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
-    """Largest relative error of N_max of the runs that the guard accepts, uncertainty, text."""
+    """Largest relative error of N_max over all runs that the guard accepts; uncertainty, text."""
     passed = context.fem[-1].arrays["guard"]
     passed = passed[passed[:, 3] == 0]
     worst = float(np.abs(passed[:, 4]).max())
@@ -81,7 +84,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Margin of the smallest median error of rejected runs over GUARDED, with text.
+    """Amount by which the smallest median error of rejected runs exceeds GUARDED, with text.
 
     It is positive if the guard rejects no correct result.
     """
@@ -93,7 +96,7 @@ def never_idle(context: Context) -> tuple[float, float, str]:
 
 
 def by_default(context: Context) -> Pair:
-    """N_max [N] with automatic bands and by LSODA, at the worst torque and friction."""
+    """N_max [N] with automatic bands and by LSODA, for the torque and friction that differ most."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)
