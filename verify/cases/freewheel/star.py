@@ -96,8 +96,8 @@ class Star(Rollers):
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
                 f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large: friction holds "
-                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; X is too small for R "
-                "and r"
+                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; increase X or "
+                "r, or reduce R"
             )
         return self
 
@@ -139,7 +139,7 @@ class Star(Rollers):
         if not np.isfinite(state.N):
             raise ValueError(
                 f"under T = {T:g} N m the contacts are wider than half the roller radius, beyond "
-                "the range of these formulas"
+                "the range of these formulas; reduce T"
             )
         x, half = float(self.cam.centre(d_i=state.d_i, d_o=state.d_o)[0]), float(self.cam.corner)
         if x >= half:

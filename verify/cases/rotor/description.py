@@ -152,7 +152,7 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
     if shafts and shafts[0].ratio != 1:
         raise EntryError(
             "shafts", 1, f"ratio = {shafts[0].ratio:g}",
-            "must be 1 for the first shaft: all speeds are those of this shaft",
+            "must be 1 for the first shaft, because speeds of the rotor are speeds of this shaft",
         )  # fmt: skip
     for k, name in enumerate(names, start=1):
         if name not in [segment.shaft for segment in segments]:

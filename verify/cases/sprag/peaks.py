@@ -78,7 +78,7 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 
 
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
-    """N_max [N] and pressures [Pa] of the crowns of a task, or the reason why one does not lock.
+    """N_max [N] and pressures [Pa] of a task's crowns, or the reason why the clutch fails to lock.
 
     Raises another error if an engagement cannot be solved: this does not mean that it slips.
     """

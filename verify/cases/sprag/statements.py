@@ -51,9 +51,11 @@ class OfPaper(Accepted):
 
 @dataclass(frozen=True, kw_only=True)
 class Noted(Claim):
-    """Statement of the paper that its equations contradict: NOTE with the entry of the ledger.
+    """Statement of the paper that the paper's equations contradict.
 
-    `margin` is positive if the equations contradict it. Otherwise the ledger is wrong: FAIL.
+    The status is NOTE with the entry of the ledger of errata if `margin` is positive, which means
+    that the equations contradict the statement. Otherwise the ledger is wrong, and the status is
+    FAIL.
     """
 
     kind = Kind.FACT
@@ -78,7 +80,7 @@ class Noted(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Beside(Claim):
-    """Value computed from identified inputs, against a number `figure` [SI], printed or given.
+    """Value computed with identified inputs, compared with a printed or given `figure` [SI].
 
     If inputs were `fitted` to the number, the status is CALIBRATED within `bound` and FAIL beyond.
     Otherwise the value is a prediction with the status SHOWN.

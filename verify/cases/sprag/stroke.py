@@ -64,7 +64,8 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
         # forces grow a little faster than deflections, deflections about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
     raise NotFoundError(
-        f"no sprag rotation gives the force {P:.4g} N/m: the last differs by {share - 1:.1%}"
+        f"no sprag rotation was found that gives the force {P:.4g} N/m: this force differs from "
+        f"that of the last iterate by {share - 1:.1%}"
     )
 
 

@@ -12,7 +12,7 @@ OTHER_WIDTH = 0.005  # tolerance between the given factor and a leaf's factor
 
 
 def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:
-    """Warning if the width factor of a leaf of width h [m] and length `leaf` [m] is not `given`."""
+    """Warning if the width factor of a leaf h [m] wide and `leaf` [m] long differs from `given`."""
     wide = float(width_factor(h, leaf, nu=nu))
     if abs(wide / given - 1) > OTHER_WIDTH:
         yield (

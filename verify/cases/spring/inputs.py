@@ -48,7 +48,7 @@ class SpringInputs(Inputs):
 
     @property
     def leaf(self) -> float:
-        """Straight length [m] of the middle units."""
+        """Straight length [m] of a middle leaf."""
         return leaf_length(self.L1, self.R, self.alpha)
 
     @property
@@ -90,7 +90,7 @@ def leaf_length(L1: float, R: float, alpha: float) -> float:
 
 
 def length_of(n: int, L1: float, R: float, alpha: float) -> float:
-    """Length [m] along the axis, from the leaf of the head to that of the tail, centre line."""
+    """Axial length [m] between the centre lines of the leaves of head and tail."""
     pitch = leaf_length(L1, R, alpha) * math.cos(alpha) + 2 * R * math.sin(alpha)
     return (n - 2) * pitch + 2 * R
 

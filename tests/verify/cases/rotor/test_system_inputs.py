@@ -32,7 +32,7 @@ from verify.core.inputs import InputError
         (changed(segments=[]), "inputs: a rotor must have at least one shaft with one segment"),
         (changed(segments=RAW["segments"] * 13), "inputs: the segments have 158 nodes, at most"),
         (changed("discs", 4, drop=["width"]),
-         "inputs.discs[4]: must have mass, polar and diametral, or d_o and width of a cylinder"),
+         "inputs.discs[4]: requires mass, polar and diametral, or d_o and width of a cylinder"),
         (changed("discs", 4, d_i="220 mm"),
          "inputs.discs[4]: d_i must be below d_o, got d_i = 220 mm, d_o = 220 mm"),
         (changed("discs", 2, node=3, width="230 mm"), "inputs.discs[2]: overlaps discs[1] by 5 mm"),
@@ -45,7 +45,7 @@ from verify.core.inputs import InputError
         (changed(speed_from="9000 r/min"), "inputs: speed_from must be below speed"),
         (changed(probe=15), "inputs: probe = 15 must be one of the nodes 1 to 14"),
         (changed("shafts", 1, ratio=0.5),
-         "inputs.shafts[1].ratio = 0.5: must be 1 for the first shaft: all speeds are those"),
+         "inputs.shafts[1].ratio = 0.5: must be 1 for the first shaft, because speeds of"),
     ],
 )  # fmt: skip
 def test_a_rotor_that_cannot_be_is_refused_in_one_line(raw, message):

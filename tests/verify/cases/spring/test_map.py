@@ -94,7 +94,7 @@ def test_a_critical_point_that_is_not_found_is_no_spring_without_one(monkeypatch
     ]
     critical_point.cache_clear()
     monkeypatch.setattr(reference, "LAST", 0.01)
-    with pytest.raises(ArithmeticError, match="no critical point of the free head up to 1%"):
+    with pytest.raises(ArithmeticError, match="no critical point up to a displacement of 1%"):
         reference.solve(q, 2)
 
 

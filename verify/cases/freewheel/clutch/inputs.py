@@ -119,8 +119,8 @@ class ClutchInputs(Case):
                 )
         if not self.s_mu < 0.5 * self.mu:
             raise ValueError(
-                f"s_mu must be below μ/2, so that μ is positive, got s_mu = {self.s_mu:g}, μ = "
-                f"{self.mu:g}"
+                "s_mu must be below μ/2, so that μ - 2 s_mu is positive, got s_mu = "
+                f"{self.s_mu:g}, μ = {self.mu:g}"
             )
         return self
 

@@ -52,8 +52,8 @@ class Cup(Rollers):
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
                 f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large: friction holds "
-                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; X_o is too small for "
-                "R_s and r"
+                f"rollers only below about {math.degrees(LARGEST_ANGLE):g}°; increase X_o, or "
+                "reduce R_s or r"
             )
         return self
 
@@ -95,7 +95,7 @@ class Cup(Rollers):
         if not np.isfinite(under.N):
             raise ValueError(
                 f"T = {self.T:g} N m exceeds the largest torque {float(top.T):.5g} N m: beyond "
-                "this torque the rollers pop through between shaft and cup"
+                "this torque the rollers pop through between shaft and cup; reduce T"
             )
         return under
 
@@ -106,7 +106,7 @@ class Cup(Rollers):
             raise ValueError(
                 "contacts are wider than half the roller radius before the torque reaches its "
                 f"maximum: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is too large for these "
-                "formulas"
+                "formulas; increase X_o, or reduce R_s or r"
             )
         return found
 

@@ -47,8 +47,8 @@ class DescribedRotor(CoaxialRotor):
             if link.k_turn > 0 and a.ratio != b.ratio:
                 raise EntryError(
                     "links", k, f"k_turn = {link.k_turn:g} N m/rad",
-                    f"shafts {a.name} and {b.name} have different speeds: a torsional stiffness "
-                    "between them must be 0",
+                    f"shafts {a.name} and {b.name} have different speeds: set the torsional "
+                    "stiffness k_turn between them to 0",
                 )  # fmt: skip
 
     @cached_property
@@ -115,7 +115,7 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
     given = (disc.mass, disc.polar, disc.diametral)
     if disc.d_o is None or disc.width is None:
         if disc.mass is None or disc.polar is None or disc.diametral is None:
-            raise ValueError("must have mass, polar and diametral, or d_o and width of a cylinder")
+            raise ValueError("requires mass, polar and diametral, or d_o and width of a cylinder")
         return disc.mass, disc.polar, disc.diametral
     if not disc.d_i < disc.d_o:
         raise ValueError(

@@ -20,7 +20,7 @@ BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """Required friction T_i/N and tan(nu) at rest under `factor` times the torque; may be nan."""
+    """Required friction T_i/N and tan(nu) at rest under `factor` times T; nan without rest."""
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)
@@ -74,7 +74,10 @@ class FrictionFormulas(EngagementInputs, Case):
 
     @property
     def unequal(self) -> float:
-        """Excess N_e/N - 1 of the outer normal force by statics, at the end of the profile."""
+        """Relative amount N_e/N - 1 by which the outer normal force exceeds the inner, by statics.
+
+        The forces are those at the end of the profile.
+        """
         now = self.wedge.states
         return float((now.N_e / np.maximum(now.N, 1e-300))[-1]) - 1
 

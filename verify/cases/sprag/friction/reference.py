@@ -84,7 +84,7 @@ def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
 
 
 def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
-    """Smallest friction coefficient with which the clutch locks, and half of its bracket."""
+    """Smallest friction coefficient for locking, and half of the interval that contains it."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
     duration = settled(q)
@@ -97,7 +97,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Torques [N m], ratios of the smallest friction for locking to tan(nu), and half brackets."""
+    """Torques [N m], smallest friction for locking over tan(nu), and half of its interval."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -124,7 +124,7 @@ def between(q: EngagementInputs) -> float:
 
 
 def slipped_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
-    """Largest N [N] and time [s] of the first slip with the friction of `between`."""
+    """Largest N [N], and time [s] of the first slip, with the friction coefficient `between`."""
     slipping = rough(q, between(q))
     found = engaged_fem(slipping, wedge(slipping), dt, duration=until, D_V=None)
     return {"N_max slipped": found.N_max, "slips": first_slip(found, slipping.mu_s)}
@@ -187,7 +187,7 @@ def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | No
 
 
 def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """N_max [N] with automatic bands and by LSODA, over torques and frictions."""
+    """N_max [N] with automatic bands and by LSODA, over torques and friction coefficients."""
     found = []
     for factor, share in SWEEP:
         p = weak(q, factor)

@@ -28,7 +28,7 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The optimal crown under the larger torque, with the same design load Q of all crowns.
+    """The optimal crown under the larger torque; all crowns have the same design load Q.
 
     It is compared with the optimal crown under the smaller torque.
 

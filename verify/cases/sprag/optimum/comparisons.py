@@ -26,7 +26,7 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """Margin of the relative excess pressure of the printed crown below NEAR, with text."""
+    """NEAR minus the relative excess of the printed crown's p_max over the lowest; with text."""
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
         f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa with "
@@ -41,7 +41,11 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Range of each parameter in which the pressure, with suitable others, is nearly the lowest."""
+    """Range of each parameter in which the pressure can be nearly the lowest.
+
+    For each value in the range, the other parameters can be chosen so that the pressure is at most
+    the fraction `within` above the lowest.
+    """
     found = measured(context)
     low = found["whole"] <= found["whole"].min() * (1 + within)
     sides = {}
@@ -77,7 +81,10 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """Margin of FLAT over the excess pressure of Lundberg's crown for N_max (K_1 = N_max/Q)."""
+    """FLAT minus the relative difference of the p_max of Lundberg's crown from the lowest; text.
+
+    Lundberg's crown is that for N_max (K_1 = N_max/Q).
+    """
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
@@ -89,22 +96,22 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """Smaller of initial decrease and final increase of each line over its minimum, (n,)."""
+    """Smaller of the changes of each line before and after its minimum, over the minimum, (n,)."""
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
 
 def factorial(context: Context) -> Array:
-    """Pressures [Pa] by engagements over K_1 and K_2, at the z_m nearest to Figs. 15, 17."""
+    """Pressures [Pa] by engagements over K_1 and K_2, at z_m nearest to 10 µm (Figs. 15, 17)."""
     found, n = measured(context), context.inputs.levels
     largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
     return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Smallest decrease and increase along K_1 of all lines of both maps, uncertainty, text.
+    """Smallest change of p_max before or after the minimum along K_1; uncertainty, text.
 
-    The line of the lowest z_m is left out.
+    The lines are those of both maps. The line of the lowest z_m is left out.
     """
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
@@ -125,7 +132,10 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """Text: number of lines of constant K_1 with a minimum, shape of the line near the optimum."""
+    """Text with the number of lines of constant K_1 that have a minimum.
+
+    The text also states the shape of the line near the optimum.
+    """
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
@@ -144,9 +154,10 @@ def course(line: Array) -> str:
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Relative excess pressure at this torque with the optimal K_1 of the smaller torque.
+    """Excess of p_max with the optimal K_1 of the smaller torque, relative to the lowest p_max.
 
-    K_2 and z_m are optimal for this K_1. The excess is negative if this K_1 is the larger one.
+    K_2 and z_m are optimal for this K_1. The excess is given a negative sign if the optimal K_1 of
+    the smaller torque exceeds that of this torque.
     """
     found = measured(context)
     K_1, other = float(found["best"][0]), float(found["less"][0])
@@ -167,7 +178,7 @@ def band(K_1: Array, over: Array) -> str:
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """Increase of the mean effect of z_m on p_max from the smaller to the larger torque."""
+    """Mean relative change of p_max over z_m, minus that at the smaller torque."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
@@ -176,7 +187,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """Relative reduction of the pressure by the optimal crown under each torque, (torques,)."""
+    """Relative reductions of the pressure by the optimal crowns, one for each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -184,7 +195,7 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """Reduction of the pressure at the larger torque minus that at the smaller, with text."""
+    """Relative reduction of p_max at the larger torque minus that at the smaller torque; text."""
     more, less = reductions(measured(context))
     return (
         float(more - less),
@@ -194,13 +205,13 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Relative excess pressure of the crown that is optimal at the other torque, with text."""
+    """Relative excess of p_max with the other torque's optimal crown over the lowest; text."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """Text: pressure reduction by the optimal crown with different numbers of slices."""
+    """Text on the pressure reduction by the optimal crown for several numbers of slices."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} with {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"

@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """Row on a pressure under N_max, with mesh refinement, of the crown with unloaded ends."""
+    """Row on a pressure of the crown with unloaded ends under N_max, with mesh refinement."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -102,7 +102,7 @@ def refined(context: Context, crown: str) -> tuple[float, float]:
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """Relative excess of the half-space pressure over the pressure by slices, printed crown."""
+    """Ratio of half-space pressure to pressure by slices of the printed crown, minus 1."""
     p, U = refined(context, "at hand")
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
@@ -114,7 +114,10 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """Margin of the increase of p_max per refinement over GROWS, optimal crown by slices."""
+    """Smallest relative increase of p_max per refinement, minus GROWS; uncertainty, text.
+
+    The crown is the optimal crown by slices.
+    """
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
     words = "; ".join(
@@ -129,7 +132,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """Text: pressure on a half-space of the crown with unloaded ends and of the given crown."""
+    """Text on the half-space pressures of the crown with unloaded ends and the given crown."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]
@@ -142,7 +145,10 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of the half-space pressure from the printed crown to unloaded ends."""
+    """Relative reduction of half-space pressure by the crown with unloaded ends; with text.
+
+    The reduction is relative to the printed crown.
+    """
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1

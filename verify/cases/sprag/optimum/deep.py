@@ -32,7 +32,7 @@ def deep_fem(q: OptimumInputs, level: int) -> Level:
 
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Relative errors of both surrogates at new designs, and pressures [Pa] by engagements."""
+    """Relative errors of both surrogates at new designs, and true pressures [Pa] there."""
     from analytic.surrogate.kriging import fit
 
     x = full_factorial(q.box, q.levels)

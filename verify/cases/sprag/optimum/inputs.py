@@ -55,7 +55,7 @@ class OptimumInputs(EngagementInputs):
             a, b = getattr(self, low), getattr(self, high)
             if not a < b:
                 raise ValueError(
-                    f"the lower bound must be below the upper: {low} < {high}, got "
+                    f"the lower bound must be below the upper bound: {low} < {high}, got "
                     f"{low} = {a * factor:g}{unit}, {high} = {b * factor:g}{unit}"
                 )
         if self.population % 2:

@@ -16,7 +16,7 @@ ABOVE = 4.0  # % above the lowest pressure, upper end of the axis of the figure 
 
 
 def figure(context: Context) -> str:
-    """Number of the corresponding figure of the paper, as a format string; may be empty."""
+    """Number of the paper's corresponding figure, as a format string; empty for other inputs."""
     if not context.is_paper:
         return ""
     return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"

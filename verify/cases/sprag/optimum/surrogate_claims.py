@@ -88,7 +88,10 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
 
 
 def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
-    """Function that returns "predicted" or "deviation" of kriging at the extra designs."""
+    """Function that returns kriging's predictions or deviations at the extra designs.
+
+    They are given by kriging and by the bordered system; `name` is "predicted" or "deviation".
+    """
 
     def pair(_: Context, array: Named, one: Bordered, extra: Array) -> Pairs:
         return array(name), getattr(one, name)(extra), float(np.abs(one.values).max())
@@ -97,7 +100,10 @@ def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
 
 
 def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
-    """Leave-one-out predictions of some designs by both methods, with constant length scales."""
+    """Leave-one-out predictions of some designs by kriging and by the bordered system.
+
+    The length scales are constant.
+    """
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
     return array("left out")[some], theirs, float(np.abs(one.values).max())
@@ -159,7 +165,7 @@ def directly(context: Context) -> Pair:
 
 
 def asked(context: Context) -> str:
-    """Text: numbers of engagements with a surrogate and with a search without surrogate."""
+    """Text on the numbers of engagements that searches with and without surrogate need."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     near = tried <= best * (1 + NEAR)
@@ -189,7 +195,7 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Margin of the ratio of leave-one-out estimate to true error below BLIND, single kriging."""
+    """BLIND minus the ratio of leave-one-out estimate to true error of a single kriging; text."""
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())
@@ -197,7 +203,7 @@ def blind(context: Context) -> tuple[float, float, str]:
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """Margin of the ratio of the errors of separate and single kriging below one half."""
+    """One half minus the ratio of the errors of separate kriging and single kriging; text."""
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
     return 0.5 - two / one, 0.0, f"mean error {two:.2%}, with a single kriging {one:.2%}"
 

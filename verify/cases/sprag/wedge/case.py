@@ -40,7 +40,7 @@ NEAR_FLANK = (
 
 
 class WedgedSprag(WedgeSteps):
-    """A logarithmic sprag between two races, with 0 to 1.8 times the force of a rigid clutch.
+    """A logarithmic sprag between two races, under up to 1.8 times the force of a rigid clutch.
 
     The sprag rotates because its contacts, its body and the races deflect. The case gives the
     wedge angle, the normal force, the sprag rotation and the wind-up. The reference is a

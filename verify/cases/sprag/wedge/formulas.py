@@ -67,11 +67,15 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def state(self) -> Wedged:
-        """Equilibrium state of the clutch. Raises ValueError if none exists at the torque T."""
+        """Equilibrium state of the clutch.
+
+        Raises ValueError if no equilibrium exists at the torque T.
+        """
         found = self.state_of(self.clutch)
         if self.share is None and not np.isfinite(found.N):
             raise ValueError(
-                f"no equilibrium exists at T = {self.T:g} N m: the spiral grows too slowly"
+                f"no equilibrium exists at T = {self.T:g} N m: the sprags cannot transmit this "
+                "torque; reduce T"
             )
         return found
 

@@ -56,7 +56,7 @@ def solve(q: WedgeInputs, level: int) -> FemResult:
 
 
 def doubt(key: str) -> float:
-    """Relative iteration uncertainty of the value `key`."""
+    """Relative uncertainty of the value `key` due to iteration."""
     if key.startswith("mean"):
         return SPLINE  # error of the force, for any position
     if key.startswith("excess"):
@@ -81,7 +81,10 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Friction coefficient with which the sprag holds, and one with which it slips; may be nan."""
+    """Friction coefficients slightly above and below T_i/N_i with which the sprag holds and slips.
+
+    A coefficient is nan if the sprag does not behave so.
+    """
     state = sweep.states[SLIPS]
     tan = state.T[0] / state.N[0]
     above, below = (1 + ONSET) * tan, (1 - ONSET) * tan

@@ -164,7 +164,7 @@ class AccordionSpring(FreeStage):
         return frames.solve((*held, self.of_five), level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: Eqs. 1-9 against print and curved elements; force method with all ends."""
+        """Rows of Eqs. 1-9 against printed values and curved elements, and of the force method."""
         spring = AccordionSpring
         yield as_printed(spring.k1, "wang2023:k1-theory", name="stiffness by Eqs. 1-9")
         for words, printed in (("shell model", "fea"), ("test", "test")):

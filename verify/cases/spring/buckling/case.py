@@ -67,7 +67,7 @@ class BucklingSpring(BucklingFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: unit, elastica and column against beams; claims on further springs."""
+        """Rows of unit, elastica and column against beams, and claims on further springs."""
         spring = BucklingSpring
         tails = [State(self.held(tail), KEYS[tail].removeprefix("_"), WHERE[tail])
                  for tail in TAILS]  # fmt: skip
@@ -92,7 +92,10 @@ class BucklingSpring(BucklingFormulas):
         yield from _swept()
 
     def refusal(self) -> str:
-        """Reason why nothing is compared: long spring, no buckling, or no equilibrium path."""
+        """Reason why nothing is compared; empty if the spring is compared.
+
+        Reasons are too many segments, no buckling, and no equilibrium path.
+        """
         if self.n > MOST:
             return (
                 f"n = {self.n} segments are more than {MOST}: the elastica takes too long, but the "

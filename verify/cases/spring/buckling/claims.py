@@ -23,7 +23,7 @@ def spread(context: Context) -> Pair:
 
 
 def by_cube(context: Context) -> Pair:
-    """Exponent of b in F_cr that differs most from three, and three."""
+    """Exponent of b in F_cr that differs most from 3, and its expected value 3."""
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
@@ -38,7 +38,7 @@ def one_ratio(context: Context) -> tuple[float, float, str]:
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant on the path of a free head, with text.
+    """Function that returns the smallest determinant while a free head is compressed, with text.
 
     The determinant is relative to that of the unloaded spring and vanishes at a critical point.
     """
@@ -56,7 +56,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant for a hinged head on the guided path."""
+    """Function that returns the smallest determinant of a hinged head on a guided head's path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]
@@ -66,7 +66,7 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Shortenings at buckling, errors of Haringx's column, and uncertainties, for more units.
+    """Shortenings at buckling, errors of Haringx's column and uncertainties, for many units.
 
     The ends of the spring, which are not units, are 1/n of its length. The shortening is
     proportional to 1/n^2.

@@ -32,7 +32,10 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """Results of one level: a unit and both tails; one level also has paths and further springs."""
+    """Results of one level: a unit and both tails.
+
+    One of the levels also has paths and further springs.
+    """
     from fem.beam.pressed import PLACES
     from fem.beam.pressed_path import both_paths, deflected, drifts
     from fem.beam.released import gives_way, linear_load
@@ -46,7 +49,8 @@ def solve(q: BucklingInputs, level: int) -> Level:
         U, u, state = gives_way(one, LAST * q.length)
         if state is None:  # the elastica has a critical point, else the case refuses the inputs
             raise ArithmeticError(
-                f"no critical point of the free head up to {LAST:.0%} of the length, tail {tail}"
+                "the spring with a free head has no critical point up to a displacement of "
+                f"{LAST:.0%} of its length (tail clamped at {tail})"
             )
         F = one.force(state)
         F_lin, u_lin = linear_load(one)
@@ -70,7 +74,10 @@ def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "Pr
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
-    """Arrays of U_cr over b on one centre line, over n, at a given L_0/b, and over n and L_1."""
+    """Critical displacements and shortenings of further springs, as arrays by name.
+
+    The varied inputs are b on one centre line, n at a given L_0/b, n, and both n and L_1.
+    """
     from fem.beam.released import gives_way
 
     own = q.path | {"tail": "arc"}

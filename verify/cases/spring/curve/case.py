@@ -98,7 +98,7 @@ class CurveSpring(CurveInputs, Case):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: closed form against beams, claims on the curve, Eq. 10 and tests."""
+        """Rows of the closed form against beams, and claims on the curve, Eq. 10 and the tests."""
         spring = CurveSpring
         yield identity(spring.k1, order=4, sensitivity=FINE,
                        shares="beam theory, E I with one width factor")  # fmt: skip
@@ -118,7 +118,7 @@ class CurveSpring(CurveInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Reason why no curve is computed: the head is not guided, or the strip too slender.
+        """Reason why no curve is computed (unguided head or too slender strip), or empty.
 
         A free head buckles, and a hinged head moves sideways.
         """
@@ -135,7 +135,7 @@ class CurveSpring(CurveInputs, Case):
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings on heads that buckle, other width factors, and tips that do not touch."""
+        """Warnings if a free head buckles, another width factor applies, or no tips touch."""
         if self.head == "free":
             yield "a spring with a free head buckles laterally at a low load: see spring-buckling"
         yield from other_width(self.width_factor, h=self.h, leaf=self.leaf, nu=self.nu)

@@ -43,7 +43,7 @@ def lines(context: Context, level: int = FINE) -> FittedLines:
 
 
 def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
-    """Name, width factor, fitted lines, and U and F (2, k) of every reading with every factor."""
+    """Name, width factor, fitted lines, and U and F (2, k) for each reading and width factor."""
     q: CurveInputs = context.inputs
     found = []
     for name, _ in readings(q):
@@ -55,7 +55,10 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
 
 
 def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
-    """Fitted lines of the coarse curve of the inputs and of `other` (3, k), at common states."""
+    """Fitted lines of the coarse curve of the inputs and of the curve `other` (3, k).
+
+    Both curves are evaluated at common states.
+    """
     stroke = context.inputs.stroke
     own, other = on_common(curve(context, COARSE), other, stroke)
     return fitted(own, stroke), fitted(other, stroke)
@@ -73,7 +76,7 @@ def without(context: Context) -> str:
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """Function that returns the relative difference of a fitted number between both meshes."""
+    """Function that returns the relative difference of a fitted number between the two meshes."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -127,7 +130,7 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Margin of the ratio of the final slope to k_2 over STIFFER; nan if the curve ends early."""
+    """Ratio of the final slope to k_2, minus STIFFER; nan if the curve ends early; with text."""
     U, F, _ = curve(context)
     if ends_early(context):
         return np.nan, 0.0, f"no result: no equilibrium was found beyond {U[-1] / mm:.4g} mm"
@@ -139,7 +142,7 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """Function that returns the margin of the difference from a value of Eq. 10 below `figure`."""
+    """Function that returns `figure` minus the relative difference of `key` from Eq. 10."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:
@@ -152,7 +155,7 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
 
 
 def nearest(context: Context) -> tuple[float, float, str]:
-    """Margin in the error of k_1 of the inputs' reading to that of the next reading, with text."""
+    """Smallest error of k_1 by another reading, minus that by the inputs' reading; with text."""
     q: CurveInputs = context.inputs
     given = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
     off = {
@@ -168,7 +171,7 @@ def nearest(context: Context) -> tuple[float, float, str]:
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Margin of the largest difference of F(U) from Eq. 10 at 1 to 17 mm below FORCE."""
+    """FORCE minus the largest relative difference of F(U) from Eq. 10 at 1 to 17 mm; text."""
     U, off = deviations(context, FINE)
     worst = int(np.argmax(abs(off)))
     u = float(abs(off - deviations(context, COARSE)[1]).max())

@@ -55,7 +55,7 @@ class CurveInputs(SpringInputs):
 
     @property
     def R(self) -> float:
-        """Radius [m] of the centre line of the arcs, by the reading of the inputs."""
+        """Radius [m] of the centre line of the arcs, according to the input `arcs`."""
         return self.r if self.arcs == "r" else self.r + self.b / 2
 
     @property

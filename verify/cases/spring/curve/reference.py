@@ -35,7 +35,7 @@ def spring_of(q: CurveInputs, **changed: Any) -> Spring:
 
 
 def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
-    """Names and models of all readings of tail, head and arcs, without friction and factor."""
+    """Names and models of all readings of tail, head and arcs, without friction or width factor."""
     arcs = {"r": q.r, "r + b/2": q.r + q.b / 2}
     for tail, head, (name, radius) in product(
         ("arc", "mid-leaf"), ("free", "guided"), arcs.items()
@@ -50,7 +50,10 @@ def grid(q: CurveInputs, states: int) -> Array:
 
 
 def solve(q: CurveInputs, level: int) -> Level:
-    """Initial stiffness; one level each also has the coarse curve, the readings, the fine curve."""
+    """Initial stiffness on a level.
+
+    Three of the levels also have the coarse curve, the readings, and the fine curve.
+    """
     own = spring_of(q)
     rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
     once, twice = rest.F / rest.U

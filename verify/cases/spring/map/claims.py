@@ -24,7 +24,7 @@ def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
 
 
 def within_claim(context: Context) -> tuple[float, float, str]:
-    """Margin of the error below 10 % for L_0/b of at least 240, at small displacement."""
+    """10 % minus the largest error at small displacement for L_0/b of at least 240; text."""
     q = context.inputs
     cells = points(q, deep=False)["slender"]
     m = errors(q, cells, stored(context, "slender"))[..., 0]
@@ -47,7 +47,10 @@ def falls(context: Context) -> tuple[float, float, str]:
 
 
 def free_head(context: Context) -> tuple[float, float, str]:
-    """Margin of the force with a free head below a third of that by Eq. 9, at 0.3 of the length."""
+    """One third minus the ratio of the force with a free head to that by Eq. 9; text.
+
+    The forces are those at a displacement of 0.3 of the length.
+    """
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
     words = f"{F[-1]:.3g} N with a free head, {promised:.3g} N by Eq. 9"

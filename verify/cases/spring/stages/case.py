@@ -69,7 +69,10 @@ class StageSpring(StageFormulas):
         return linked_frame.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: closed forms against the frame; the reading with the nearest k_1 against Eq. 10."""
+        """Rows of closed forms against the frame, and of the best reading against Eq. 10.
+
+        The best reading is that with the k_1 nearest to Eq. 10.
+        """
         spring = StageSpring
         first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at A"),
                  (spring.U_A, "displacement at A"), (spring.k2, "stiffness k_2"))  # fmt: skip
@@ -145,7 +148,7 @@ class StageSpring(StageFormulas):
     refusal = too_slender
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Figures of force over displacement, with the frame and Eq. 10."""
+        """Figures of force over displacement by closed form and frame, and with Eq. 10."""
         yield drawn.judged(self)
         yield Drawn(drawn.beside)
 

@@ -19,7 +19,7 @@ MPa, mm = 1e6, 1e-3
 
 
 def judged(q: StagesInputs) -> AlongLine:
-    """Figure of force over displacement with the end conditions of the inputs, with the frame."""
+    """Figure of force over displacement by closed form and frame, with the inputs' ends."""
     line = q.held(theory="thin")
     at = SHARES * frame.end_point(**q.path, tail=q.tail)[0]
     return AlongLine(

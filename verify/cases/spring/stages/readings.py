@@ -92,18 +92,18 @@ def readings(q: StagesInputs) -> list[Reading]:
 
 
 def meeting(q: StagesInputs) -> list[Reading]:
-    """Readings with k_1 within 1 % of the printed value, sorted by distance from it."""
+    """Readings with k_1 within 1 % of the printed value, sorted by the size of the difference."""
     near = sorted(readings(q), key=lambda x: abs(x.off))
     return [x for x in near if abs(x.off) <= MET]
 
 
 def chosen(q: StagesInputs) -> Reading:
-    """The reading with the nearest k_1 of the sixteen readings without a given factor."""
+    """The reading with the k_1 nearest to Eq. 10 among the sixteen without a given factor."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
 def keeps(key: str, figure: float) -> Margin:
-    """Function that returns the margin of the difference from Eq. 10 below `figure`.
+    """Function that returns the margin by which a difference from Eq. 10 is below `figure`.
 
     The difference is that of k1, k2, U or F (`key`) of the reading with the nearest k_1.
     """
@@ -148,7 +148,7 @@ NOTE = (
 
 
 def predictions(q: StagesInputs) -> str:
-    """Text: readings with the printed k_1, and the differences of their predictions."""
+    """Text with all readings that give the printed k_1, and their deviations from Eq. 10."""
     found = meeting(q)
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."

@@ -41,7 +41,7 @@ def relative_uncertainty(context: Context, key: str, formal: float | None = None
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Relative standard uncertainty of factors on the mesh of the sweep, against the finest mesh.
+    """Relative standard uncertainty of the factors on the sweep's mesh, from the finest mesh.
 
     The difference is taken at the width of the inputs and at the narrowest width.
     """
@@ -62,21 +62,21 @@ def limits(context: Context) -> tuple[float, float]:
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Width over thickness, relative excess of plane stress over the shell, and uncertainty."""
+    """Width over thickness, relative excess of the plane-stress factor over f, uncertainty."""
     h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Leaf length over width, relative excess of plane strain over the shell, and uncertainty."""
+    """Leaf length over width, relative excess of the plane-strain factor over f, uncertainty."""
     h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
 def at_end(which: int) -> OfContext:
-    """Function that returns limit and factor at the narrow (0) or wide (-1) end of the sweep."""
+    """Function that returns limit value and factor at the narrow (0) or wide (-1) end."""
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
@@ -158,7 +158,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Function that returns the margin of the difference from the paper's shell below MET."""
+    """Function that returns MET minus the relative difference of k_1 from the paper's shell."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM

@@ -65,12 +65,12 @@ def key_of(tail: Tail, head: Head) -> str:
 
 
 def thread(q: WidthInputs) -> float:
-    """Unit of the widths [m] of narrow springs: the larger of b and THREAD times a leaf length."""
+    """Unit [m] for the widths of narrow springs: the larger of b and THREAD times leaf length."""
     return max(q.b, THREAD * q.leaf)
 
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
-    """Widths [m] of the loop as a shell and as a solid; the last is the width of the inputs."""
+    """Widths [m] of the loops that are computed as shell and as solid, by name."""
     return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"given": q.h}
 
 
@@ -210,7 +210,7 @@ def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
 
 
 def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
-    """Ratio of the stiffness of a loop of width h to that in plane strain; mesh and solution."""
+    """Ratio of a loop's stiffness to that in plane strain, with its mesh and solution."""
     path = fem_loop(q)
     mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
     solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
@@ -257,7 +257,7 @@ NEAREST = (0, 6, 8, 2)  # Gauss point in each quarter, the second coordinate run
 
 
 def loop_field(mesh: "ShellMesh", solved: "ShellSolution") -> Field:
-    """Fields of half the width of the loop, with 2 N on the whole width."""
+    """Displacement and bending stress of half the loop's width, under 2 N on the whole width."""
     cells = mesh.cells[:, QUARTERS].reshape(-1, 4)
     stress = solved.bending_stress[:, NEAREST].reshape(-1, 3, 3)
     return Field(
