@@ -1,4 +1,4 @@
-"""Ratios as indices of quantities, and a limit for slender strips; common to spring cases."""
+"""Common to spring cases: ratios in names of quantities, and a limit for slender strips."""
 
 from verify.cases.spring.inputs import SpringInputs
 
@@ -6,7 +6,7 @@ MOST_SLENDER = 16_000  # unfolded length over thickness
 
 
 class Share(float):
-    """Ratio that serves as an index of quantities."""
+    """Ratio whose text can be part of the name of a quantity: 0.3 as 0_3."""
 
     def __str__(self) -> str:
         return f"{self:g}".replace(".", "_")

@@ -203,7 +203,7 @@ class FreewheelFriction(Pulled):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the clutch slips, or if axial forces tilt the rollers: one end lifts off."""
+        """Warnings on slip, and on axial forces that tilt the rollers so that one end lifts off."""
         light = str(criterion.traffic_light(self.safety))
         if not self.bears_axial_load:
             yield (

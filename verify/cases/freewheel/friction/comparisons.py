@@ -26,7 +26,7 @@ COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Rows on friction at full slip without and with axial load, on the cone and wedge angles."""
+    """Rows on friction at full slip without and with axial load, on the cone, on wedge angles."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)

@@ -39,7 +39,7 @@ def too_near(q: TransferRotor) -> list[Critical]:
 
 
 def distance(q: TransferRotor, speed: float) -> float:
-    """Signed relative distance from the operating speeds: 0 inside, negative below them."""
+    """Signed relative distance of `speed` from the operating speeds: 0 inside, negative below."""
     if speed < q.speed_from:
         return speed / q.speed_from - 1
     return speed / q.speed_to - 1 if speed > q.speed_to else 0.0

@@ -70,7 +70,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """p_max of Fig. 12's optimal crown over that of its worst, minus 1; uncertainty, text.
+    """p_max of Fig. 12's optimal crown divided by that of its worst, minus 1; with text.
 
     Both are pressures at the first peak at 25 N m.
     """

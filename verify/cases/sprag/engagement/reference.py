@@ -141,7 +141,7 @@ def partner_fem(
 
 
 def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
-    """Largest N [N] and its time [s] for each engagement by LSODA, up to after the first peak.
+    """Largest N [N] and its time [s] for each engagement by LSODA, until after the first peak.
 
     The residual is the relative change with half of the states and a hundredfold tolerance.
     """

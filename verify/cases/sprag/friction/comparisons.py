@@ -51,7 +51,10 @@ class Ended(Partnered):
 
 
 def at_tan(context: Context) -> Pair:
-    """Ratio of the smallest friction for locking to tan(nu), most different from 1, and 1."""
+    """Ratio of the smallest friction for locking to tan(nu), and its expected value 1.
+
+    The ratio is taken at the one of three torques where it differs most from 1.
+    """
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
     words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
     found = farthest(np.ones_like(ratio), ratio, 0.0)

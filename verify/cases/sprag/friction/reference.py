@@ -84,7 +84,7 @@ def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
 
 
 def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
-    """Smallest friction coefficient for locking, and half of the interval that contains it."""
+    """Smallest friction coefficient for locking, and half the width of its bracket."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
     duration = settled(q)
@@ -97,7 +97,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Torques [N m], smallest friction for locking over tan(nu), and half of its interval."""
+    """Torques [N m], smallest friction for locking over tan(nu), half widths of brackets."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)

@@ -52,7 +52,8 @@ def grid(q: CurveInputs, states: int) -> Array:
 def solve(q: CurveInputs, level: int) -> Level:
     """Initial stiffness on a level.
 
-    Three of the levels also have the coarse curve, the readings, and the fine curve.
+    Level COARSE also has the coarse curve and its variants, level READINGS the readings of the
+    paper, and level FINE the fine curve.
     """
     own = spring_of(q)
     rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)

@@ -62,21 +62,21 @@ def limits(context: Context) -> tuple[float, float]:
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Width over thickness, relative excess of the plane-stress factor over f, uncertainty."""
+    """Width over thickness, relative difference of plane stress from the shell, uncertainty."""
     h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Leaf length over width, relative excess of the plane-strain factor over f, uncertainty."""
+    """Leaf length over width, relative difference of plane strain from the shell, uncertainty."""
     h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
 def at_end(which: int) -> OfContext:
-    """Function that returns limit value and factor at the narrow (0) or wide (-1) end."""
+    """Function that returns limit and factor at the sweep's narrow (0) or wide (-1) end."""
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
