@@ -26,7 +26,7 @@ def rigid_force(q: OneClutch) -> float:
 def given_angle(q: OneClutch) -> float:
     """Angle psi [rad] at which the sum of both approaches is `GIVEN` N_0/(L E').
 
-    It lies beyond the angle at N_0.
+    This angle lies beyond the angle at N_0.
     """
     d = GIVEN * rigid_force(q) / q.L * (1 - q.nu**2) / q.E
     return overlapping(q, d / 2, d / 2).psi

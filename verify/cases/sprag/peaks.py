@@ -80,7 +80,7 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
     """N_max [N] and pressures [Pa] of a task's crowns, or the reason why the clutch fails to lock.
 
-    Raises another error if an engagement cannot be solved: this does not mean that it slips.
+    Raises another error if an engagement cannot be solved, which does not mean that it slips.
     """
     q, torques, crowns, by = task
     try:

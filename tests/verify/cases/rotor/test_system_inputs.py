@@ -30,7 +30,7 @@ from verify.core.inputs import InputError
         (changed(shafts=[*RAW["shafts"], {"name": "third"}]),
          "inputs.shafts[3]: shaft third must have at least one segment"),
         (changed(segments=[]), "inputs: a rotor must have at least one shaft with one segment"),
-        (changed(segments=RAW["segments"] * 13), "inputs: the segments have 158 nodes, but at most"),
+        (changed(segments=RAW["segments"] * 13), "inputs: the segments have 158 nodes; at most"),
         (changed("discs", 4, drop=["width"]),
          "inputs.discs[4]: requires mass, polar and diametral, or d_o and width of a cylinder"),
         (changed("discs", 4, d_i="220 mm"),

@@ -10,8 +10,9 @@ from verify.core.case import Values
 def light(q: ClutchInputs, v: Values) -> str:
     """Class by the worst limit: "free", "green", "overloaded", "yellow" or "red".
 
-    Red also if torque alone releases the rollers, or if they are beyond the flats' ends;
-    overloaded if friction holds and pressure or tilt is beyond its limit.
+    The class is also red if the torque alone releases the rollers, or if the rollers are beyond the
+    ends of the flats. The class is overloaded if friction holds, but pressure or tilt is beyond its
+    limit.
     """
     if q.T < 0:
         return "free"

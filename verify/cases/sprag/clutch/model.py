@@ -82,8 +82,9 @@ def grip(q: SpragInputs) -> SpragClutchLimits:
 def low_friction(q: SpragInputs) -> float:
     """Friction coefficient with which the contacts slip at about 2 T; nan without a state.
 
-    Its excess over tan(nu_0) is twice the excess that T requires. With the friction of the paper,
-    no torque makes the contacts slip, because the wedge angle of the spiral is nearly constant.
+    The excess of this coefficient over tan(nu_0) is twice the excess that T requires. With the
+    friction of the paper, no torque makes the contacts slip, because the wedge angle of the spiral
+    is nearly constant.
     """
     now = under(q)
     required = math.nan if now is None else float(np.tan(float(now.nu)))

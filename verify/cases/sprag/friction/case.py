@@ -21,9 +21,9 @@ SURE = 1.1  # over the required friction
 class SpragFriction(FrictionFormulas):
     """Sprags lock if the friction coefficient exceeds tan ν of the wedge; otherwise they slip.
 
-    This is verified by the Runge-Kutta steps of the paper, in closed form and by LSODA with events.
-    A contact sticks if its sliding speed is within a narrow band. Time steps that are too long
-    skip this band and give wrong forces without any sign of it; a guard rejects such steps.
+    This limit is verified by the Runge-Kutta steps of the paper, in closed form and by LSODA with
+    events. A contact sticks if its sliding speed is within a narrow band. Time steps that are too
+    long skip this band and give wrong forces without any sign of it; a guard rejects such steps.
     """
 
     id = "sprag-friction"

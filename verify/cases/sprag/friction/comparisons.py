@@ -89,7 +89,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 def never_idle(context: Context) -> tuple[float, float, str]:
     """Amount by which the smallest median error of rejected runs exceeds GUARDED, with text.
 
-    It is positive if the guard rejects no correct result.
+    The amount is positive if the guard rejects no correct result.
     """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]

@@ -30,7 +30,7 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
     """The optimal crown under the larger torque; all crowns have the same design load Q.
 
-    It is compared with the optimal crown under the smaller torque.
+    The optimal crown is compared with that under the smaller torque.
 
     The paper calls the sprag without a crown the unmodified profile, and the crown of Eq. 22 the
     optimized profile. Here the crown of Eq. 22 is called the printed crown (for other inputs: the

@@ -53,7 +53,7 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
 
     All values are zero if b >= r. The secant stiffnesses are zero if the guided spring becomes
     unstable before the largest displacement.
-    Raises ArithmeticError if an equilibrium path is not found; this states nothing on the spring.
+    Raises ArithmeticError if an equilibrium path is not found, which is no property of the spring.
     """
     from fem.beam.pressed_path import UnstableError, stable_forces
 
