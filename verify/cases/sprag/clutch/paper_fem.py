@@ -70,8 +70,8 @@ def paper_fem() -> dict[str, Array]:
 def fitted_angle_fem() -> float | None:
     """Wedge angle [rad] that gives the pressure printed at 25 N m with the optimal crown.
 
-    The result is None if no angle within ANGLES gives this pressure. Raises an error if an engagement has
-    no solution.
+    The result is None if no angle within ANGLES gives this pressure. Raises an error if an
+    engagement has no solution.
     """
     T = TORQUES[0]
 
