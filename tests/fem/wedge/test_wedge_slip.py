@@ -44,7 +44,7 @@ def around(state):
     ("make", "words"),
     [
         (lambda: first_contact(Q.R_i, Q.R_e, Q.r_i, 1.4),
-         r"no spiral between the races has the wedge angle 1.4 rad"),
+         r"no spiral between the races has the wedge angle nu_0 = 1.4 rad"),
         (lambda: guessed(Q, 0.0), "does not touch both races"),  # not turned
         (lambda: at_force(Q, 10 * P), "flank"),  # turned off its profile
     ],

@@ -31,7 +31,10 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """Amount by which the error of 20 elements is below `WITHIN_PRINTED`; uncertainty, text."""
+    """Amount by which the error of 20 elements is below `WITHIN_PRINTED`.
+
+    The uncertainty and the text of the row are also returned.
+    """
     error = largest_error(context, 0, FREQUENCIES)
     return WITHIN_PRINTED - error, 0.0, f"20 elements differ by at most {error:.1e}"
 

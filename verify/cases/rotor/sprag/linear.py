@@ -82,9 +82,10 @@ def linear(context: Context) -> Pair:
 
 
 def never_between(context: Context) -> tuple[float, str]:
-    """Smallest relative rise of node 19's peak from U_2 = 3e-5 to 5e-5 kg m, with text.
+    """Smallest relative rise of node 19's peak from U_2 = 3e-5 to 5e-5 kg m.
 
-    Only members whose peak rises from 1e-5 to 3e-5 kg m are counted; -1 if there are none.
+    Only members whose peak rises from 1e-5 to 3e-5 kg m are counted; -1 if there are none. The text
+    of the row is also returned.
     """
     peaks = arrays(context)["peaks"][:, :, 1, 18]
     peaks = peaks[np.isfinite(peaks).all(axis=1)]
@@ -101,10 +102,10 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Positive margin if the printed nodes of highest peak and of unbalance 1 differ, with text.
+    """Positive margin if the printed nodes of highest peak and of unbalance 1 differ.
 
     The text states in how many sets node 11 has the highest peak, with unbalance 1 at node 4
-    (figure) and at node 11 (text of the paper).
+    (figure) and at node 11 (text of the paper). The text of the row is also returned.
     """
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))

@@ -28,9 +28,10 @@ def rectangle(q: EngagementInputs) -> tuple[float, float]:
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Distance of the length from the ends of its interval, relative to the length, with text.
+    """Distance of the length from the ends of its interval, relative to the length.
 
-    The interval follows from rounding of m_g and I_g.
+    The interval follows from rounding of m_g and I_g. The uncertainty and the text of the row are
+    also returned.
     """
     q = context.inputs
     w, l = rectangle(q)  # noqa: E741
@@ -57,7 +58,10 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """0.5 % minus the change of N_max if b is replaced by the width of the rectangle; text."""
+    """0.5 % minus the change of N_max if b is replaced by the width of the rectangle.
+
+    The uncertainty and the text of the row are also returned.
+    """
     narrow = float(measured(context)["narrow"][0])
     change = narrow / float(measured(context)["N_max"][0]) - 1
     w, _ = rectangle(context.inputs)
@@ -70,7 +74,10 @@ def width(context: Context) -> tuple[float, float, str]:
 
 
 def preload(context: Context) -> tuple[float, float, str]:
-    """Amount by which the ratio of spring force to static force is below 0.01, with text."""
+    """Amount by which the ratio of spring force to static force is below 0.01.
+
+    The uncertainty and the text of the row are also returned.
+    """
     share = context.analytic["N_0"] / context.analytic["N"]
     return 0.01 - share, 0.0, f"{share:.2%} of N"
 
@@ -88,7 +95,10 @@ def at_rest(context: Context) -> Pair:
 
 
 def first_is_largest(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the second peak is below the first; uncertainty, text."""
+    """Relative amount by which the second peak is below the first.
+
+    The uncertainty and the text of the row are also returned.
+    """
     found = measured(context)
     share = found["second peak"] / found["first peak"]
     words = f"second peak over first peak: {share[0]:.3f} at 25 N m, {share[1]:.3f} at 40 N m"
@@ -96,7 +106,10 @@ def first_is_largest(context: Context) -> tuple[float, float, str]:
 
 
 def deeper_is_lower(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max from K_1 = 1 to K_1 = 3 (Fig. 13), uncertainty, text."""
+    """Relative reduction of p_max from K_1 = 1 to K_1 = 3 (Fig. 13).
+
+    The uncertainty and the text of the row are also returned.
+    """
     shallow, deep = measured(context)["Fig. 13"] / 1e6
     return (
         float(1 - deep / shallow),
@@ -106,9 +119,10 @@ def deeper_is_lower(context: Context) -> tuple[float, float, str]:
 
 
 def ends_carry(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the end pressure exceeds the pressure at mid-length, with text.
+    """Relative amount by which the end pressure exceeds the pressure at mid-length.
 
-    Both are pressures at the peak, without a crown.
+    Both are pressures at the peak, without a crown. The uncertainty and the text of the row are
+    also returned.
     """
     end, middle = measured(context)["flat, ends"] / 1e6
     return (

@@ -114,7 +114,10 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max by the optimal crown of Eq. 19 instead of the given; text."""
+    """Relative reduction of p_max if the optimal crown of Eq. 19 replaces the given crown.
+
+    The uncertainty and the text of the row are also returned.
+    """
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
     p, given = float(found["box p"][k]), q.p_peak

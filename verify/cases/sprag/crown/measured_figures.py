@@ -48,10 +48,11 @@ def first_peaks(found: Mapping[str, Array]) -> str:
 
 
 def highest_and_lowest(context: Context) -> tuple[float, float, str]:
-    """Smallest margin of the order of Fig. 12 under the static load, uncertainty, text.
+    """Smallest margin by which crowns have the order of Fig. 12 under the static load.
 
     The optimal crown must have the lowest pressure of all printed crowns and the worst crown the
-    highest, both by slices and by strips.
+    highest, both by slices and by strips. The uncertainty and the text of the row are also
+    returned.
     """
     found, N = arrays(context), context.inputs.N
     best, worst = map(number, FIG_12)
@@ -70,9 +71,10 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """p_max of Fig. 12's optimal crown divided by that of its worst, minus 1; with text.
+    """p_max of Fig. 12's optimal crown divided by that of its worst, minus 1.
 
-    Both are pressures at the first peak at 25 N m.
+    Both are pressures at the first peak at 25 N m. The uncertainty and the text of the row are also
+    returned.
     """
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
@@ -85,9 +87,10 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
 
 
 def first_and_trough(context: Context) -> tuple[float, float, str]:
-    """Smaller of two margins for K_1 = 1, uncertainty, text.
+    """Smaller of the margins of two statements on the end pressure for K_1 = 1.
 
     At the peak, the pressure is higher at the ends than at mid-length; at the trough it is lower.
+    The uncertainty and the text of the row are also returned.
     """
     peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
     words = (
@@ -126,7 +129,10 @@ def order_at(which: int) -> Margin:
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """Ratio of p_max of Fig. 14's crown `which` to the lowest of Eq. 19, minus 1, with text."""
+    """Ratio of p_max of Fig. 14's crown `which` to the lowest of Eq. 19, minus 1.
+
+    The text of the row is also returned.
+    """
     T, found = (10, 30)[which], arrays(context)
     p = found["many p"][:, AT[T]]
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
@@ -144,7 +150,10 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 
 
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """Ratio of p_max of Fig. 14's crown to the lowest at 30 N m, minus 1; uncertainty, text."""
+    """Ratio of p_max of Fig. 14's crown to the lowest at 30 N m, minus 1.
+
+    The uncertainty and the text of the row are also returned.
+    """
     above, words = above_lowest(context, 1)
     N = arrays(context)["many N"][:, AT[30]].mean() / crowned_for(context.inputs)
     return above, STEP, f"{words}; N_max/Q = {N:.2f}"
@@ -157,9 +166,10 @@ def lowest(context: Context) -> Array:
 
 
 def grows_with_torque(context: Context) -> tuple[float, float, str]:
-    """Increase, over the range of torques, of K_1 of the crown with the lowest p_max; text.
+    """Increase of K_1 of the crown with the lowest p_max from the smallest to the largest torque.
 
-    If K_1 decreases between two torques, the largest decrease is returned instead.
+    If K_1 decreases between two torques, the largest decrease is returned instead. The uncertainty
+    and the text of the row are also returned.
     """
     found, best = arrays(context), lowest(context)
     ratio = found["many N"].mean(axis=0) / crowned_for(context.inputs)

@@ -13,9 +13,10 @@ WITHIN = 5e-3
 
 
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
-    """Amount by which the relative spread of p_max by slices is below WITHIN; uncertainty, text.
+    """Amount by which the relative spread of p_max by slices is below WITHIN.
 
-    The text also states the pressures by strips.
+    The text also states the pressures by strips. The uncertainty and the text of the row are also
+    returned.
     """
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM

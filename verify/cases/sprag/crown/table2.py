@@ -74,7 +74,10 @@ def cut_off(_context: Context) -> tuple[float, float, str]:
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Mean square of the differences minus SURE² times the mean MSE [Pa²]; uncertainty, text."""
+    """Mean square of the differences minus SURE² times the mean MSE [Pa²].
+
+    The uncertainty and the text of the row are also returned.
+    """
     d = np.array([cell(k, "actual") - cell(k, "predicted") for k in ROWS if k != SAMPLE])
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
@@ -87,9 +90,10 @@ def too_small(_context: Context) -> tuple[float, float, str]:
 
 
 def is_a_sample(_context: Context) -> tuple[float, float, str]:
-    """Positive margin [Pa²] if error and MSE of row 4 are zero, otherwise negative; with text.
+    """Positive margin [Pa²] if error and MSE of row 4 are zero, otherwise negative.
 
-    The magnitude of the margin is the smallest MSE of the other rows.
+    The magnitude of the margin is the smallest MSE of the other rows. The uncertainty and the text
+    of the row are also returned.
     """
     others = min(cell(k, "mse") for k in ROWS if k != SAMPLE)
     same = cell(SAMPLE, "mse") == 0 and relative_error(SAMPLE) == 0

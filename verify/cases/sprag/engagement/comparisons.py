@@ -74,7 +74,10 @@ def expected(
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Largest difference of N(t) from LSODA, relative to N_max; uncertainty, text."""
+    """Largest difference of N(t) from LSODA, relative to N_max.
+
+    The uncertainty and the text of the row are also returned.
+    """
     last = context.fem[-1]
     d = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
     worst = float(np.abs(d).max() / last.values["N_max"])
@@ -90,16 +93,20 @@ def halving(context: Context) -> Pair:
 
 
 def order(context: Context) -> tuple[float, float, str]:
-    """Margin of the convergence order of N(t) about 4, uncertainty, text.
+    """Margin of the convergence order of N(t) about 4.
 
-    The cubics of the force table have a discontinuous curvature, which changes the order.
+    The cubics of the force table have a discontinuous curvature, which changes the order. The
+    uncertainty and the text of the row are also returned.
     """
     fit = fit_order(list(ORDER), context.fem[-1].arrays["order"].tolist())
     return NEAR - abs(fit.order - 4), 2 * fit.u, f"order {fit.order:.2f}, theory 4"
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
-    """Margin by which the paper's crowns change the largest force by less than CROWN; text."""
+    """Margin by which the paper's crowns change the largest force by less than CROWN.
+
+    The uncertainty and the text of the row are also returned.
+    """
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
     words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
@@ -107,7 +114,10 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """Margin by which other centroids change the largest force by less than CENTROID; text."""
+    """Margin by which other centroids change the largest force by less than CENTROID.
+
+    The uncertainty and the text of the row are also returned.
+    """
     v = context.fem[-1]
     worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
     return CENTROID - worst, 0.0, f"N_max changes by {worst:.1e} with two other centroids"
@@ -134,7 +144,10 @@ def sliced(context: Context) -> Pair:
 
 
 def liu(context: Context) -> tuple[float, float, str]:
-    """Relative increase of the largest force with rigid races, uncertainty, text."""
+    """Relative increase of the largest force with rigid races.
+
+    The uncertainty and the text of the row are also returned.
+    """
     q, v, w = context.inputs, context.fem[-1].values, wedge(context.inputs)
     now = w.states.yields
     share = float((now.race_i + now.race_e)[-1] / now.H[-1])
@@ -148,7 +161,10 @@ def liu(context: Context) -> tuple[float, float, str]:
 
 
 def first(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the highest later peak is below the first; uncertainty, text."""
+    """Relative amount by which the highest later peak is below the first.
+
+    The uncertainty and the text of the row are also returned.
+    """
     v = context.fem[-1].values
     share = v["later peak"] / v["first peak"]
     return 1 - share, LSODA, f"the highest later peak is {share:.3f} of the first"

@@ -62,15 +62,19 @@ def at_tan(context: Context) -> Pair:
 
 
 def refused(context: Context) -> tuple[float, float, str]:
-    """Margin +1 if the guard rejects the narrow band, otherwise -1; uncertainty, text."""
+    """Margin +1 if the guard rejects the narrow band, otherwise -1.
+
+    The uncertainty and the text of the row are also returned.
+    """
     refuses, _ = context.fem[-1].arrays["narrow"]
     return 2 * refuses - 1, 0.0, "rejected" if refuses else "not rejected"
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """Amount by which the spread of N_max without the guard exceeds SPREAD, with text.
+    """Amount by which the spread of N_max without the guard exceeds SPREAD.
 
-    The spread is that over nearly equal torques, as a share of the correct force.
+    The spread is that over nearly equal torques, as a share of the correct force. The uncertainty
+    and the text of the row are also returned.
     """
     found = context.fem[-1].arrays
     share = found["unguarded"] / found["narrow"][1]
@@ -79,7 +83,10 @@ def unguarded(context: Context) -> tuple[float, float, str]:
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
-    """Largest relative error of N_max over all runs that the guard accepts; uncertainty, text."""
+    """Largest relative error of N_max over all runs that the guard accepts.
+
+    The uncertainty and the text of the row are also returned.
+    """
     passed = context.fem[-1].arrays["guard"]
     passed = passed[passed[:, 3] == 0]
     worst = float(np.abs(passed[:, 4]).max())
@@ -87,9 +94,10 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Amount by which the smallest median error of rejected runs exceeds GUARDED, with text.
+    """Amount by which the smallest median error of rejected runs exceeds GUARDED.
 
-    The amount is positive if the guard rejects no correct result.
+    The amount is positive if the guard rejects no correct result. The uncertainty and the text of
+    the row are also returned.
     """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]

@@ -26,7 +26,10 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """NEAR minus the relative excess of the printed crown's p_max over the lowest; with text."""
+    """NEAR minus the relative excess of the printed crown's p_max over the lowest.
+
+    The uncertainty and the text of the row are also returned.
+    """
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
         f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa with "
@@ -81,9 +84,10 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """FLAT minus the relative difference of the p_max of Lundberg's crown from the lowest; text.
+    """FLAT minus the relative difference of the p_max of Lundberg's crown from the lowest.
 
-    Lundberg's crown is that for N_max (K_1 = N_max/Q).
+    Lundberg's crown is that for N_max (K_1 = N_max/Q). The uncertainty and the text of the row are
+    also returned.
     """
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
@@ -96,7 +100,7 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """Smaller of the changes of each line before and after its minimum, over the minimum, (n,)."""
+    """Smaller of the changes of each line before and after its minimum, relative to it, (n,)."""
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
@@ -109,9 +113,10 @@ def factorial(context: Context) -> Array:
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Smallest change of p_max before or after the minimum along K_1; uncertainty, text.
+    """Smallest change of p_max before or after the minimum along K_1.
 
-    The lines are those of both maps. The line of the lowest z_m is left out.
+    The lines are those of both maps. The line of the lowest z_m is left out. The uncertainty and
+    the text of the row are also returned.
     """
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
@@ -195,7 +200,10 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max at the larger torque minus that at the smaller torque; text."""
+    """Relative reduction of p_max at the larger torque minus that at the smaller torque.
+
+    The uncertainty and the text of the row are also returned.
+    """
     more, less = reductions(measured(context))
     return (
         float(more - less),
@@ -205,7 +213,10 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Relative excess of p_max with the other torque's optimal crown over the lowest; text."""
+    """Relative excess of p_max with the other torque's optimal crown over the lowest.
+
+    The uncertainty and the text of the row are also returned.
+    """
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 

@@ -114,9 +114,10 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """Smallest relative increase of p_max per refinement, minus GROWS; uncertainty, text.
+    """Smallest relative increase of p_max per refinement, minus GROWS.
 
-    The crown is the optimal crown by slices.
+    The crown is the optimal crown by slices. The uncertainty and the text of the row are also
+    returned.
     """
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
@@ -145,9 +146,10 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of half-space pressure by the crown with unloaded ends; with text.
+    """Relative reduction of half-space pressure by the crown with unloaded ends.
 
-    The reduction is relative to the printed crown.
+    The reduction is relative to the printed crown. The uncertainty and the text of the row are also
+    returned.
     """
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")

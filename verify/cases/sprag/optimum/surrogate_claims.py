@@ -195,7 +195,10 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """BLIND minus the ratio of leave-one-out estimate to true error of a single kriging; text."""
+    """BLIND minus the ratio of leave-one-out estimate to true error of a single kriging.
+
+    The uncertainty and the text of the row are also returned.
+    """
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())
@@ -203,7 +206,10 @@ def blind(context: Context) -> tuple[float, float, str]:
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """One half minus the ratio of the errors of separate kriging and single kriging; text."""
+    """One half minus the ratio of the errors of separate kriging and single kriging.
+
+    The uncertainty and the text of the row are also returned.
+    """
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
     return 0.5 - two / one, 0.0, f"mean error {two:.2%}, with a single kriging {one:.2%}"
 

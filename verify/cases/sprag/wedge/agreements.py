@@ -77,7 +77,10 @@ def force_ratio_bent(key: str) -> Function:
 
 
 def keeps_its_angle(context: Context) -> tuple[float, float, str]:
-    """1 % minus the relative change of T_i/N_i over the stroke; uncertainty, text."""
+    """1 % minus the relative change of T_i/N_i over the stroke.
+
+    The uncertainty and the text of the row are also returned.
+    """
     spread = [
         max(s) / min(s) - 1
         for s in ([r.values[f"mu_i_{k}"] for k in KEYS.values()] for r in context.fem[-2:])

@@ -31,16 +31,20 @@ def by_cube(context: Context) -> Pair:
 
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
-    """Ratio of largest to smallest U_cr/L_0 of springs with equal L_0/b, minus 5, with text."""
+    """Ratio of largest to smallest U_cr/L_0 of springs with equal L_0/b, minus 5.
+
+    The uncertainty and the text of the row are also returned.
+    """
     xi = stored(context, "same_ratio")
     return (float(xi.max() / xi.min() - 5), 0.01,
             f"U_cr/L_0 from {xi.min():.2%} to {xi.max():.1%} at L_0/b = {RATIO:g}")  # fmt: skip
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant while a free head is compressed, with text.
+    """Function that returns the smallest determinant while a free head is compressed.
 
-    The determinant is relative to that of the unloaded spring and vanishes at a critical point.
+    The determinant is relative to that of the unloaded spring and vanishes at a critical point. The
+    uncertainty and the text of the row are also returned.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:

@@ -112,7 +112,10 @@ def balance(context: Context) -> tuple[float, float, str]:
 
 
 def retraced(context: Context) -> tuple[float, float, str]:
-    """Largest relative difference of unloading and loading forces without friction, with text."""
+    """Largest relative difference of unloading and loading forces without friction.
+
+    The uncertainty and the text of the row are also returned.
+    """
     U, F, _ = stored(context, "there and back")
     off = two_lines.retraced(U, F)
     return off, 0.0, f"unloading forces differ from loading forces by {off:.1e}"
@@ -130,7 +133,10 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Ratio of the final slope to k_2, minus STIFFER; nan if the curve ends early; with text."""
+    """Ratio of the final slope to k_2, minus STIFFER; nan if the curve ends early.
+
+    The uncertainty and the text of the row are also returned.
+    """
     U, F, _ = curve(context)
     if ends_early(context):
         return np.nan, 0.0, f"no result: no equilibrium was found beyond {U[-1] / mm:.4g} mm"
@@ -155,7 +161,10 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
 
 
 def nearest(context: Context) -> tuple[float, float, str]:
-    """Smallest error of k_1 by another reading, minus that by the inputs' reading; with text."""
+    """Smallest error of k_1 by another reading, minus that by the inputs' reading.
+
+    The uncertainty and the text of the row are also returned.
+    """
     q: CurveInputs = context.inputs
     given = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
     off = {
@@ -171,7 +180,10 @@ def nearest(context: Context) -> tuple[float, float, str]:
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """FORCE minus the largest relative difference of F(U) from Eq. 10 at 1 to 17 mm; text."""
+    """FORCE minus the largest relative difference of F(U) from Eq. 10 at 1 to 17 mm.
+
+    The uncertainty and the text of the row are also returned.
+    """
     U, off = deviations(context, FINE)
     worst = int(np.argmax(abs(off)))
     u = float(abs(off - deviations(context, COARSE)[1]).max())

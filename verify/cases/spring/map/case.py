@@ -84,7 +84,7 @@ class MapSpring(MapFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: elastica and Eq. 9 against beams; statements of the paper on Eqs. 1-9."""
+        """Rows of elastica and Eq. 9 against beams, and of the paper's statements on Eqs. 1-9."""
         spring = MapSpring
         exact: dict[str, Any] = {"order": 4, "sensitivity": EXACT, "shares": SHARED}
         for share in PARTS:

@@ -24,7 +24,10 @@ def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
 
 
 def within_claim(context: Context) -> tuple[float, float, str]:
-    """10 % minus the largest error at small displacement for L_0/b of at least 240; text."""
+    """10 % minus the largest error at small displacement for L_0/b of at least 240.
+
+    The uncertainty and the text of the row are also returned.
+    """
     q = context.inputs
     cells = points(q, deep=False)["slender"]
     m = errors(q, cells, stored(context, "slender"))[..., 0]
@@ -47,9 +50,10 @@ def falls(context: Context) -> tuple[float, float, str]:
 
 
 def free_head(context: Context) -> tuple[float, float, str]:
-    """One third minus the ratio of the force with a free head to that by Eq. 9; text.
+    """One third minus the ratio of the force with a free head to that by Eq. 9.
 
-    The forces are those at a displacement of 0.3 of the length.
+    The forces are those at a displacement of 0.3 of the length. The uncertainty and the text of the
+    row are also returned.
     """
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
