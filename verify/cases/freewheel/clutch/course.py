@@ -76,7 +76,7 @@ def tilted(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
-    """Text with the next limit and the one after it, if near, each with its ratio to the load."""
+    """Text with the next limit and, if near, the limit after it, with their ratios to the load."""
     parts, written = [], newton if symbol == "F_ax" else newton_metres
     for k, limit in enumerate(limits[:2]):
         if limit.at > FAR * max(limits[0].at, now):

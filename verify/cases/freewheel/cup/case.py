@@ -262,7 +262,7 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """A row with the sensitivity `demand`; a demand near the suite's is for user inputs only.
+        """Row on `q` with the required sensitivity `demand`.
 
         For a user's cup, the interval may be too wide for judging.
         """

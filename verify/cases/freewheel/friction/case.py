@@ -144,7 +144,7 @@ class FreewheelFriction(Pulled):
 
     @property
     def within(self) -> FrictionBounds:
-        """Error bounds of the criterion under these loads."""
+        """Error bounds of the criterion under the loads of the inputs."""
         return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
 
     def comparisons(self) -> Iterator[Comparison]:

@@ -31,7 +31,7 @@ RULE = "rule used as printed, not derived: an average over the runs of clutch A 
 
 
 def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
-    """mu_req of finite elements and by Eq. 9, at their angle and loads, for states of a path."""
+    """mu_req by finite elements, and by Eq. 9 at the angle and loads of these; states of a path."""
     arrays, q = context.fem[at].arrays, context.inputs
     (tan, T, unit), table = arrays["at rest"], arrays[name]
     found = criterion.required_friction_of_contact(

@@ -100,7 +100,7 @@ def classes(context: Context, case: int) -> Zones:
 
 
 def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
-    """Whether first, times and mu_req of each interval without overrunning."""
+    """Times and mu_req of each interval without overrunning, with True for the first one."""
     known = ~np.isnan(course.mu_req)
     starts = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
     return [

@@ -167,7 +167,7 @@ def _timoshenko_limit(beam: BeamTheories) -> Points:
 
 
 def _within_ceiling(beam: BeamTheories, context: Context) -> Pair:
-    """Frequencies of Timoshenko's beam and the body, at their largest difference, modes 1 to 3."""
+    """Frequencies of Timoshenko's beam and the body in the mode (1 to 3) of largest difference."""
     runs = [context.series(f"solid_at_rest_{j}")[1] for j in MODES]
     beams, bodies = (np.array(v) for v in ([beam.at_rest(j) for j in MODES],
                                            [v[-1] for v in runs]))  # fmt: skip
@@ -220,7 +220,7 @@ def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], li
 
 
 def _sense(context: Context) -> tuple[float, float, str]:
-    """Smallest relative excess of forward over backward whirl; -1 if elements name them wrongly."""
+    """Smallest splitting of mode 1 over its forward frequency; -1 if senses of whirl are wrong."""
     v = context.fem[-1].values
     share = [v[f"{name}_split"] / v[f"{name}_whirl_1_forward"]
              for name in ("beam_timoshenko", "weak_timoshenko", "solid")]  # fmt: skip

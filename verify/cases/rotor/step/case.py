@@ -233,7 +233,7 @@ class SteppedBeam(SteppedShaft):
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
-        """Excess of the error at the step over 0.3 %."""
+        """Amount by which the error at the step exceeds 0.3 %."""
         (m, *_), U = self._errors(context, self)
         return float(m) - CLAIMED, U, f"{m:+.2%} in mode 1"
 

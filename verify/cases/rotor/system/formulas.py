@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def _found(group: int) -> Any:
-    """Function that returns whether a rotor has critical speed `k` of the group."""
+    """Function that returns whether the unbalance `group` excites a critical speed number `k`."""
 
     def has(q: Any, k: int) -> bool:
         excited = q.study.excited

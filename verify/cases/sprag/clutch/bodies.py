@@ -20,7 +20,7 @@ def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
 
 
 def centrifugal_force(q: EngagementInputs) -> float:
-    """Centrifugal force [N] on a sprag at the speed n, with its mass midway between the races."""
+    """Centrifugal force [N] on a sprag at the speed n; the mass is midway between the races."""
     return q.m_g * q.n**2 * (q.R_i + q.R_e) / 2
 
 

@@ -28,7 +28,7 @@ SAME_LAWS = "deflections by the laws of Eqs. 2-8"
 
 @dataclass(frozen=True, kw_only=True)
 class ByDrawn(Identity):
-    """Row on a value against the numerical profile, if both exist."""
+    """Row on a value against the numerical profile, if value and profile exist."""
 
     by: str = DRAWN
 

@@ -70,7 +70,7 @@ OUTPUTS = (
 
 
 def summary(q: ClutchFormulas, v: Values) -> dict[str, Any]:
-    """Results for JSON: verdict of the engagement; `peak_factor`, None if it does not lock."""
+    """Results for JSON: verdict of the engagement; `peak_factor`, None without locking."""
     return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
 
 

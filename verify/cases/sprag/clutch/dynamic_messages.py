@@ -40,7 +40,7 @@ DECAYS = 5.0  # time constants of a force that creeps
 
 
 def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
-    """The worse of both verdicts, and sentences that state both."""
+    """The worse of the verdicts at rest and in time, and sentences that state both verdicts."""
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):

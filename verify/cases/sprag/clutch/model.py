@@ -31,7 +31,7 @@ def built(q: SpragInputs) -> Crowned:
 
 @lru_cache(maxsize=16)
 def under(q: SpragInputs) -> Wedged | None:
-    """Equilibrium state under T; None if its force exceeds the loads of the contact laws."""
+    """Equilibrium state under T; None if the force is beyond the range of the contact laws."""
     one = built(q)
     now = at_torque(one.clutch, q.T)
     return now if np.isfinite(now.N) and one.N_top >= now.N else None

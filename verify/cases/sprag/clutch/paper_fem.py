@@ -85,7 +85,10 @@ def fitted_angle_fem() -> float | None:
 
 
 def calibrated_fem() -> dict[str, Array]:
-    """Wedge angle and number of slices fitted at 25 N m, and predicted pressures; may be nan."""
+    """Wedge angle and number of slices fitted at 25 N m, and predicted pressures.
+
+    Fitted values and pressures are nan if no angle gives the printed pressure.
+    """
     counts = np.array(COUNTS, dtype=np.float64)
     nu_0 = fitted_angle_fem()
     if nu_0 is None:

@@ -93,7 +93,7 @@ def halving(context: Context) -> Pair:
 
 
 def order(context: Context) -> tuple[float, float, str]:
-    """Margin of the convergence order of N(t) about 4.
+    """Margin by which the convergence order of N(t) differs from 4 by less than NEAR.
 
     The cubics of the force table have a discontinuous curvature, which changes the order. The
     uncertainty and the text of the row are also returned.

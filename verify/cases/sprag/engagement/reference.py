@@ -71,7 +71,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
-    """Uncertainties of all values that depend on the force, caused by its tabulation."""
+    """Uncertainties of all values that depend on the force, caused by the table of the force."""
     other = engaged_fem(q, wedge(q), main.dt, intervals=COARSER)
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)

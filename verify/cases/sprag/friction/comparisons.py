@@ -124,7 +124,7 @@ def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
 
 def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
     def boundary() -> tuple[float, float]:
-        """Interval of the error due to equal forces at both contacts in the steps."""
+        """Interval of the error of the time steps, which assume equal forces at both contacts."""
         return -2 * q.unequal, 2 * q.unequal
 
     yield approximation(

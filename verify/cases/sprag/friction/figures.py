@@ -132,7 +132,7 @@ def wrong(context: Context) -> Figure:
 
 
 def speeds(context: Context) -> Figure:
-    """Figure of the sliding speeds at the start with both bands."""
+    """Figure of the sliding speeds at the start with the automatic and with the narrow band."""
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
     return plot(

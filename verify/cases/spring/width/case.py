@@ -127,7 +127,7 @@ class WideSpring(WidthInputs, Case):
         )  # fmt: skip
 
     def _left(self, ratio: Share) -> float:
-        """Relative change of the factor of a leaf with twice the number of terms."""
+        """Relative difference of the factor of a leaf with half of the terms."""
         leaf = self.leaf_factor(ratio)
         return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
 
@@ -223,7 +223,7 @@ class WideSpring(WidthInputs, Case):
 
 
 def _limits() -> Iterator[Comparison]:
-    """Rows: plane stress and plane strain as limits of a narrow and of a wide strip."""
+    """Rows of plane stress and plane strain as limits of a narrow and of a wide strip."""
     spring = WideSpring
     yield Comparison(quantity=spring.k_narrow, check=Limit(
         name="a narrow spring is in plane stress", symbol="f", unit="1", points=claims.narrow,
