@@ -26,7 +26,7 @@ DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # tolerance over standard
 
 
 def in_terms_of_inputs(rule: str) -> str:
-    """Text of a formula's rule with the names of the inputs and lengths in mm."""
+    """Text of the violated rule of a formula, with the names of the inputs and lengths in mm."""
     named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
     return in_millimetres(named)
 

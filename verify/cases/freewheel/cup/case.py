@@ -232,7 +232,10 @@ class FreewheelCup(Cup):
                       **reference.over_torque(self, sweep))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows at equal torque, force and angle, at the largest torque, without load; statics."""
+        """Rows at equal torque, force and angle, at the largest torque, and without load.
+
+        The last rows compare the equilibrium of forces.
+        """
         cup, rigid = FreewheelCup, self.loaded_by("N_0")
         force = self.within(rigid.state)
         yield from self._at_torque()
@@ -262,7 +265,7 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """Row on `q` with the required sensitivity `demand`.
+        """Row on the quantity `q` with the required sensitivity `demand`.
 
         For a user's cup, the interval may be too wide for judging.
         """

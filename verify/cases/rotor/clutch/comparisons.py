@@ -224,7 +224,7 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
 
 def _misprints(q: ClutchStiffness) -> Iterator[Check]:
     def one_angle(_: Context) -> tuple[float, str]:
-        """Eq. 9 with psi_i: no stiffness, and a force without displacement."""
+        """Positive margin if Eq. 9 with psi_i gives no stiffness, but a force without motion."""
         K = printed.radial_stiffness(q.sums, q.at_T)
         F = printed.radial_force(q.sums, q.at_T)
         share = abs(K) / q.K_xx
@@ -235,14 +235,14 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
     def whole_displacement(_: Context) -> tuple[float, str]:
-        """Eq. 10 with the whole displacement: the product is n times the load."""
+        """Positive margin if K of Eq. 10 times the whole displacement is n times the load."""
         ratio = float((q.tangent @ q.at_T)[4] / q.T)
         n = 1 / uniform.secant_over_tangent()
         words = f"K times the whole displacement is {ratio:.5f} times the load"
         return 1e-9 - abs(ratio - n), words
 
     def another_lever(_: Context) -> tuple[float, str]:
-        """With twice the lever, symmetric entries of K have the ratio 2."""
+        """Positive margin if, with twice the lever, ∂M_z/∂x is twice ∂F_x/∂γ_z."""
         clutch, at = q.in_state["gap"].sums, q.in_state["gap"].at_T
         K = printed.stiffness_with_lever(clutch, at, lever=2 * clutch.d_t)
         ratio = float(K[4, 0] / K[0, 4])
@@ -250,7 +250,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return 1e-9 - abs(ratio - 2), words
 
     def no_coupling(context: Context) -> tuple[float, str]:
-        """Under torque alone, formulas and struts have no coupling."""
+        """Positive margin if formulas and struts have no coupling under torque alone."""
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (

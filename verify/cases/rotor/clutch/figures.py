@@ -104,7 +104,7 @@ def _over_offset(context: Context) -> Curves:
 
 
 def _relative(K: Any, whole: Any) -> dict[str, Any]:
-    """Entries over the entries under even load; couplings over √(K_xx K_zz) of the same state."""
+    """Entries of K over those of `whole`; the coupling over √(K_xx K_zz) of `whole`."""
     across = math.sqrt(whole[0, 0] * whole[4, 4])
     return {
         "K_xx": K[0, 0] / whole[0, 0], "K_yy": K[1, 1] / whole[1, 1],
