@@ -67,9 +67,10 @@ class Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """Criteria of a part, other causes of failure, and unknown quantities.
+    """Design value and criteria of a part, and sentences about effects without a criterion.
 
-    `remarks` describe effects that the criteria do not include.
+    `failures` are further causes of failure, `unknowns` are reasons for which the verdict is
+    undecided, and `remarks` describe effects that do not change the verdict.
     """
 
     design: Quantity | None
@@ -99,7 +100,7 @@ class Answer:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Reasons for a verdict other than "holds" that no margin states."""
+        """Reasons for a verdict other than "holds", without the criteria that are not met."""
         if self.verdict is Verdict.FAILS:
             return self.failures
         if self.criteria or self.unknowns:

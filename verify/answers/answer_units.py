@@ -52,7 +52,7 @@ def assumed_in(assumed: Sequence[Assumed], system: System) -> tuple[Assumed, ...
 
 
 def record_in_units(record: Any, system: System) -> Any:
-    """JSON record in the units of `system`.
+    """JSON record of an answer, with its numbers and sentences in the units of `system`.
 
     Every `value`, `at` or `limit` with a `unit` is converted, except numbers printed in a paper.
     """

@@ -33,7 +33,10 @@ def slip(q: Any, v: Values, part: Assessment) -> None:
 
 
 def roller(q: Any, v: Values, part: Assessment) -> None:
-    """Criterion of a crowned roller: largest pressure along it; loaded ends are left undecided."""
+    """Criterion of a crowned roller: largest pressure away from its ends.
+
+    If the ends carry load, the pressure at the ends is unknown and the part may be undecided.
+    """
     p = v["p_max"]
     part.pressure("contact_pressure", "largest pressure away from the ends", p, q.E_1, q.E_2,
                   option=OTHER)  # fmt: skip
@@ -52,7 +55,10 @@ def crowns(q: Any, v: Values, part: Assessment) -> None:
 
 
 def end_face(q: Any, v: Values, part: Assessment) -> None:
-    """Criterion of a crowned roller: pressure at mid-length; the end face has no criterion."""
+    """Criterion of a crowned roller: pressure at mid-length.
+
+    There is no criterion for the pressure at the end face: it is unbounded in this model.
+    """
     part.pressure("contact_pressure", "pressure at mid-length, crowned", v["p_mid"],
                   q.E_1, q.E_2, option=OTHER)  # fmt: skip
     part.unknowns.append(

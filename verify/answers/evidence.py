@@ -43,9 +43,9 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 
 
 def why_not_solved(rows: Sequence[Row]) -> str:
-    """Reason why no failed row has a reference value.
+    """Reason ("not converged ...") for which the failed rows have no reference value.
 
-    Empty if a failed row has a reference value.
+    It is empty if no row failed, if a failed row has a reference value, or for any other reason.
     """
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed or any(row.reference is not None for row in failed):
@@ -54,7 +54,7 @@ def why_not_solved(rows: Sequence[Row]) -> str:
 
 
 def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
-    """Sentence with the reference value of the design value; empty without a design value."""
+    """Sentence that compares the design value with its reference; empty without a design value."""
     if answer.design is None:
         return ""
     value, unit = answer.design.value, answer.design.unit

@@ -8,7 +8,7 @@ from verify.core import units
 
 
 def answer_record(answer: Answer) -> dict[str, Any]:
-    """JSON record of an answer: verdict, reasons, design value, margin, criteria; display units."""
+    """JSON record of an answer, with numbers in display units."""
     worst = None if answer.failures else answer.limiting
     return {
         "verdict": str(answer.verdict),

@@ -51,7 +51,7 @@ def stages(q: Any, v: Values, part: Assessment) -> None:
 
 
 def curve(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of the curve: stress at the stroke, and stroke within Eq. 12.
+    """Criteria of the curve: bending stress at the stroke, and the largest stroke of Eq. 12.
 
     The design value is the force at the stroke, by two straight lines.
     """
@@ -82,7 +82,7 @@ def compared(_q: Any, _v: Values, part: Assessment) -> None:
 
 
 def buckling(q: Any, v: Values, part: Assessment) -> None:
-    """Criterion of buckling: working force on a free head against the smallest critical force."""
+    """Criterion of buckling: working force, at most the smallest critical force of a free head."""
     if q.F is None:
         part.unknowns.append("no working force F is given: it is not compared with F_cr")
         return

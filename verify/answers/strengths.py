@@ -49,7 +49,7 @@ def contact_pressure(given: float | None, *moduli: float, point: bool = False) -
 
 
 def yield_strength(given: float | None, *moduli: float, wall: float) -> Strength:
-    """Yield strength [Pa] of parts with these Young's moduli [Pa] and this wall [m]."""
+    """Yield strength [Pa] of parts with these Young's moduli [Pa] and this wall thickness [m]."""
     default = next((R_p for thick, R_p in YIELD_BY_WALL if wall <= thick), None)
     if default is None and given is None:
         return Strength(None, f"no default yield strength for a wall of {wall * 1e3:.4g} mm", True)

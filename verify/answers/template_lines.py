@@ -28,7 +28,7 @@ def sections(
     also: Sequence[str] = (),
     more: Sequence[tuple[str, str]] = (),
 ) -> str:
-    """Lines with the required inputs, then the optional inputs and examples, each after a #.
+    """Lines with the required inputs, then optional inputs and examples, which are comments (#).
 
     `also` names optional inputs that are listed with the required ones; `more` contains further
     optional lines.
@@ -73,7 +73,7 @@ def if_left_out(one: Assumption) -> str:
 
 
 def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]]:
-    """Line of TOML and comment of every input except tables."""
+    """Assignment and comment of every input that is not a table."""
     fields = [(n, f) for n, f in model.model_fields.items() if not is_table(f)]
     return [
         (assigned(name, field, field.default), comment(name, field, chosen))
@@ -84,8 +84,8 @@ def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]
 def aligned(lines: Sequence[tuple[str, str]]) -> str:
     """Lines of TOML with aligned comments; a long comment continues on the next line.
 
-    The continuation of a line after a # also begins with a #, so that an editor can uncomment all
-    lines at once.
+    If a line begins with a #, its continuation also begins with a #, so that an editor can
+    uncomment all lines at once.
     """
     width = max(len(text) for text, _ in lines)
     found = ""
@@ -109,7 +109,7 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def assigned(name: str, field: FieldInfo, value: Any) -> str:
-    """Assignment such as `r_i = "19.44 mm"`; after a # if omitting it gives the same inputs."""
+    """Assignment such as `r_i = "19.44 mm"`; a comment (#) if an omitted input has this value."""
     about = meta(field)
     unit, left_out = about["unit"], about["omitted"] != REQUIRED and about["omitted"] == value
     if value is None:

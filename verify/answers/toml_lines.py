@@ -10,7 +10,10 @@ PLACE = re.compile(r"(inputs[.\[][^\s:]*)")
 
 
 def with_line(message: str, path: Path) -> str:
-    """Message with the line number of its input: "part.toml: inputs.r:" becomes "part.toml:4:"."""
+    """Message with the line number of its input.
+
+    For example, "part.toml: inputs.r: ..." becomes "part.toml:4: inputs.r: ...".
+    """
     rest = message.removeprefix(f"{path}: ")
     place = PLACE.match(rest)
     if rest == message or not place:
@@ -20,7 +23,9 @@ def with_line(message: str, path: Path) -> str:
 
 
 def line_of(place: str, text: str) -> int:
-    """The line number of an input such as inputs.supports[2].k, or of its table; 0 if none.
+    """Line number of an input (such as inputs.supports[2].k), or of its table if it is omitted.
+
+    It is 0 if neither is in the text.
 
     >>> text = ("[inputs]", "r = 1", "[[inputs.supports]]", "[[inputs.supports]]", "k = 1")
     >>> line_of("inputs.supports[2].k", chr(10).join(text))

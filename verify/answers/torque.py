@@ -47,10 +47,11 @@ def criteria_under(
 def permissible(
     limits: Sequence[Limit], T: float, condition: str, under: Callable[[float], Answer]
 ) -> Quantity | None:
-    """Largest torque under `condition` at which all criteria are met; None if there is none.
+    """Largest torque at which all criteria are met; None if there is none.
 
-    `limits` are the limits of the formulas, sorted by torque. `T` [N m] is the torque of the part.
-    `under` gives the criteria of the part at another torque [N m].
+    `condition` follows the words "permissible torque" in the description of the result. `limits`
+    are the limits of the formulas, sorted by torque. `T` [N m] is the torque of the part. `under`
+    gives the criteria of the part at another torque [N m].
     """
     if not limits:
         return None

@@ -38,7 +38,10 @@ BY_NAME = (
 
 
 def unusual(inputs: Inputs) -> dict[str, str]:
-    """Warnings for all inputs outside their usual ranges, by input; zero values give no warning."""
+    """Warnings by name of the input, for values outside their usual ranges.
+
+    A value of zero gives no warning.
+    """
     found = {
         name: _warning(name, value, unit, usual)
         for name, value, unit in _numbers(inputs)

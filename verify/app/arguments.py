@@ -17,7 +17,7 @@ def whole(_type: Any, tokens: Any) -> int:
 
 
 def case_ids(_context: Any) -> list[str]:
-    """Names of cases that a shell suggests."""
+    """Names of cases that a shell suggests for the completion of a command line."""
     from verify.cases.registry import CASES
 
     return list(CASES.ids)

@@ -40,7 +40,11 @@ FAILED = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Options of `check`; with notes=False, the slow study of assumed inputs is omitted."""
+    """Options of `check`.
+
+    With notes=False, the influence of the assumed inputs on the margin is not computed, which would
+    be slow.
+    """
 
     fem: bool = False
     dynamic: bool = False
@@ -77,7 +81,7 @@ def run_check(path: Path, options: Options) -> int:
 def check_part(
     file: ParameterFile, named: str, options: Options, where: Where, command: str = ""
 ) -> Checked:
-    """Answer to the inputs of a file, and its evidence; messages use the name `named`.
+    """Answer for the inputs of a file, with evidence; error messages call the file `named`.
 
     Raises InputError if finite elements or the simulation in time cannot solve the inputs.
     """
@@ -161,7 +165,10 @@ def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
 
 
 def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
-    """The result, with the reason if finite elements cannot solve its inputs."""
+    """The result with `refused`, the reason for which finite elements cannot solve its inputs.
+
+    If finite elements can solve the inputs, the result is unchanged.
+    """
     with np.errstate(all="ignore"):
         reason = case.too_large(inputs).partition("; check ")[0]
     if not reason:

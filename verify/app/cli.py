@@ -110,7 +110,7 @@ def check(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """State whether a part holds, its design value, its margin and the limiting criterion.
+    """Print whether a part holds, and its design value, margin and limiting criterion.
 
     Exit status: 0 the part holds, 1 the part or a row fails, 2 wrong input, 3 "cannot say".
 
@@ -266,7 +266,7 @@ def store(
 
 @app.command
 def new_case(file: Path, /, *, kind: ProblemKind = "plane") -> int:
-    """Write a commented Python file with a new case, which runs without changes.
+    """Write a commented Python file with a new case; the file runs without changes.
 
     Parameters
     ----------

@@ -182,7 +182,7 @@ def _moved_verdicts(report: Report) -> list[str]:
 
 
 def drift_lines(report: Report) -> list[str]:
-    """Lines about changes since the last release; empty if none is stored."""
+    """Lines about changes of the rows since the last release; empty if no release is stored."""
     if not report.drift:
         return []
     from verify.audit.releases.changes import lines
@@ -191,7 +191,7 @@ def drift_lines(report: Report) -> list[str]:
 
 
 def writable(out: Path) -> None:
-    """Make the folder `out`. Raises InputError if it cannot be written."""
+    """Make the folder `out`. Raises InputError if files cannot be written into the folder."""
     for place in (out, *out.parents):
         if place.exists() and not place.is_dir():
             raise InputError(f"{place}: is a file, expected a folder")
@@ -207,9 +207,10 @@ def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
     full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
-    """Write the report into `out`; returns False if a part was replaced by a substitute.
+    """Write the report into `out`; returns whether every part was written as usual.
 
-    With the `keys` of all judged cases, only changed files are written.
+    The reasons are printed for parts that are missing or that a substitute replaces. With the
+    `keys` of all judged cases, only changed files are written.
     """
     from reports.origins import Origins  # only the command line may import reports
     from reports.write import write

@@ -109,10 +109,11 @@ def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
 
 
 def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
-    """Id of the row that `name` matches: completely, at its end, by a part, or by words.
+    """Id of the row that `name` matches.
 
-    A row takes precedence over its convergence row, and present names over earlier names. Raises
-    InputError with a list of the matches unless exactly one row matches.
+    `name` is the id of the row, the id without the case, a part of the id, or words of the id, in
+    this order of precedence. A row takes precedence over its convergence row, and present names
+    over earlier names. Raises InputError with a list of the matches unless exactly one row matches.
     """
     text = _plain(name)
     if not text:

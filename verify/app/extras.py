@@ -1,4 +1,4 @@
-"""Extras of the package, and names of modules that other installed packages also have."""
+"""Optional dependencies (extras) of the package, and conflicts of its module names."""
 
 import re
 from importlib.metadata import PackageNotFoundError, packages_distributions, requires

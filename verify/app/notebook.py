@@ -88,7 +88,7 @@ class Part:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the part holds, fails, or whether this cannot be stated."""
+        """Verdict: the part holds, the part fails, or neither can be stated."""
         return self.checked.answer.verdict
 
     @property
@@ -133,7 +133,7 @@ class Part:
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """Rows of the comparison with finite elements, if this was requested."""
+        """Judged rows; rows that need finite elements are included only after check(fem=True)."""
         return self.checked.result.rows
 
     @property
@@ -142,7 +142,7 @@ class Part:
 
 
 def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
-    """Judged case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml").
+    """Solve and judge a case: its name, a case file ("my_pipe.py") or a part ("clutch.toml").
 
     `inputs` are texts with units, such as {"r_i": "40 mm"}, for inputs other than the default;
     omitted inputs have the values of `freewheel init`. With `cache`, stored results are used. A
@@ -163,7 +163,7 @@ def check(
     part: str | Path, inputs: Mapping[str, Any] | None = None, *, fem: bool = False,
     cache: bool = True,
 ) -> Part:  # fmt: skip
-    """Check of a part, by its parameter file, or by a case and `inputs` as for `run`.
+    """Check a part, given by a parameter file, or by the name of a case and `inputs` (see `run`).
 
     With `fem`, the formulas are compared with finite elements for these inputs. Raises InputError
     if an input is wrong.

@@ -1,4 +1,4 @@
-"""Origin of the stored numbers of a case, and effect of a change of a module on them."""
+"""Origin of the stored numbers of a case, and which of them a change of a module invalidates."""
 
 import inspect
 import os

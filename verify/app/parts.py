@@ -1,4 +1,4 @@
-"""Stored parts of a report; a part is made again if anything on which it depends changes."""
+"""Stored parts of a report; a part is computed again if anything on which it depends changes."""
 
 import hashlib
 import json
@@ -17,9 +17,9 @@ T = TypeVar("T")
 
 
 class Parts:
-    """Parts of one report, stored by the `keys` of its judged cases.
+    """Parts of one report, stored with the `keys` of the judged cases of the report.
 
-    Without a key of a case, or without a folder of the store, every part is made again.
+    A part is computed again if a key of its cases is missing, or if there is no `folder`.
     """
 
     def __init__(self, folder: Path | None = None, keys: Mapping[str, str] | None = None) -> None:
@@ -28,13 +28,13 @@ class Parts:
     def of_cases(
         self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of a module's code for each case separately, by name of the case."""
+        """Results of `make` by name of the case; `module` is the module of its code."""
         return self.by_group(name, module, {case: [case] for case in cases}, make)
 
     def by_group(
         self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of a module's code for groups of cases, by name of the group."""
+        """Results of `make` by name of the group of cases; `module` is the module of its code."""
         keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
         found = dict(self._stored(keys))
         new: dict[str, bytes] = {}
@@ -49,7 +49,7 @@ class Parts:
         return {group: found[group] for group in groups}
 
     def of_all(self, name: str, module: str, cases: Sequence[str], make: Callable[[], T]) -> T:
-        """Result of a module's code for all cases together."""
+        """Result of `make` for all cases together; `module` is the module of its code."""
         return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
 
     def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:

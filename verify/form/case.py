@@ -96,7 +96,7 @@ class Case(Inputs):
         return ()
 
     def figures(self) -> Iterable[Drawing]:
-        """Figures in addition to the convergence plots of all comparisons with an order."""
+        """Additional figures; each row with an order of convergence has a convergence plot."""
         return ()
 
     def pictures(self) -> Iterable[Picture]:

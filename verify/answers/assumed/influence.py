@@ -21,7 +21,7 @@ Result = Callable[[Any, Values], float | None]
 
 @dataclass(frozen=True, kw_only=True)
 class Influence:
-    """Change of a result of the formulas with one assumed input.
+    """Change of a result of the formulas if one assumed input is changed.
 
     `low` and `high` are the values used for the input, in its display unit; `at_low` and `at_high`
     are the relative changes of the result. A change is None if the formulas have no solution;
@@ -37,9 +37,9 @@ class Influence:
 
     @property
     def largest(self) -> float:
-        """Larger of both relative changes.
+        """Larger magnitude of the relative changes `at_low` and `at_high`.
 
-        Infinite if the formulas have no solution at one value.
+        It is infinite if the formulas have no solution at `low` or `high`.
         """
         if self.at_low is None or self.at_high is None:
             return float("inf")

@@ -1,4 +1,4 @@
-"""Assumptions of each tool by input, in the order of evaluation."""
+"""Assumed inputs of each case and design task, in the order in which they are evaluated."""
 
 from collections.abc import Mapping
 

@@ -6,7 +6,10 @@ from verify.answers.assumed.rules import Assumption, Given
 
 
 def one_shaft(g: Given) -> list[dict[str, Any]]:
-    """Table with the only shaft of all segments. Raises ValueError if the segments name several."""
+    """Table `shafts` with the only shaft that the segments name.
+
+    Raises ValueError if the segments name several shafts.
+    """
     names = list(dict.fromkeys(str(segment["shaft"]) for segment in g.segments))
     if len(names) != 1:
         raise ValueError(

@@ -23,7 +23,10 @@ def stroke(g: Given) -> float:
 
 
 def span(g: Given, shares: tuple[float, float, int]) -> str:
-    """TOML range of a length in proportion to L_max: lowest and highest value, number."""
+    """TOML range of a length, in proportion to L_max.
+
+    `shares` are the lowest and the highest length divided by L_max, and the number of lengths.
+    """
     low, high, count = shares
     return f"{low * g.wedge * 1e3:.4g} mm : {high * g.wedge * 1e3:.4g} mm : {count}"
 

@@ -58,7 +58,7 @@ def read_value(model: type[Inputs], name: str, value: Any) -> Any:
 
 
 def si_value(model: type[Inputs], one: Assumption, rule: Any, given: Given) -> Any:
-    """Value [SI] of an assumption with `rule` as its value (or as one end of its usual range)."""
+    """Value [SI] by `rule`: the value of an assumption, or one end of its usual range."""
     return read_value(model, one.name, raw_value(model, replace(one, value=rule), given))
 
 
@@ -81,7 +81,7 @@ def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
 
 
 def placeholder(model: type[Inputs], one: Assumption) -> Any:
-    """TOML value for an assumption whose rule cannot be evaluated as another input is wrong."""
+    """TOML value in place of an assumption that cannot be evaluated, as another input is wrong."""
     if not callable(one.value):
         return one.value
     field = model.model_fields.get(one.name)

@@ -11,12 +11,12 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class SharedReading:
-    """An assumption of both formula and reference; their agreement does not verify it.
+    """An assumption of both formula and reference; a comparison of the two cannot verify it.
 
     `effect` is the resulting error in `quantity`, which formula and reference share: (value of
-    formula and reference - value of the part)/value of the part. It is added with its sign to the
-    difference of a row. It is None if it is unknown for these inputs. `source` is the source of
-    `effect`.
+    formula and reference - value of the part)/value of the part. `effect` is added with its sign to
+    the difference of a row; it is None if the error is unknown for these inputs. `source` is the
+    source of `effect`.
     """
 
     assumption: str
@@ -27,7 +27,7 @@ class SharedReading:
 
     @property
     def sentence(self) -> str:
-        """Assumption, real part and effect in one sentence, for the terminal and for pages."""
+        """Sentence with the assumption, what is true for the real part, and the effect."""
         head = f"formula and reference assume that {self.assumption}; in the real part {self.part}"
         if self.effect is None:
             return f"{head}; resulting error in {self.quantity}: {self.source}"

@@ -35,9 +35,10 @@ def run_list(names: Sequence[str]) -> int:
 
 
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
-    """Solve the problems without stored results; returns 1 if a difference exceeds its limit.
+    """Solve all problems that have no valid stored result, and print all comparisons.
 
-    Input and output files of the solvers remain in `out`. A missing solver is not an error. Raises
+    Returns 1 if a difference exceeds its limit or a problem could not be solved, otherwise 0. Input
+    and output files of the solvers remain in `out`. A missing solver is not an error. Raises
     InputError if cases are named and none of their problems is stored or could be solved.
     """
     crosses = chosen(names)
@@ -96,9 +97,10 @@ def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Fo
 
 
 def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
-    """Results of one problem from both solvers; its files are in a separate folder.
+    """Results of one problem by the project and by the second solver.
 
-    Raises RuntimeError if the second solver fails, LookupError if its output is incomplete.
+    The files of the problem are written to a separate folder below `folder`. Raises RuntimeError if
+    the second solver fails, LookupError if its output is incomplete.
     """
     own = folder / cross.file
     own.mkdir(parents=True, exist_ok=True)

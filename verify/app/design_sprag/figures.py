@@ -17,7 +17,10 @@ UNITS = (1.0, 1.0, um)
 
 
 def figures(outcome: Outcome) -> list[Picture]:
-    """All figures that can be drawn; some require a half-space or several torques."""
+    """All figures that can be drawn.
+
+    The plot of pressures requires a check by the half-space; that over torques, several torques.
+    """
     found: list[Picture] = [profiles(outcome)]
     if outcome.checks:
         found.append(pressures(outcome))
@@ -28,7 +31,7 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def profiles(outcome: Outcome) -> Curves:
-    """Plot of the drop along the sprag, for the present and the optimal crown with tolerance."""
+    """Plot of the profile drop along the sprag: present crown, optimal crown and its tolerance."""
     model, q = outcome.search.model, outcome.task.clutch
     y = np.linspace(-0.5, 0.5, POINTS) * q.l
     drops = model.drop(outcome.chosen.crowns, y) / um
@@ -77,7 +80,7 @@ def _thinned(values: Array, most: int) -> Array:
 
 
 def plane(outcome: Outcome, i: int, j: int) -> Density:
-    """Plot of the objective over two parameters of the crown; the third has its optimal value."""
+    """Plot of the objective over two parameters of the crown; the third parameter is optimal."""
     search, task = outcome.search, outcome.task
     x, y = (np.linspace(task.low[k], task.high[k], CELLS) for k in (i, j))
     crowns = np.tile(outcome.crown, (CELLS * CELLS, 1))
@@ -108,9 +111,10 @@ def _bare(k: int) -> str:
 
 
 def parity(outcome: Outcome) -> Curves:
-    """Plot of kriging over the true model for random crowns outside its sample.
+    """Plot of the pressure by kriging over that by the true model, for random crowns.
 
-    Both are divided by the optimal pressure.
+    The crowns are not in the sample from which kriging interpolates. Both pressures are divided by
+    the optimal pressure.
     """
     search, ends = outcome.search, np.array([1.0, SEEN])
     curves = [Curve(name="equal", x=ends, y=ends, style="dashes", colour=4)]

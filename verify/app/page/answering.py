@@ -1,4 +1,7 @@
-"""Updates the answer of a page after a change of its state. Slow notes follow after a pause."""
+"""Updates the answer of a page after a change of its state.
+
+Notes about assumed inputs are slow to compute and follow after a pause.
+"""
 
 import asyncio
 import json
@@ -29,7 +32,10 @@ class Answering:
         self._stored: tuple[State, Shown] | None = None
 
     def changed(self) -> None:
-        """Answer the present state. States that are replaced during an answer are skipped."""
+        """Answer the present state.
+
+        A state is not answered if a later state replaces it while another answer is computed.
+        """
         if not self._answering:
             self._answering = True
             background_tasks.create(self._answer(), name="answer")
@@ -87,7 +93,7 @@ class Answering:
             self.screen.brief.set_content("computing")
 
     async def _details(self, state: State) -> None:
-        """Display the same answer with the slow notes, if inputs were assumed."""
+        """Display the same answer with notes about the assumed inputs, if there are any."""
         if not self.found.assumed:
             return
         ask = self.screen.place.details.ask

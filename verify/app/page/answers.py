@@ -56,9 +56,10 @@ class Shown:
 def shown(
     case_name: str, name: str, raw: Mapping[str, Any], notes: bool, _tell: Callable[[Any], None]
 ) -> Shown:
-    """The answer to raw inputs; without `notes`, the slow study of assumed inputs is omitted.
+    """The answer for raw inputs.
 
-    Errors of inputs are part of the answer; InputError if there is no such case.
+    Without `notes`, the influence of the assumed inputs on the margin is not computed, which would
+    be slow. Errors of inputs are part of the answer. Raises InputError if there is no such case.
     """
     try:
         case = find(case_name)

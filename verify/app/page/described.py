@@ -48,7 +48,11 @@ class Field:
 
 @dataclass(frozen=True, kw_only=True)
 class Described:
-    """A case as a form shows it; `raw` are the inputs of its template, `outputs` its values."""
+    """A case as a form shows it.
+
+    `raw` are the inputs of the template of the case. `outputs` are keys and texts of the values of
+    its formulas.
+    """
 
     id: str
     title: str

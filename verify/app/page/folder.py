@@ -1,4 +1,4 @@
-"""The folder of a page. No files outside it are read or written."""
+"""The folder of a page. No files outside the folder are read or written."""
 
 import itertools
 import os
@@ -24,7 +24,7 @@ class Folder:
         self.root = root.resolve()
 
     def path(self, name: str, *suffixes: str) -> Path:
-        """The path of a file in the folder or in one of its folders.
+        """The path of a file in the folder or in one of its subfolders.
 
         InputError if the file is outside the folder (also by a link), is hidden or has another
         suffix.
@@ -59,7 +59,7 @@ class Folder:
     def write(self, name: str, text: str, *suffixes: str, replace: bool = False) -> Path:
         """Write a file completely or not at all.
 
-        Raises InputError if it exists, unless `replace`.
+        Raises InputError if the file cannot be written, or if it exists and `replace` is False.
         """
         path = self.path(name, *suffixes)
         data = text.encode()

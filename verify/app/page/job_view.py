@@ -17,9 +17,9 @@ Work = Callable[[Worker, Callable[[Any], None]], Coroutine[Any, Any, None]]
 
 
 class JobView:
-    """Runs `work` in a separate process when its button is pressed; one at a time.
+    """Runs `work` in a separate process when its button is pressed, one run at a time.
 
-    `kept` is added to the message if it is cancelled.
+    `kept` is added to the message of a run that is cancelled.
     """
 
     def __init__(self, text: str, name: str, jobs: Jobs, work: Work, *, kept: str = "") -> None:

@@ -10,9 +10,10 @@ LONGEST_TEXT = 200  # characters of one input
 
 @dataclass(frozen=True)
 class State:
-    """One state of a page; `raw` are inputs in the form of a parameter file, texts as typed.
+    """One state of a page.
 
-    `other` are the raw inputs of the variant for comparison, None if there is none.
+    `raw` are the inputs in the form of a parameter file, with the texts that the user typed.
+    `other` are the raw inputs of the variant for comparison; None without a variant.
     """
 
     case: str
@@ -39,9 +40,10 @@ class Session:
         self.after, self.state, self.edited = [], state, edited
 
     def edit(self, place: str, text: str) -> None:
-        """Set the text of an input: "r_i", or "supports[2].k" of a table; an empty text omits it.
+        """Set the text of the input at `place`, such as "r_i", or "supports[2].k" in a table.
 
-        ValueError for a text that is too long, LookupError if there is no such entry.
+        An empty text omits the input. Raises ValueError if the text is too long, LookupError if the
+        table has no such entry.
         """
         if len(text) > LONGEST_TEXT:
             raise ValueError(f"{place}: needs at most {LONGEST_TEXT} characters, got {len(text)}")
@@ -68,7 +70,7 @@ class Session:
 def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
     """Raw inputs in which the text of one place is replaced.
 
-    Raises LookupError if it does not exist.
+    Raises LookupError if the place is in a table that does not exist or has no such entry.
     """
     table, bracket, rest = place.partition("[")
     if not bracket:
@@ -80,7 +82,7 @@ def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
 
 
 def text_at(raw: Mapping[str, Any], place: str) -> str:
-    """Text of one place; "" if it is omitted."""
+    """Text of the input at one place; "" if the input is omitted."""
     table, bracket, rest = place.partition("[")
     if not bracket:
         return str(raw.get(place, ""))

@@ -18,7 +18,7 @@ HEIGHTS = {"": "coordinates", "values": "values as height"}
 
 
 class ShapeView:
-    """Bodies of one solution: the choice of the field, the scale of displacements, the view."""
+    """The fields of one solution, with controls for field, view and scale of displacements."""
 
     def __init__(self, screen: Any) -> None:
         self.screen = screen

@@ -44,7 +44,7 @@ class Shape:
 
 
 def shapes(fields: Sequence[Field], pictures: Sequence[Picture]) -> tuple[Shape, ...]:
-    """The body of each picture whose field exists, in the order of the pictures."""
+    """Bodies of all pictures of fields that the solution contains, in the order of `pictures`."""
     by_name = {field.name: field for field in fields}
     return tuple(
         _shape(by_name[picture.field], picture)

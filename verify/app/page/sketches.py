@@ -16,7 +16,10 @@ _LABEL = re.compile(
 
 
 def named_sketch(data: Sketch | None, inputs: Mapping[str, str]) -> str:
-    """Drawing as SVG; "" if the case has none. `inputs` contains names by symbol."""
+    """Sketch of a case as SVG; "" if the case has no sketch.
+
+    `inputs` contains the names of the inputs by their symbols.
+    """
     if data is None:
         return ""
     of_label = {

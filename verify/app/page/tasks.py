@@ -32,7 +32,10 @@ MARGIN, DESIGN = "margin", "design value"  # results of a sweep in addition to t
 
 
 def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:
-    """Answer with judged rows. Solved levels are stored and reported. May raise InputError."""
+    """Answer with judged rows. Raises InputError if the inputs cannot be solved.
+
+    Each solved level (mesh) is stored, and `tell` receives the progress.
+    """
     file = _file(case, name, raw)
     return of_checked(in_system(_solved(file, tell), file.system))
 
@@ -77,9 +80,10 @@ def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:
 
 @dataclass(frozen=True, kw_only=True)
 class Swept:
-    """Results (rows, columns) over the second and the first axis, None without a result.
+    """Results of a sweep: one row per value of the second axis, one column per value of the first.
 
-    Values are in display units; `problem` is the message of the first point without a result.
+    A result is None if the formulas have no solution at this point. Values are in display units;
+    `problem` is the message of the first point without a result.
     """
 
     axes: tuple[tuple[str, tuple[float, ...]], ...]
@@ -91,9 +95,10 @@ class Swept:
 def sweep(
     case: str, name: str, raw: Mapping[str, Any], vary: Sequence[str], result: str, tell: Tell
 ) -> Swept:
-    """A result of the formulas over one or two inputs, in the form of `freewheel sweep --vary`.
+    """A result of the formulas over one or two inputs.
 
-    `result` is MARGIN, DESIGN or the key of a value. InputError for wrong inputs and axes.
+    `vary` contains the axes in the form of `freewheel sweep --vary`. `result` is MARGIN, DESIGN or
+    the key of a value. Raises InputError for wrong inputs or axes.
     """
     file = _file(case, name, raw)
     found = [axis(file.inputs, text) for text in vary]

@@ -34,7 +34,7 @@ def read_state(path: Path) -> State:
 
 
 def as_texts(raw: Mapping[str, Any]) -> dict[str, Any]:
-    """Raw inputs with every value as the text that is typed for it.
+    """Raw inputs with every value as the text that a user would type.
 
     >>> as_texts({"nu": 0.3, "supports": [{"at": "0 mm"}]})
     {'nu': '0.3', 'supports': [{'at': '0 mm'}]}
@@ -43,9 +43,9 @@ def as_texts(raw: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def as_values(raw: Mapping[str, Any], whole: frozenset[str]) -> dict[str, Any]:
-    """Raw inputs with texts of whole numbers converted.
+    """Raw inputs in which texts are converted to integers for the inputs named in `whole`.
 
-    `whole` contains their names, also those in tables.
+    `whole` also contains names of inputs in tables.
     """
     return {k: _value(k, v, whole) for k, v in raw.items()}
 

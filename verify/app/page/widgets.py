@@ -12,7 +12,7 @@ ANSWERED = 10.0  # s within which a browser must answer
 
 
 def button(text: str, on_click: Callable[[], Any], *, css: str = "", name: str = "") -> ui.html:
-    """A button with an id, by which keys and tests find it."""
+    """A button; `name` is its id, by which keyboard shortcuts and tests find it."""
     found = ui.html(escape(text), sanitize=False, tag="button").classes(css)
     found.props(f'type="button" id="{name}"' if name else 'type="button"')
     return found.on("click", on_click, args=[])
@@ -48,7 +48,7 @@ class Choice:
 
     @property
     def is_offered(self) -> bool:
-        """Whether the value is an option; a forged message may contain any text."""
+        """Whether the value is an option; a forged message of a browser can contain any text."""
         return self.value in self.options
 
 

@@ -14,13 +14,13 @@ def portable(
     jobs: Jobs = 0,
     out: Path | None = None,
 ) -> int:
-    """Compare every row with the same row on emulated machines.
+    """Compare every row on this machine with the same row on emulated machines.
 
-    A machine has another core type of OpenBLAS, another number of BLAS threads, numpy or numba for
-    another processor, or inputs perturbed by 1e-13. Each machine has a separate cache. The command
-    lists rows whose status differs, whose value changes by more than a tenth of the tolerance, or
-    whose tolerance differs. Exit status 1: a status differs, or another difference has no stated
-    reason. The same command continues an interrupted run.
+    An emulated machine has another core type of OpenBLAS, another number of BLAS threads, numpy or
+    numba for another processor, or inputs perturbed by 1e-13. Each machine has a separate cache.
+    The command lists rows whose status differs, whose value changes by more than a tenth of the
+    tolerance, or whose tolerance differs. Exit status 1: a status differs, or another difference
+    has no stated reason. The same command continues an interrupted run.
 
     Parameters
     ----------

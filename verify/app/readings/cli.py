@@ -35,8 +35,8 @@ def search(
     file
         Parameter file of the case; by default the inputs of the paper.
     changes
-        Largest number of readings in a combination, 1 to 3; by default 2, or as declared for the
-        number.
+        Largest number of readings in a combination, 1 to 3. 0 takes the number declared with the
+        published number or erratum, or 2 if none is declared.
     rounded
         Treat the paper's inputs as rounded to their last printed digit, not as exact.
     json

@@ -33,8 +33,9 @@ def sweep(
     file
         Parameter file (TOML), see `freewheel init`.
     vary
-        An input and its values: z=3:12:10, b=0.3mm:2mm:9, b=0.1mm:10mm:9:log, E=190GPa,210GPa or
-        supports[2].k=...; several inputs give a grid.
+        An input and its values: FIRST:LAST:COUNT (z=3:12:10, b=0.3mm:2mm:9), the same with :log
+        for logarithmic spacing (b=0.1mm:10mm:9:log), or a list (E=190GPa,210GPa). An input in a
+        table is written as supports[2].k=... Several inputs give a grid.
     star
         Vary one input at a time instead of a grid; the other inputs have the values of the file.
     sample
