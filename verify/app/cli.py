@@ -159,7 +159,7 @@ def init(
     case
         A case (`freewheel list`), or a task of `freewheel design`: design-spring, design-sprag.
     out
-        File to which the text is written instead; an existing file is never overwritten.
+        File to which the text is written instead of the terminal; it must not exist.
     """
     from verify.answers.template import hand_over, run_init
 

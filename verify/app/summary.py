@@ -38,7 +38,10 @@ def summary(report: Report, *, status: int, changes: Sequence[str] = ()) -> str:
 
 
 def write(text: str, target: Path) -> None:
-    """Append the text to a file, which may be /dev/stdout. Raises InputError if that fails."""
+    """Append the text to a file, which may be /dev/stdout.
+
+    Raises InputError if the file cannot be written.
+    """
     sys.stdout.flush()
     try:
         with target.open("a", encoding="utf-8") as file:

@@ -17,7 +17,9 @@ HEADING = "\n## Unreleased\n"
 
 
 def raised(root: Path, old: str, new: str, day: str) -> Mapping[Path, str]:
-    """Texts of the files for the next version; the changes get a heading with the day.
+    """New texts of the files that state the version, and of the change log.
+
+    In the change log, the unreleased changes get a heading with the version and the `day`.
 
     Raises InputError if a file does not state the old version, or if no change is listed.
     """

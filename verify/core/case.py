@@ -54,7 +54,7 @@ class Context:
 
 
 class Check(Protocol):
-    """One claim of a case; `rows` judges it (see `verify.judging.checks`)."""
+    """One claim of a case; `rows` judges the claim (see `verify.judging.checks`)."""
 
     @property
     def paper_only(self) -> bool: ...
@@ -108,7 +108,7 @@ class Dynamic:
 
 @dataclass(frozen=True, kw_only=True)
 class Portion:
-    """Part of the finite-element values of a case that takes less time, for sweeps of few rows.
+    """Some finite-element values of a case, solved in less time than all; for sweeps of few rows.
 
     `fem(inputs, level)` returns the values `keys`, which are equal to those of `fem` of the case on
     the same mesh. `levels` are at least three levels, from coarse to fine.

@@ -12,7 +12,7 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def verdict_lines(report: Report) -> list[str]:
-    """Lines with the counts by case, and with rows that did not simply pass.
+    """Lines with the numbers of rows by case and status, and with rows of any status but PASS.
 
     Each reason is stated once for a case.
     """
@@ -38,7 +38,7 @@ def print_rows(rows: Sequence[Row]) -> None:
 
 
 def sentences(rows: Sequence[Row]) -> list[str]:
-    """Reasons of rows that did not simply pass, followed by the closing sentences."""
+    """Reasons of rows with any status but PASS, followed by the closing sentences."""
     found = []
     for (status, _, reason), group in causes(shown_rows(rows)).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""

@@ -47,7 +47,7 @@ def shown_rows(rows: Sequence[Row]) -> list[Row]:
 
 
 def causes(rows: Sequence[Row]) -> Causes:
-    """Rows that did not simply pass, by status, case and reason."""
+    """Rows with any status but PASS, by status, case and reason."""
     found: dict[tuple[Status, str, str], list[Row]] = {}
     for row in rows:
         if row.status in LISTED:
@@ -56,7 +56,7 @@ def causes(rows: Sequence[Row]) -> Causes:
 
 
 def closing(rows: Sequence[Row]) -> list[str]:
-    """Closing sentences: number of passed rows, largest difference, detection limit, other rows."""
+    """Closing sentences: numbers of passed rows, largest difference, detection limit, unjudged."""
     found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
     found += [
         _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")

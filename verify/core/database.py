@@ -30,7 +30,7 @@ class Database:
     format: int
 
     def is_there(self) -> bool:
-        """Whether the file exists. Raises OSError if something other than a file has its path."""
+        """Whether the file exists. Raises OSError if `path` exists but is not a regular file."""
         if self.path.is_file():
             return True
         if self.path.exists():
@@ -41,7 +41,7 @@ class Database:
     def writing(self, patience: float | None = None) -> Iterator[sqlite3.Connection]:
         """Context of one transaction.
 
-        Raises OSError if it is not possible within `patience` seconds.
+        Raises OSError if the transaction cannot begin within `patience` seconds.
         """
         with self._named_errors("stored"), _closed(self._prepared(patience)) as database, database:
             yield database

@@ -42,7 +42,7 @@ def divisor(row: Row) -> float | None:
 def sense(row: Row) -> float:
     """Sign by which differences are multiplied: -1 if the reference is negative, otherwise 1.
 
-    For negative values, a larger value has a smaller magnitude.
+    A positive difference then means that the formula has the larger magnitude.
     """
     of_reference = row.kind in COMPARED and not _scale_name(row) and row.reference
     return math.copysign(1.0, of_reference) if of_reference else 1.0
@@ -107,7 +107,7 @@ def largest(rows: list[Row]) -> Row | None:
 
 
 def size(row: Row) -> float:
-    """Magnitude of the row's difference as a fraction; zero if it has none."""
+    """Magnitude of the row's difference as a fraction; zero if the row has no difference."""
     found = difference(row)
     return 0.0 if found is None else abs(found.value)
 

@@ -67,7 +67,7 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Missing shared libraries: all, or those of one use; empty on systems other than Linux."""
+    """Shared libraries that are missing, of all uses or only of the use `need`; Linux only."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))

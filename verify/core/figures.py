@@ -135,7 +135,7 @@ class Band:
 
 @dataclass(frozen=True, kw_only=True)
 class Curves:
-    """Plot of curves on common axes, with the names of the curves below.
+    """Plot of curves on common axes, with a legend below the plot.
 
     The y axis starts at `y_bottom`, by default at zero or the lowest value. Curves are clipped at
     `y_top`. `x_names` are names at given values of x. `bands` are drawn behind the curves. `y_log`
@@ -206,7 +206,7 @@ class Shapes:
 
 @dataclass(frozen=True, kw_only=True)
 class Zone:
-    """A zone from the top of the zone below it up to `top` (m,).
+    """A zone of a plot: from the top of the next lower zone up to `top` (m,).
 
     `tone` is "good", "fair" or "bad".
     """
@@ -302,7 +302,9 @@ class Whirl:
 
 @dataclass(frozen=True, kw_only=True)
 class Campbell:
-    """Campbell diagram: natural frequencies (n, branches) over the speed (n,), with label units.
+    """Campbell diagram: natural frequencies (n, branches) over the speed (n,).
+
+    Both are in the units of the labels.
 
     `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither). `names` are drawn at the
     ends of branches. `excitations` are lines through the origin: name and frequency per speed.

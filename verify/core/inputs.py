@@ -383,7 +383,7 @@ def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
 
 
 def beyond(name: str, value: Any, word: str, bound: float, unit: str) -> str:
-    """Text that a value [SI] exceeds a bound [SI], in the unit of the input."""
+    """Text that a value [SI] violates a bound [SI]; both are displayed in the unit of the input."""
     return f"{name} = {_with_unit(value, unit)}: must be {word} {_with_unit(bound, unit)}"
 
 

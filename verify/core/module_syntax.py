@@ -84,7 +84,7 @@ def names(module: str) -> frozenset[str]:
 def attributes(module: str, owner: str) -> frozenset[str]:
     """Attributes that a module reads from objects called `owner`.
 
-    From any object if it is empty.
+    If `owner` is empty, these are the attributes read from any object.
     """
     read = [n for n in nodes(module) if isinstance(n, ast.Attribute)]
     return frozenset(n.attr for n in read if not owner or last_name(n.value) == owner)

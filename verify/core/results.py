@@ -344,7 +344,7 @@ class Validity:
 
 @dataclass(frozen=True, kw_only=True)
 class ScaleInput:
-    """An input that is a divisor of a ratio, with its `power`, and its value `own` in `unit`."""
+    """An input by which a ratio is divided, to the power `power`; `own` is its value in `unit`."""
 
     name: str
     symbol: str
@@ -357,9 +357,10 @@ class ScaleInput:
 class StudyAxis:
     """An input that a study varies; `own` is its value in the case, in `unit`.
 
-    With `log`, its values have equal ratios. `ratio` is `factor` times its value divided by the
-    product of the inputs `per`; it is empty if no ratio is declared. `scales` states whether a part
-    of another size, with all inputs in proportion, has the same error at the same ratios.
+    With `log`, successive values of the input have equal ratios. `ratio` is the symbol of a
+    dimensionless ratio: `factor` times the value of the input, divided by the product of the inputs
+    `per` to their powers; it is empty if no ratio is declared. `scales` states whether a part of
+    another size, with all inputs in proportion, has the same error at the same ratios.
     """
 
     name: str
@@ -456,7 +457,7 @@ class Crosscheck:
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """A change of the `aspect` of a row since a release, from `was` to `now`, as texts.
+    """A change of a row since a release: its `aspect` changed from the text `was` to `now`.
 
     `size` is the change of the value. A loosened requirement or interval needs a stated `reason`.
     """
@@ -495,12 +496,12 @@ class Drift:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingsTried:
-    """A printed number that its formula does not give as read first, and other readings.
+    """A printed number, the value of its formula as first read, and a search for other readings.
 
-    `hits` combinations of readings give the number; `readings` is the best of them, with its
-    `value`, and is empty if there is none. `chance` is the expected number of chance matches with
-    as few changes. If nothing was tried, `missing` is the reason. `reference` is the number or the
-    erratum, "paper:id".
+    `hits` combinations of readings give the number; `readings` is the best combination, with its
+    `value`, and is empty if there is none. `chance` is the expected number of combinations that
+    give the number by chance with at most as many changes. If nothing was tried, `missing` is the
+    reason. `reference` is the key of the number or of the erratum, "paper:id".
     """
 
     reference: str
@@ -553,10 +554,10 @@ class BudgetJoint:
 class RowBudget:
     """Components of the difference (formula - FE)/scale of a row, all relative.
 
-    `remainder` is `total` minus the parts, with the half-width `u`. `U` is the tolerance of the
-    row. For an identity, `within` states whether both explain the remainder. `headline` rows are
-    drawn. `apart` states whether computations explain a large difference; if not, `why` gives the
-    reason.
+    `remainder` is `total` minus the parts; `u` is the half-width of its uncertainty. `U` is the
+    expanded numerical uncertainty of the row. For an identity, `within` states whether the
+    remainder is within the tolerance of the row or within 2 `u`. `headline` rows are drawn. `apart`
+    states whether computations explain a large difference; if not, `why` gives the reason.
     """
 
     quantity: str
@@ -612,7 +613,7 @@ class MutantGroup:
 
 @dataclass(frozen=True, kw_only=True)
 class Survivor:
-    """A mutant that was not detected; `reason` states why it cannot be detected, if it cannot."""
+    """A mutant that was not detected; `reason` states why no check can detect it, if so."""
 
     group: str
     where: str

@@ -32,7 +32,7 @@ OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules with inputs of bot
 
 @cache
 def source_of(function: Any) -> str:
-    """Hash of a `fem` function, the names that it uses, and the modules that it reaches."""
+    """Hash of the code of a `fem` function, of names that it uses, and of modules it reaches."""
     return remembered("reference", function, lambda: _source_of(function))
 
 
@@ -43,7 +43,7 @@ def _source_of(function: Any) -> str:
 
 @cache
 def whole_source_of(function: Any) -> str:
-    """Hash of a function, the names of its module that it uses, and all formulas reached."""
+    """Hash of a function, of names of its module that it uses, and of modules with formulas."""
     return remembered("formulas", function, lambda: _hash(*whole_parts_of(function), whole=True))
 
 
@@ -54,15 +54,16 @@ def modules_of(function: Any) -> tuple[str, ...]:
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code of a function and of the names of its module that it uses, and all reached modules."""
+    """Code that a function uses in its module, by name, and all modules that it reaches."""
     used, start = _used(function, whole=True)
     return used, sorted(_reached(start, whole=True))
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code of a `fem` function and of the names of its module that it uses, and reached modules.
+    """Code that a `fem` function uses in its module, by name, and the modules that it reaches.
 
-    If it reaches COMPILED, its results are results of formulas, and all formulas are included.
+    If the function reaches COMPILED, it returns results of formulas; all formulas are then
+    included.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -83,7 +84,7 @@ def _group_hash(group: frozenset[str]) -> str:
 
 
 def forget() -> None:
-    """Clear stored sources, so that the files are read again; otherwise, each is read once."""
+    """Clear stored sources, so that files are read again; otherwise, each file is read once."""
     syntax.forget()
     for one in (
         source_of, whole_source_of, modules_of, is_module, _read, _shallow, _borrowed, _bound,
@@ -246,7 +247,7 @@ def _is_formula(name: str) -> bool:
 
 
 def include(folder: Path) -> None:
-    """Include the modules of a folder outside the suite, as those of the suite's cases."""
+    """Include modules of a folder outside the suite in hashes, like those of the suite's cases."""
     _outside.add(folder)
 
 

@@ -31,7 +31,10 @@ class Memory:
         self._new: dict[str, Any] = {}
 
     def remembered(self, name: str, modules: Collection[str], make: Callable[[], T]) -> T:
-        """Result of `make` (a JSON value) for some modules; stored under a name and reused."""
+        """Result of `make` (a JSON value), stored under a name.
+
+        It is reused until a file changes on which the `modules` may depend.
+        """
         files = digest_of(*sorted({*modules, HASHES}))
         known, value = self._found.get(name, ("", None))
         if known != files:
@@ -41,7 +44,10 @@ class Memory:
         return found
 
     def keep(self) -> None:
-        """Write new entries; an error of the store is ignored, because it only costs time."""
+        """Write new entries.
+
+        An error of the store is ignored: the results are then only computed again.
+        """
         if self._new:
             with suppress(OSError):
                 content = json.dumps(self._stored() | self._new).encode()

@@ -90,9 +90,10 @@ class Store:
     def store(
         self, kind: str, subject: str, entries: Mapping[str, bytes], made: float | None = None
     ) -> None:
-        """Write entries by key, all or none, with the time `made` [s since 1970], by default now.
+        """Write all entries, given by key, or none of them if the file cannot be written.
 
-        Raises OSError if the file cannot be written.
+        `made` is the time of the entries [s since 1970], by default now. Raises OSError if the file
+        cannot be written.
         """
         made_folder(self.path.parent)
         made = time.time() if made is None else made

@@ -8,7 +8,10 @@ LIKE = 0.4  # of difflib's ratio: below, names have nothing in common
 
 
 def nearest(name: str, known: Iterable[str], *, most: int = FEW, between: str = ", ") -> str:
-    """Text of known names, beginning with those similar to `name`; after `most` names, a count."""
+    """Text with the first `most` known names and the number of the others.
+
+    Names similar to `name` are first.
+    """
     every = list(known)
     like = get_close_matches(name, every, n=most, cutoff=LIKE)
     order = [*like, *(one for one in every if one not in like)]

@@ -49,7 +49,7 @@ class SetUpError(Exception):
 
 
 def pins(lock: str) -> dict[str, str]:
-    """Entries of the lock file with their hashes, by name and version ("numpy==2.4.6")."""
+    """Entries of the lock file, including hashes, by name and version ("numpy==2.4.6")."""
     entries = re.split(r"^(?=[A-Za-z0-9])", lock, flags=re.MULTILINE)[1:]
     matches = ((PIN.match(entry), entry) for entry in entries)
     return {match[0]: entry for match, entry in matches if match}

@@ -108,7 +108,10 @@ class Formulas(_Side):
     name = "quantities"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """Code in the hash of the formulas: module, class and members, including `read`."""
+        """Members whose code is part of the hash of the formulas: module, class and names.
+
+        They include the members `read`.
+        """
         names = [*(q.name for q in self.form.quantities()), "comparisons"]  # both have numbers
         return reached(self.form, [*names, *read], formulas=True)
 
@@ -121,12 +124,15 @@ class Formulas(_Side):
 
 
 class Reference(_Side):
-    """Function that solves a level of a case's reference; formulas cannot be read meanwhile."""
+    """Function that solves a level of a case's reference; to read a formula is then an error."""
 
     name = "reference"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """Code in the hash of the reference: module, class and members, including `read`."""
+        """Members whose code is part of the hash of the reference: module, class and names.
+
+        They include the members `read`.
+        """
         return reached(self.form, ["reference", *read], formulas=False)
 
     def __call__(self, case: Case, level: int) -> FemResult:

@@ -51,7 +51,7 @@ def about(error: float, slack: float, source: str) -> Expected:
 
 
 def underived(reason: str) -> Expected:
-    """Expected error for the case that no error is known, for `reason`: it is only displayed."""
+    """Placeholder if, for the given `reason`, no error can be expected: it is only displayed."""
     return Expected(-inf, inf, reason, sharp=False)
 
 
@@ -165,11 +165,11 @@ def approximation(
     """
     source = "" if expected is None else expected.source
     if expected is not None and not source:
-        raise q.broken("give the source of its expected error")
+        raise q.broken("give the source of the expected error")
     if isinstance(expected, Expected) and not expected.low <= expected.high:
         ends = f"{expected.low:g} to {expected.high:g}"
         raise q.broken(
-            f"the lower limit of its expected error must not exceed the upper limit, got {ends}"
+            f"the lower limit of the expected error must not exceed the upper limit, got {ends}"
         )
 
     def interval(*_: object) -> tuple[float, float] | None:
@@ -186,7 +186,7 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """Check that a formula is exact at 0 of a parameter and its error a power of the parameter.
+    """Check that a formula is exact at zero of a parameter and that its error grows as a power.
 
     `points` returns parameter, signed error and the standard uncertainty of the error, from all
     levels.
@@ -201,7 +201,7 @@ def over_family(
     q: Quantity, reference: str, *, at: Sequence[float], family: Callable[[float], object],
     order: float | None = None,
 ) -> Callable[[Sequence[FemResult]], Points]:  # fmt: skip
-    """Function for the points of a limit.
+    """Function for the argument `points` of `limit`.
 
     `family` returns the case for a value of the parameter; the array `reference` contains the
     results for all values `at`.
@@ -222,7 +222,7 @@ def over_family(
 def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> Callable[
     [Context], tuple[list[float], list[float]]
 ]:  # fmt: skip
-    """Function for mesh sizes and relative errors of the reference against an exact formula.
+    """Function that returns mesh sizes and the errors of the reference relative to a formula.
 
     The result is an argument of `Order`.
     """

@@ -19,7 +19,10 @@ class DimensionFaultError(Exception):
 
 
 class Dimension:
-    """A physical dimension that can be used in arithmetic like a number; numbers have none."""
+    """A physical dimension, which can be used in arithmetic like a number.
+
+    Plain numbers are dimensionless.
+    """
 
     def __init__(self, powers: Powers) -> None:
         self.powers = powers
@@ -80,7 +83,7 @@ def function(argument: Any) -> Dimension:
     """Dimension of a sine, logarithm or exponential; its argument must be dimensionless."""
     if powers := of(argument).powers:
         raise DimensionFaultError(
-            f"contains a function whose argument is {words(powers)}, but must be a number"
+            f"contains a function of {words(powers)}; the argument must be a plain number"
         )
     return Dimension(NUMBER)
 

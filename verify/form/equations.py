@@ -19,7 +19,7 @@ DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are gi
 
 
 class Symbol(NamedTuple):
-    """A symbol as TeX, with its unit; `value` returns its SI value, which may not be a number."""
+    """A symbol as TeX, with its unit; `value` returns its value: a number [SI], a text or None."""
 
     name: str
     tex: str
@@ -37,7 +37,10 @@ class Symbols(NamedTuple):
 
 
 def stated(case: Case) -> tuple[Equation, ...]:
-    """Equations of all quantities. Raises CaseError if one gives another number than the code."""
+    """Equations of all quantities.
+
+    Raises CaseError if an equation gives another number than the code of the quantity.
+    """
     symbols = symbols_of(case)
     found = (equation(case, q, symbols) for q in case.present())
     return tuple(one for one in found if one is not None)
@@ -60,7 +63,7 @@ def declared(case: Case) -> Iterator[Symbol]:
 
 
 def symbols_of(case: Case) -> Symbols:
-    """Symbols that have a number; of several forms of a quantity, only the first is included."""
+    """Symbols whose value is a number; if several have the same TeX, only the first is included."""
     found = Symbols({}, {}, {})
     for name, tex, unit, digits, of in declared(case):
         if tex not in found.values and isinstance(value := of(), int | float):
@@ -73,8 +76,8 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     """Equation of a quantity, with inserted numbers if it is arithmetic.
 
     None if no equation is stated. Raises CaseError if, at the default inputs, the equation and the
-    code give different numbers. At other inputs, both may differ by cancellation; the inserted
-    numbers are then omitted.
+    code give different numbers. At other inputs, their results may differ by cancellation; the
+    inserted numbers are then omitted.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None
     if not tex:

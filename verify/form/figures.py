@@ -55,7 +55,7 @@ class Overlay:
 
 @dataclass(frozen=True, kw_only=True)
 class AlongLine:
-    """Figure of a formula along a line with an array of the reference, and their difference below.
+    """Figure of a formula and an array of the reference along a line, with their difference below.
 
     `curve` returns the formula [SI] at given points. The array `reference` contains the values at
     the stations `at`, which are the same on every level. `part` (start, end) selects the values of
@@ -116,7 +116,7 @@ def converged(draw: Callable[[Context], Figure]) -> Drawn:
 def drawn_by(
     *draw: Callable[[Context], Iterable[Figure]],
 ) -> Callable[[Case], tuple[Drawn, ...]]:
-    """Method `figures` of a case whose figures are all made by functions from all results."""
+    """Method `figures` of a case all of whose figures are made by the functions `draw`."""
     return lambda _case: tuple(map(Drawn, draw))
 
 

@@ -1,4 +1,4 @@
-"""Memoised results of the project's functions; they would hide a change of called functions."""
+"""Clearing of memoised results, which would hide that the code of a function was changed."""
 
 import gc
 from functools import _lru_cache_wrapper

@@ -76,10 +76,9 @@ class Quantity:
         return Declared(self)
 
     def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declaration of a number of a solution, under the name of the assigned attribute.
+        """Declaration of a number that other code computes; the assigned attribute is its name.
 
-        Other code computes the number: `alpha = Quantity("α", "deg", "clamping angle").reads(lambda
-        q: q.state.alpha)`
+        For example: `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
         """
         self.formula = number
         return Declared(self)
@@ -189,7 +188,10 @@ class Family:
 
 @dataclass(frozen=True)
 class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
-    """Decorator of a value that several formulas use; computed once, hidden from the reference."""
+    """Decorator of a value that several formulas use.
+
+    It is computed once for each instance. A reference that reads it raises CaseError.
+    """
 
     method: Callable[[Any], T]
 

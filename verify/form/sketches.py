@@ -62,7 +62,7 @@ def leader(start: ArrayLike, end: ArrayLike, label: str) -> Shape:
 
 
 def text(at: ArrayLike, label: str = "") -> Shape:
-    """Text; without a label, an empty place that the drawing includes."""
+    """Text; without a label, an invisible point that extends the area of the drawing."""
     return Shape(style="text", points=np.array([at]), label=label)
 
 

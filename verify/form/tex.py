@@ -38,7 +38,7 @@ def symbol_tex(symbol: str) -> str:
 
 
 def with_raised_stars(tex: str, symbols: Iterable[str]) -> str:
-    r"""TeX of the equation for display, in which the star of a symbol is raised (no product).
+    r"""TeX of the equation for display: the star of a symbol, such as E*, becomes an exponent.
 
     >>> with_raised_stars(r"\pi E* l K_1*^2", ["l", "E*", "K_1*"])
     '\\pi E^* l K_1^{*2}'

@@ -50,14 +50,16 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
             client: Any = Client(cluster or scheduler, timeout=PATIENCE, set_as_default=False)
         except OSError as error:
             raise GoneError(
-                f"no dask scheduler answers at {scheduler} within {PATIENCE:g} s"
+                f"no dask scheduler answers at {scheduler} within {PATIENCE:g} s: check the address"
             ) from error
         try:
             place = scheduler or "this machine"
             try:
                 client.wait_for_workers(1, timeout=PATIENCE)
             except TimeoutError as error:
-                raise GoneError(f"the scheduler at {place} has no workers") from error
+                raise GoneError(
+                    f"the scheduler at {place} has no workers: start at least one"
+                ) from error
             yield Engine(
                 client.get_executor(pure=False),
                 _Threads(client),

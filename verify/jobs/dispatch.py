@@ -18,11 +18,12 @@ from verify.jobs.executor import Drive, Split
 
 @dataclass
 class Dispatch:
-    """A run with `total` results called `what`; `done` exist, `known` existed before the run.
+    """A run that computes `total` results; `what` is their name in messages.
 
-    A study changes `total` if results add further tasks, and `unstored`, the number of `done` that
-    are not in the store: failed ones, or all if the store accepts no more. `title` is the name of a
-    running task; `remaining` estimates the remaining seconds, by default from the pace of this run.
+    `done` is the number of results that exist now, `known` the number before the run. A study
+    changes `total` if results add further tasks, and `unstored`, the number of `done` that are not
+    in the store: failed ones, or all if the store accepts no more. `title` is the name of a running
+    task; `remaining` estimates the remaining seconds, by default from the pace of this run.
     """
 
     what: str

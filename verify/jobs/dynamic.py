@@ -47,8 +47,9 @@ def run_dynamic(
 ) -> DynamicResult:
     """Result of the dynamic part for these inputs; figures only if they are `drawn`.
 
-    InputError states in one line, after `where`, that there is none or why it has no answer; a run
-    of more than two seconds is reported on stderr unless `quiet`.
+    Raises InputError with a message of one line, which begins with `where`, if the case has no
+    dynamic part or if this part has no solution. A run of more than two seconds is reported on
+    stderr unless `quiet`.
     """
     part = asked_for(case, where)
     try:

@@ -19,10 +19,10 @@ def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[F
 class Engine:
     """An executor, its number of simultaneous tasks, and functions to end tasks without a result.
 
-    `gone` returns the reason why it can no longer answer, otherwise "". `renew` ends idle
-    processes: a task that killed a process then gets a new one. `ahead` tasks wait in the engine
-    for each task in progress. `wait` returns the futures that are done: an executor without threads
-    works in it.
+    `gone` returns the reason for which the executor can no longer answer, otherwise "". `renew`
+    ends idle processes, so that a task whose process was killed gets a new process. `ahead` tasks
+    wait in the engine for each task in progress. `wait` returns the futures that are done; an
+    executor without threads computes during this call.
     """
 
     executor: Executor

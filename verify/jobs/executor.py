@@ -99,7 +99,7 @@ class ThisProcess(Where):
 
 @contextmanager
 def local(processes: int) -> Iterator[Engine]:
-    """Engine with processes of this machine. With 0 processes, this process itself solves."""
+    """Engine with processes of this machine; with 0 processes, this process itself solves."""
     if processes == 0:
         yield Engine(Here(), lambda: 1)
         return

@@ -107,9 +107,10 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
 
 
 def ignores_level(levels: Sequence[FemResult]) -> bool:
-    """Whether all numbers and arrays are equal on all levels, without a stated round-off.
+    """Whether all numbers and arrays are the same on every level.
 
-    Single numbers may be the same in the suite, such as a formula that is drawn point by point.
+    It is False if an uncertainty of iteration or round-off is stated. In the suite, single numbers
+    may be the same on every level, such as a formula that is drawn point by point.
     """
     first, *others = levels or (None,)
     if first is None or not others or any(any(one.u_it.values()) for one in levels):
@@ -123,9 +124,10 @@ def ignores_level(levels: Sequence[FemResult]) -> bool:
 
 
 def is_constant(grid: Grid) -> bool:
-    """Whether a quantity of a user's case is the same on every level, without a stated round-off.
+    """Whether a quantity of a user's case is the same on every level.
 
-    Zero and whole numbers without a unit (counts) may be the same.
+    It is False if an uncertainty of iteration or round-off is stated, for zero, and for whole
+    numbers without a unit (counts).
     """
     values = {value for _, value in grid.levels}
     if len(grid.levels) < 2 or len(values) > 1 or grid.u_it:

@@ -59,9 +59,10 @@ class Records:
             return None
 
     def current(self, subject: str, made_by: Any, read: Callable[[Record], T]) -> T | None:
-        """Result of `read` for the record; None if it was not made by `made_by`.
+        """Result of `read` for the stored record; None if the record is not valid.
 
-        Both are compared as JSON. A record for which `read` fails is not valid.
+        A record is valid if its dependencies are equal to `made_by` (compared as JSON) and if
+        `read` raises no error.
         """
         record = self.stored(subject)
         if record is None or record.made_by != json.loads(json.dumps(made_by)):

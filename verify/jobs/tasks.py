@@ -15,7 +15,7 @@ from verify.jobs.level import Job, Solved, judge_case, solve_level
 
 @dataclass(frozen=True)
 class Task:
-    """Task to solve one level of a job, given by its number.
+    """Task to solve one level of the job with the number `job`.
 
     Another process finds the case by its name.
     """
@@ -36,7 +36,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Judging:
-    """Task to judge a job, given by its number, after its levels are solved.
+    """Task to judge the job with the number `job`, after its levels are solved.
 
     Levels with a result are stored.
     """
@@ -56,7 +56,7 @@ class Judging:
 
 
 def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
-    """Task of a case that another process finds by its id, because functions cannot be pickled."""
+    """Task whose case is found by its id in another process, because functions are not pickled."""
     return kind(find(case_id), *rest)
 
 

@@ -36,7 +36,7 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
 
 
 def too_wide(rows: list[Row], reason: str) -> list[Row]:
-    """Rows of a comparison with too wide a band: SHOWN, except passed convergence rows."""
+    """Rows of a comparison whose band is too wide: SHOWN, except passed convergence rows."""
     first, *others = rows
     undecided_rows = [first, *(row for row in others if row.status is Status.FAIL)]
     others = [row for row in others if row.status is not Status.FAIL]
@@ -84,10 +84,10 @@ class OwnFormula(Approximation):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFillet(Identity):
-    """A comparison of a largest stress; at user inputs, an error of N is allowed.
+    """A comparison of a largest stress; at user inputs, an error of the contact force is allowed.
 
-    The error is the effect of Hertz's simplifications on the contact force N. `blur` is the
-    analytic key of its standard uncertainty relative to the stress. `wide` is the reason that is
+    Hertz's simplifications cause the error of the contact force N. `blur` is the analytic key of
+    the resulting standard uncertainty, relative to the stress. `wide` is the reason that is
     displayed if the uncertainty is too large.
     """
 

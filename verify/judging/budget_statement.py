@@ -54,7 +54,7 @@ def as_given(q: Any) -> Any:
 
 @dataclass(frozen=True, kw_only=True)
 class Rerun:
-    """A cause of a difference and the computation without this cause; `what` describes it.
+    """A cause of a difference, described by `what`, and the computation without this cause.
 
     The cause is removed by one of three methods: by other `inputs`, which the formulas also use; by
     `changes` in the finite elements of the case; or by other finite elements `fem(inputs, level)`
@@ -122,7 +122,7 @@ class Left:
 
 @dataclass(frozen=True)
 class Without:
-    """A cause that does not exist in a case, and the reason in one word."""
+    """A cause that does not exist in a case; `why` is the reason in one word."""
 
     cause: Cause
     why: str

@@ -166,10 +166,10 @@ class Limit(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Fact(Claim):
-    """A statement that is true or false.
+    """A statement that is true or false, judged by a margin.
 
-    `margin(context)` returns its margin and the expanded uncertainty of the margin; the statement
-    holds if the margin exceeds the uncertainty.
+    `margin(context)` returns the margin and its expanded uncertainty; the statement is true if the
+    margin exceeds the uncertainty.
     """
 
     kind = Kind.FACT
@@ -194,9 +194,9 @@ Margin = Callable[[Context], tuple[float, float, str]]
 class Accepted(Claim):
     """A statement with an acceptance figure that is valid for the paper's inputs only.
 
-    At user inputs, the row is SHOWN. `margin` returns the margin to the figure, its expanded
-    uncertainty, and a text that states the error. A statement for fitted inputs is CALIBRATED;
-    `fitted` names these inputs.
+    At user inputs, the row is SHOWN. `margin` returns the margin of the error to the figure, the
+    expanded uncertainty of the margin, and a text that states the error. A statement for fitted
+    inputs is CALIBRATED; `fitted` names these inputs.
     """
 
     kind = Kind.FACT

@@ -187,7 +187,7 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """Required sensitivity; at user inputs, at least `own_demand`."""
+        """Relative error that must make the row fail; at user inputs, at least `own_demand`."""
         return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:
@@ -204,7 +204,7 @@ class FemClaim(Claim):
     def numbers(
         self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
     ) -> dict[str, Any]:
-        """Fields of every finite-element row.
+        """Fields of `Row` that every comparison with finite elements has.
 
         `scale` is the scale of the convergence check [SI].
         """

@@ -122,22 +122,24 @@ def grid_convergence(
 
 
 def unresolved_multiple(fine: float, coarse: float, scale: float) -> float:
-    """Ratio of index to spread of the last three values, if the last difference is round-off.
+    """Ratio of the grid convergence index to the spread of three values that differ by round-off.
 
-    The ratio is 1 if both differences are below half of `ROUND_OFF` times the scale. It is 3 if one
-    of them exceeds `ROUND_OFF` times the scale, as for every series without an order. It is linear
-    in between, so that the index is continuous.
+    `fine` and `coarse` are the differences of successive values. The ratio is 1 if both differences
+    are below half of `ROUND_OFF` times the scale. The ratio is 3 if one difference exceeds
+    `ROUND_OFF` times the scale, as for every series without an order. In between, the ratio is
+    linear, so that the index is continuous.
     """
     limit = ROUND_OFF * scale
     return 1 + 2 * _ramp(max(abs(fine), abs(coarse)), limit / 2, limit)
 
 
 def safety_factor(observed: float, formal: float) -> float:
-    """Factor F of the index: 1.25 for orders within 0.5, 3 beyond 0.55, linear in between.
+    """Factor F of the grid convergence index, from the observed and the theoretical order.
 
-    Orders are compared with the theoretical order. A difference of half an order is common (at a
-    singularity). Without the linear transition, the last digits of the order would decide between
-    two indices that differ by a factor of 2.4.
+    F is 1.25 if the orders differ by at most 0.5, 3 if they differ by more than 0.55, and linear in
+    between. A difference of half an order is common (at a singularity). Without the linear
+    transition, the last digits of the order would decide between two indices that differ by a
+    factor of 2.4.
     """
     share = _ramp(abs(observed - formal), NEAR_FORMAL, FAR_FROM_FORMAL)
     return FACTOR + (LARGE_FACTOR - FACTOR) * share

@@ -84,8 +84,8 @@ class Coefficient(Claim):
 class Estimated(Approximation):
     """Comparison of a model with the half-space.
 
-    At user inputs, the half-space must converge if the model does. If the allowed difference is not
-    known beforehand, a difference that the half-space does not resolve is reported without failure.
+    If, at user inputs, the allowed difference is not known beforehand, a row that would fail is
+    SHOWN instead.
     """
 
     def rows(self, context: Context) -> list[Row]:

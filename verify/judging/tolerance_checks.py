@@ -143,14 +143,15 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
 
 
 def suites(reason: str) -> str:
-    """Source text of a figure that is required by this suite only, with its reason."""
+    """Text for the source of an acceptance figure that only this suite requires for a reason."""
     return f"requirement of the suite: {reason}"
 
 
 def demanded(accepted: float) -> dict[str, Any]:
-    """Required sensitivity for a figure: twice the figure if it exceeds half of the suite's demand.
+    """Required sensitivity for the acceptance figure `accepted`: twice this figure.
 
-    The result is empty if the default of the suite applies.
+    The result is empty if twice the figure does not exceed the default of the suite, which then
+    applies.
     """
     if 2 * accepted <= judge.DEMAND:
         return {}

@@ -208,7 +208,7 @@ def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula()
     found = limited(form).checks[1].interval(form(), {})
     assert found == (0.01, 0.01 * log(form().sigma))
     for ends in ((0.01, -0.01), (float("nan"), 0.01)):
-        rule = "the lower limit of its expected error must not exceed the upper limit, got .* to "
+        rule = "the lower limit of the expected error must not exceed the upper limit, got .* to "
         with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
             len(limited(expecting(lambda _: ends[0], lambda _: ends[1])).checks)  # noqa: B023
 
@@ -226,7 +226,7 @@ def test_a_number_without_a_unit_has_the_unit_1():
 def test_a_comparison_that_is_stated_wrongly_is_an_error():
     for stated_as, message in (
         ({"expected": Expected(-0.01, 0.01, "s"), "ordr": 2}, "comparisons have no argument ordr"),
-        ({"expected": Expected(-0.01, 0.01, "")}, "give the source of its expected error"),
+        ({"expected": Expected(-0.01, 0.01, "")}, "give the source of the expected error"),
     ):
         with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
             approximation(Rod.sigma, **stated_as)

@@ -20,7 +20,7 @@ class Folder:
     def __init__(self, root: Path) -> None:
         """InputError if `root` is no folder."""
         if not root.is_dir():
-            raise InputError(f"--folder {root}: is no folder")
+            raise InputError(f"--folder {root}: is no folder; give an existing folder")
         self.root = root.resolve()
 
     def path(self, name: str, *suffixes: str) -> Path:
@@ -38,7 +38,7 @@ class Folder:
         if suffixes and path.suffix not in suffixes:
             raise InputError(f"{name}: the name must end with {' or '.join(suffixes)}")
         if not path.resolve().is_relative_to(self.root):
-            raise InputError(f"{name}: leads out of the folder {self.root}")
+            raise InputError(f"{name}: leads out of the folder {self.root} by a link")
         return path
 
     def names_of(self, suffix: str, *, below: bool = False) -> list[str]:

@@ -106,7 +106,7 @@ class Tools:
             axes.append((self.second.value, self.more.value))
         for name, values in axes:
             if not values.strip():
-                raise InputError(f"{name}: needs from : to : number, such as 5 mm:30 mm:20")
+                raise InputError(f"{name}: needs first:last:number of values, as 5 mm:30 mm:20")
         vary = [f"{name}={values}" for name, values in axes]
         try:
             found: tasks.Swept = await worker.ask(

@@ -24,9 +24,9 @@ def sweep(
     """Compute the errors of the formulas over ranges of the inputs, and their range of validity.
 
     For each row, the command writes the difference between formula and finite elements with its
-    error bar, and the regions in which it is within 2, 5 and 10 %. For a sample, it writes the
-    influence of the tolerances. Solved points are stored: the same command continues an interrupted
-    sweep, and a finer sweep reuses the points.
+    error bar, and the regions in which the difference is within 2, 5 and 10 %. For a sample, the
+    command writes the influence of the tolerances. Solved points are stored: the same command
+    continues an interrupted sweep, and a finer sweep reuses the points.
 
     Parameters
     ----------

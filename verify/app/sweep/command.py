@@ -80,7 +80,7 @@ def _some_possible(plan: Plan) -> None:
 def _some_accepted(problems: Sequence[str]) -> None:
     """Raise InputError if all `problems` are rejections; a solver may also reject a point."""
     if all(problem.startswith(f"{REFUSED}:") for problem in problems):
-        raise InputError(f"every point is rejected, such as: {bare(problems[0])}")
+        raise InputError(f"every point is rejected, the first because: {bare(problems[0])}")
 
 
 def planned(

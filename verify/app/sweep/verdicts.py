@@ -131,7 +131,10 @@ def limit_named(r: Region) -> str:
 
 
 def share(part: int, whole: int) -> str:
-    """Percentage of the solved points without decimals; 100 only for all, and 0 only for none."""
+    """Text of `part` as a percentage of `whole`, the number of solved points, without decimals.
+
+    It is "100 %" only for all points and "0 %" only for no point.
+    """
     if not whole:
         return "–"
     share = 100 * part / whole

@@ -34,7 +34,7 @@ class Disc(vc.Case):
         return (3 + self.nu) / 8 * self.rho * (self.n * self.R) ** 2
 
     def reference(self, level: int) -> vc.Level:
-        """Stress in the middle by finite elements, half of a half-section; x is the radius."""
+        """Stress in the middle by finite elements; the mesh is the upper half of a half-section."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.revolution.section import section

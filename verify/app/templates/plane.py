@@ -31,7 +31,7 @@ class Pipe(vc.Case):
         return self.p * (self.r_i + self.r_o) / (2 * self.s)
 
     def reference(self, level: int) -> vc.Level:
-        """Hoop stress by finite elements, finer at each level; it must not read a formula."""
+        """Hoop stress by finite elements, finer at each level; no formula may be read here."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring
