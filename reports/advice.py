@@ -17,7 +17,7 @@ REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is 
 
 
 def advised(verdicts: Sequence[FormulaVerdict]) -> tuple[FormulaVerdict, ...]:
-    """Verdicts in which a printed form without other advice refers to its corrected form."""
+    """Verdicts in which unusable printed forms without advice refer to their corrected forms."""
     corrected = {(v.paper, v.name): v for v in verdicts if v.form is Form.CORRECTED}
     return tuple(_advised(v, corrected.get((v.paper, v.name))) for v in verdicts)
 

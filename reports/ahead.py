@@ -18,7 +18,7 @@ class Ahead:
 
     Pictures are written to the store. A picture that fails here is drawn again when the report is
     written; its failure is then reported. `hint` is the advice if pyvista is missing. `first` is
-    other work for the report; it starts after the first case, when every core solves.
+    further work for the report, which the thread does before it draws the first judged case.
     """
 
     def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:

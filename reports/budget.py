@@ -160,7 +160,10 @@ def _number(part: BudgetPart) -> str:
 
 @dataclass(frozen=True)
 class Compact:
-    """Table of several rows: the causes are the `header`; `of` is the number of all such rows."""
+    """Table of several rows: the causes are the `header`.
+
+    `of` is the number of rows among which `rows` were selected.
+    """
 
     header: Sequence[str]
     rows: Sequence[tuple[RowBudget, Sequence[str]]]
@@ -168,7 +171,7 @@ class Compact:
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """Table of the approximations except the drawn row: the MOST with the largest remainders."""
+    """Table of the MOST approximations with the largest remainders, without the drawn row."""
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None

@@ -66,9 +66,9 @@ def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
 
 
 def columns(table: Table) -> list[list[tuple[str, bool]]]:
-    """Cells of a table as text, each with whether it is a number.
+    """Cells of a table as pairs: the text, and whether the cell is a number.
 
-    One number of decimals per column.
+    All numbers of a column have the same number of decimals.
     """
     shown = []
     for column in zip(*table.rows, strict=True):

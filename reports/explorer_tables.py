@@ -19,8 +19,9 @@ NO_DIGIT = 0.005  # of an error: a smaller bar changes none of its three digits
 class Line:
     """A line with the errors of a formula in per cent.
 
-    For a grid, at one `value` of its first axis. `lines` is the number of lines of the formula for
-    its first line, and zero for its other lines. A single error may apply to all points.
+    For a grid, the errors are at one `value` of the first axis. In the first line of a formula,
+    `lines` is the number of its lines; in its other lines, it is zero. A single error may apply to
+    all points.
     """
 
     quantity: str

@@ -39,7 +39,7 @@ def frames(
     cases: Sequence[CaseResult], cache: Path | None, hint: str = "",
     process: DrawingProcess | None = None,
 ) -> Mapping[str, list[Frame]]:  # fmt: skip
-    """Pictures of each case for which it has the field, by case id."""
+    """Pictures by id of the case; a picture whose field the case does not have is omitted."""
     wanted = [
         (case.id, field, picture)
         for case in cases

@@ -1,8 +1,8 @@
 """Digests of the inputs of each part of a report.
 
 A part with an unchanged digest is not made again. Date, commit and duration of a run are not part
-of the digest: a file has those of the run that made it. The first page, the provenance and
-`results.json` have those of the last run.
+of the digest: a file that is not made again states those of an earlier run. The first page, the
+provenance and `results.json` always state those of the last run.
 """
 
 from collections.abc import Iterator, Mapping

@@ -39,7 +39,8 @@ def content(report: Report, frames: Frames, make: Make = document) -> str:
 def printed(data: str, stamp: datetime) -> bytes:
     """PDF of this content with its date. Raises NotSet if typst fails.
 
-    Fonts of the system are only searched for scripts that the fonts of typst do not contain.
+    Fonts of the system are searched only if the content has characters of a writing system that the
+    fonts of typst do not contain.
     """
     paper: bytes = typeset(
         "report.typ", {"document": data}, ignore_system_fonts=not _FOREIGN.search(data),

@@ -95,7 +95,10 @@ def key(field: Field, picture: Picture) -> str:
 
 
 def load(folder: Path, name: str) -> Drawn | None:
-    """Stored picture; None if it is missing or unreadable, or if OpenGL may work now."""
+    """Stored picture; None if it is missing or unreadable.
+
+    It is also None for a picture that was drawn without pyvista if OpenGL has changed since then.
+    """
     content = Store(folder).one(KIND, name)
     if content is None:
         return None

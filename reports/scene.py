@@ -116,9 +116,10 @@ def exaggeration(shown: Body, window: Box | None = None, readable: float = READA
 
 
 def in_window(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
-    """Cells that touch the window, displacements less their mean; and this mean displacement (3,).
+    """The cells that touch the window, and the mean displacement (3,) of their points.
 
-    ValueError if no cell of the field `name` touches the window.
+    The mean is subtracted from the displacements. ValueError if no cell of the field `name` touches
+    the window.
     """
     seen = _touches(turned.points[turned.cells][..., :2], window)
     if not seen.any():

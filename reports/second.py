@@ -33,7 +33,7 @@ NOTHING = Seconds({}, {}, {})
 
 
 def seconds(checks: Sequence[Crosscheck]) -> Seconds:
-    """Places of all comparisons that were measured."""
+    """Comparisons that were measured, by the places at which the report displays them."""
     rows: dict[str, list[Crosscheck]] = {}
     others: dict[str, list[Crosscheck]] = {}
     for check in checks:

@@ -53,7 +53,7 @@ def write(
     report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
     single_file: bool = False, full_pdf: bool = False, origins: Origins | None = None,
 ) -> Written:  # fmt: skip
-    """Write the report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), as VTU.
+    """Write all files of a report: pages, PDF, tables (XLSX, CSV), JSON, JUnit and VTU.
 
     `cache` is a folder in which drawings are stored for the next run. `hint` is the advice if
     pyvista cannot draw. With `single_file`, all cases are on one page. The PDF of several cases is

@@ -30,7 +30,7 @@ def _put(mark: str, table: str, page: Path) -> None:
     marks = re.compile(f"({start}).*?({end})", re.DOTALL)
     text, found = marks.subn(lambda m: m[1] + table + m[2], page.read_text("utf-8"))
     if found != 1:
-        raise SystemExit(f"{page.name} has no place for a table: {start.strip()} {end}")
+        raise SystemExit(f"{page.name} must contain exactly once: {start.strip()} ... {end}")
     page.write_text(text, "utf-8")
 
 

@@ -17,7 +17,8 @@ MOST = 4  # inputs that are named
 def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tuple[str, ...]:
     """Sentences about the change of the smallest margin with the assumed inputs.
 
-    Empty if none is.
+    The result is empty if no input is assumed, if there is no margin, or if the part fails for a
+    reason other than a criterion.
     """
     if not assumed:
         return ()

@@ -69,8 +69,8 @@ def template(case: Case, folder: Path = Path()) -> str:
     """Text of a parameter file with the paper's numbers; `folder` is the folder of the file.
 
     For a case with assumptions, the required inputs come first; the optional inputs follow, each
-    after a #. Required and optional inputs together are the inputs of the paper. For another case,
-    all lines are inputs.
+    after a #. Required and optional inputs together are the inputs of the paper. For a case without
+    assumptions, the inputs follow in the order of the model.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
     outside = case.id not in (*CASES.ids, *DEEP.ids)

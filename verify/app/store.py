@@ -55,7 +55,8 @@ def _say(message: str) -> None:
 def run_origin(case: str, code: str, *, other: bool) -> int:
     """List the stored results of a case, or the cases whose code includes a module.
 
-    Raises InputError if an option of the whole list is given (`other`).
+    `other` is True if an option is given that applies to the whole list only; InputError is then
+    raised.
     """
     from verify.app.origin import of_case, of_module
 

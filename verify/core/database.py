@@ -22,7 +22,7 @@ NO_ROOM = ("full", "disk I/O")  # in messages of SQLite
 class Database:
     """An SQLite file whose tables the statements `tables` make.
 
-    `format` is the number of its format. A file with a later format causes an error.
+    `format` is the number of the format of the file. A file with a later format causes an error.
     """
 
     path: Path
@@ -55,7 +55,7 @@ class Database:
     def compact(self) -> None:
         """Return free pages to the file system.
 
-        This temporarily requires the same amount of space.
+        This temporarily requires as much space as the file has.
         """
         with self._named_errors("stored"), _closed(self._prepared(None)) as database:
             database.isolation_level = None

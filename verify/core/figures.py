@@ -56,7 +56,7 @@ class Picture:
 
 @dataclass(frozen=True, kw_only=True)
 class Profile:
-    """Plot of a formula along a line with finite-element values and their difference below.
+    """Plot of a formula along a line with finite-element values and, below, the difference of both.
 
     `x`, `y` draw the formula. At `x_fem`, the formula gives `y_ref`, and finite elements give
     `y_fem` with standard uncertainty `u`. Differences are divided by `scale`, which has the name
@@ -82,8 +82,9 @@ class Profile:
 class Refinement:
     """Plot of errors on increasingly fine meshes with logarithmic axes.
 
-    Each of `errors`, a name and relative errors (m,), is drawn over `cells` (m,), the number of
-    cells on the length in `x_label`. A line of slope `order` is drawn through its last point.
+    Each entry of `errors` contains a name and relative errors (m,), which are drawn over `cells`
+    (m,), the number of cells on the length in `x_label`. A line of slope `order` is drawn through
+    the last point of each entry.
     """
 
     title: str

@@ -13,7 +13,7 @@ PREFIX = ".part-"
 def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
     """Write a file completely by the function `write`; it then replaces `path`.
 
-    Raises OSError if that fails.
+    Raises OSError if the file cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     with _temporary(path.parent) as (file, temporary):
@@ -26,7 +26,7 @@ def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
 def made_folder(folder: Path) -> None:
     """Make a folder if it does not exist.
 
-    Raises OSError, with the name of the obstacle if a file has the path.
+    Raises OSError if this fails; if a file has the path of a folder, the message names the file.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)

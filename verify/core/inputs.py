@@ -155,7 +155,7 @@ def text(default: str | None, what: str, *, omitted: str | None = REQUIRED) -> A
 def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> Any:
     """Declaration of an input that is a list of tables; the annotation is tuple[Model, ...].
 
-    If omitted, it is empty, unless it is `required`.
+    A file that omits the table gives an empty list, or an error if the table is `required`.
     """
     omitted: Any = REQUIRED if required else ()
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))

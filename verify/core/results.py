@@ -475,8 +475,8 @@ class Change:
 class Drift:
     """Changes since a `release`.
 
-    Among the `compared` rows, `tightened` rows have stricter requirements. `tighter` contains the
-    stricter requirements and intervals.
+    `compared` is the number of rows that exist in both versions, `tightened` the number of those
+    rows with stricter requirements. `tighter` contains the stricter requirements and intervals.
     """
 
     release: str
@@ -525,9 +525,9 @@ class ReadingsTried:
 class BudgetPart:
     """Contribution of one cause to a relative difference, by a computation without this cause.
 
-    `u` is its half-width. Both are None if there was no such computation; `note` then states the
-    reason. A cause `shared` by formula and finite elements is no part of their difference and is
-    not subtracted from it.
+    `u` is the half-width of the uncertainty of `contribution`. Both are None if there was no such
+    computation; `note` then states the reason. A cause `shared` by formula and finite elements is
+    no part of their difference and is not subtracted from it.
     """
 
     cause: str

@@ -34,7 +34,7 @@ def width() -> int:
 def wrapped(line: str, columns: int) -> list[str]:
     """A line as parts of at most `columns` columns.
 
-    The last cell of a table is continued below its beginning.
+    In a line of a table, the last cell is continued below its beginning.
     """
     if not columns or len(line) <= columns:
         return [line]

@@ -46,8 +46,8 @@ class Verdict(StrEnum):
 class Side:
     """Range over which an input was varied, in `unit`.
 
-    `ratio_ends` are the ends of the dimensionless `ratio`: both values divided by powers of other
-    inputs.
+    `ratio_ends` are the ends of the dimensionless `ratio`: `low` and `high`, each divided by powers
+    of other inputs.
     """
 
     name: str

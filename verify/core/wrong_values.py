@@ -24,7 +24,7 @@ HOLDS = {"greater than": operator.gt, "at least": operator.ge, "less than": oper
 
 
 def wrong_values(model: type[Inputs], raw: Mapping[str, Any], table: str = "") -> dict[str, str]:
-    """Messages by place ("r_i" or "supports[2].k"), in the words of `build`.
+    """Messages by place ("r_i" or "supports[2].k"), worded like the messages of `inputs.build`.
 
     `table` is the place of an entry, such as "supports[2]."; required inputs that the entry omits
     have the message MISSING. Rules between several inputs are not checked.

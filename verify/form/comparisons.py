@@ -38,7 +38,7 @@ class Expected(NamedTuple):
 class Computed(NamedTuple):
     """An expected error that takes long to compute; `interval` is called when the row is judged.
 
-    It returns the lower and upper limit, or None if the interval is too wide for judging.
+    `interval` returns the lower and upper limit, or None if the range is too wide for judging.
     """
 
     interval: Callable[[], tuple[float, float] | None]
@@ -161,7 +161,7 @@ def approximation(
     """Comparison of a formula that neglects an effect with a reference that includes it.
 
     The signed error of the formula must be in an interval derived beforehand. Because comparisons
-    are stated before the reference is solved, no interval can be taken from it.
+    are stated before the reference is solved, no interval can be derived from the reference.
     """
     source = "" if expected is None else expected.source
     if expected is not None and not source:

@@ -1,10 +1,11 @@
 """Results of references in the store; the key includes all data on which they depend.
 
-The key includes the case, its inputs, the level, the sources of exactly the fem and meshes modules
-that the `fem` function of the case reaches, this function with the names of its module that it
-uses, and the versions of the libraries. A change of a formula or of a rule of judging therefore
-solves no finite elements again. Analytic modules are included if such a function imports one as its
-reference (a half-space). The content of an entry is an npz file with its structure in JSON.
+The key includes the case, its inputs, the level, the code on which the reference depends, and the
+versions of the libraries. This code is the function of the reference, the names of its module that
+it uses, and the modules of fem and meshes that it reaches, and no others. Therefore, no finite
+elements are solved again after a change of a formula or of a rule of judging. Modules of analytic
+are included if the reference imports them, for example a half-space. The content of an entry is an
+npz file with its structure in JSON.
 """
 
 import hashlib

@@ -1,7 +1,7 @@
 """Results that took hours, stored with the project and valid while their code is unchanged.
 
 A deep case is a `Case` without rows: its levels are parts of a larger measurement at the default
-inputs. Each is solved and cached like any level: an interrupted run can be continued.
+inputs. Each part is solved and cached like any level: an interrupted run can be continued.
 """
 
 from collections.abc import Sequence

@@ -51,7 +51,8 @@ class Dispatch:
         """Do every task that `take` returns until it returns None and no result adds a task.
 
         `receive` gets a task and its result (`Lost` if there is none) and returns the number of
-        results stored with it. KeyboardInterrupt, GoneError and OSError state what is stored.
+        results stored with it. The messages of KeyboardInterrupt, GoneError and OSError state what
+        is stored.
         """
         try:
             with engine as entered:

@@ -18,7 +18,7 @@ def adopt(folder: Path) -> int:
     """Move files of earlier versions into the store of the folder; returns their number.
 
     A file is removed after its content is stored: nothing is lost by an interruption. Files that
-    are no results are not moved. OSError if the store accepts none.
+    are no results are not moved. Raises OSError if the store cannot be written.
     """
     files = [p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name)]
     moved = [path for path in files if path.parent.name != PICTURES and _move(path, folder)]

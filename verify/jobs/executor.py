@@ -76,7 +76,7 @@ class Where:
     def entered(self) -> AbstractContextManager[Engine]:
         """Context of the engine, entered when tasks are solved.
 
-        Raises GoneError if it is not available.
+        Raises GoneError if the engine is not available.
         """
         processes = self.jobs or os.cpu_count() or 1
         if self.engine == "local":
@@ -131,9 +131,9 @@ class Drive:
         """Each task with its result, in order of completion, and None every TICK seconds.
 
         A task is taken from `tasks` when it can be submitted; `tasks` is read again after every
-        result. If its process dies, a task is split and repeated when no other task is left, each
-        part alone in a new process; if this process also dies, the result is Lost. GoneError if the
-        engine no longer answers.
+        result. A task whose process dies is split, and its parts are repeated when no other task is
+        left, each part alone in a new process; if this process also dies, the result of the part is
+        Lost. Raises GoneError if the engine no longer answers.
         """
         waiting = iter(tasks)
         while died := (yield from self._round(waiting, self.engine.ahead)):

@@ -36,10 +36,11 @@ def run(
 
     Returns the results in the order of `jobs`.
 
-    OSError states the missing library if gmsh cannot start and a level must be solved. `engine` is
-    entered if levels must be solved; without an engine, this process solves them. `show` receives
-    the state, `warn` receives warnings for immediate display. With `judged`, cases are also judged
-    on the engine as soon as their levels are stored, and passed to it.
+    `engine` is entered if levels must be solved; without an engine, this process solves them.
+    `show` receives the state, `warn` receives warnings for immediate display. With `judged`, cases
+    are also judged on the engine as soon as their levels are stored; each result is passed to
+    `judged`. Raises OSError with the name of the missing library if gmsh cannot start and a level
+    must be solved.
     """
     many = bool(judged and cache_folder and len(jobs) > FEW)
     with _begun(engine or local(0), jobs) if many else nullcontext(engine or local(0)) as place:

@@ -26,9 +26,9 @@ def solve(
 ) -> list[CaseResult]:
     """Run the jobs on the given engine, with the cache, and progress on stderr.
 
-    `judged` receives each case judged while others are solved, on this machine only.
-
-    KeyboardInterrupt and GoneError state what is stored for the next run.
+    On this machine, `judged` receives each case that is judged while other cases are solved; on a
+    cluster, it is not called. The messages of KeyboardInterrupt and GoneError state what is stored
+    for the next run.
     """
     refuse_reimport()
     folder = _cache_folder() if use_cache and any(job.use_fem for job in work) else None

@@ -15,9 +15,9 @@ TWICE = 2.2  # half bands: largest change of a formula inside its band, with a m
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """Rows for user inputs.
+    """Rows for user inputs: SHOWN instead of FAIL if the meshes do not resolve the `band`.
 
-    Status SHOWN instead of FAIL if the meshes do not resolve the `band`.
+    This also applies if the meshes do not converge.
     """
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:

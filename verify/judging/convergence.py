@@ -187,7 +187,8 @@ def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: floa
         - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)
 
     The decrease is divided by the derivative with respect to p, :func:`slope_of_ratio`. The
-    derivative is monotonic: the smaller of its values at both ends is the bound.
+    derivative is monotonic in p: its smaller value at the lowest and at the observed order gives
+    the bound.
     """
     (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
     fine, coarse, r21, r32 = abs(v1 - v2), abs(v2 - v3), h2 / h1, h3 / h2

@@ -34,7 +34,7 @@ MU = SharedReading(
 def wedge_angle(R: float, r: float, X: float) -> float:
     """Half the wedge angle [rad] of an unloaded inner cam with flats at the distance X.
 
-    Lengths [m].
+    `X`, the bore radius `R` of the ring and the roller radius `r` are in m.
     """
     return math.acos(min((X + r) / (R - r), 1.0)) / 2
 

@@ -29,8 +29,9 @@ Cells = tuple[tuple[str, ...], ...]
 class Shown:
     """Content of a page for one set of inputs.
 
-    `faults` and `beside` are messages by input, `fault` is a message without an input; then there
-    is no verdict. `rest` are assumed inputs by name. `values` have keys.
+    `faults` are errors by name of the input, `fault` is an error that concerns no single input;
+    with an error, there is no verdict. `beside` are warnings by name of the input, `warnings` all
+    other warnings. `assumed` contains text and source of each assumed input by its name.
     """
 
     verdict: str = ""

@@ -80,7 +80,7 @@ class Guard:
     async def _admit(self, scope: Scope, send: Send) -> None:
         """Set the cookie if the address has the correct token.
 
-        Otherwise return a page with a field for it.
+        Otherwise, return a page with a field for the token.
         """
         query = dict(parse_qsl(scope["query_string"].decode("latin-1")))
         given = query.pop("token", "")

@@ -39,9 +39,11 @@ class Worker:
         self, function: Callable[..., Any], *arguments: Any, seconds: float = LONGEST,
         tell: Callable[[Any], None] = lambda _state: None,
     ) -> Any:  # fmt: skip
-        """What `function`, of a module's top level, returns; `tell` takes what it sends before.
+        """Result of `function`, which is executed in the process.
 
-        InputError and FailedError with its message; CancelledError after `end`.
+        `function` must be defined at the top level of a module. `tell` receives each state of
+        progress that it reports. Raises InputError or FailedError with the message of an error in
+        `function`, FailedError after `seconds`, and CancelledError after `end`.
         """
         async with self._turn:
             pipe = self._started()

@@ -30,8 +30,8 @@ def figure(
 ) -> dict[str, Any]:
     """A description of the deformed body for Plotly, with displacements times `factor`.
 
-    With `as_height`, the values of a plane body are its heights. The same `view` keeps the point of
-    view that the user has turned.
+    With `as_height`, the values of a plane body are its heights. If `view` is the same as before,
+    the body remains turned as the user has turned it.
     """
     colours = DARK if dark else LIGHT
     points, moved = shape.deformed(factor), factor > 0 and not as_height

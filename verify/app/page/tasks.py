@@ -67,7 +67,7 @@ def _solved(file: ParameterFile, tell: Tell) -> Checked:
 def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:
     """Write the report of `freewheel check --out` for a parameter file.
 
-    Returns the names of its files.
+    Returns the names of the files of the report.
     """
     with (
         Path(os.devnull).open("w", encoding="utf-8") as nowhere,

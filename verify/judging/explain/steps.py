@@ -36,8 +36,8 @@ def steps(row: Row) -> tuple[Step, ...]:
 def derive(row: Row) -> Derivation:
     """Derivation of a row: the row is judged again from its stored numbers, step by step.
 
-    A row that was not run has only its verdict, as has a row whose finite elements ended with an
-    error.
+    The derivation contains only the verdict if the row was not run, or if its finite elements ended
+    with an error.
     """
     if row.grid is not None:
         found = PAIRED[row.kind](row)
