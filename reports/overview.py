@@ -34,7 +34,7 @@ def overview(cases: Sequence[CaseResult]) -> Markup:
     """SVG with every row that has a difference, on a logarithmic scale.
 
     Rows that were not run have a vertical line. A dot is the difference, a tick the detection
-    limit. Each case links to its page; its name has separate space, for any number of cases.
+    limit. Each case links to its page. Names of cases do not overlap, for any number of cases.
     """
     lines = strips([_group(case, rows) for case in cases if (rows := _drawn(case))])
     parts: list[Markup] = []

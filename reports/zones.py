@@ -21,7 +21,10 @@ Box = tuple[float, float, float, float]  # left, top, right, bottom
 
 
 def zones(z: Zones) -> Markup:
-    """Zones from below; a name is at the widest place of its zone, or in the key of the note."""
+    """SVG of zones from the lowest to the highest, each with its name at its widest place.
+
+    A zone that has no place for its name has no name.
+    """
     x = np.asarray(z.x, dtype=float)
     axes = Axes((52, 28, 390, 262), (float(x[0]), float(x[-1])), (0.0, z.y_top))
     floor, taken, names = np.zeros(x.size), _taken(axes, z), []

@@ -131,7 +131,7 @@ def test_wrong_words_are_one_line_and_two(tmp_path, capsys, monkeypatch):
     path.write_text("mine")
     for arguments, message in (
         ("ring-lam", "unknown case 'ring-lam', did you mean ring-lame?"),
-        ("design-spragg", "tasks of design are design-spring, design-sprag"),
+        ("design-spragg", "tasks of freewheel design are design-spring, design-sprag"),
         ("ring-lame --out no/my.toml", "No such file or directory"),
         ("ring-lame --out my.toml", "my.toml: exists already and is not overwritten"),
     ):

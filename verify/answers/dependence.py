@@ -15,7 +15,7 @@ MOST = 4  # inputs that are named
 
 
 def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tuple[str, ...]:
-    """Sentences about the change of the smallest margin with the assumed inputs.
+    """Sentences that state how the smallest margin depends on the assumed inputs.
 
     The result is empty if no input is assumed, if there is no margin, or if the part fails for a
     reason other than a criterion.

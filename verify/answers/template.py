@@ -44,7 +44,7 @@ def run_init(case_id: str, out: Path | None) -> int:
     try:
         case = find(case_id)
     except ValueError as error:
-        raise InputError(f"{error}; tasks of design are {', '.join(TASKS)}") from error
+        raise InputError(f"{error}; tasks of freewheel design are {', '.join(TASKS)}") from error
     hand_over(template(case, Path() if out is None else out.parent), out)
     return 0
 

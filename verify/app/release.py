@@ -19,7 +19,7 @@ from verify.jobs.session import solve
 
 
 def release(root: Path, name: str, *, jobs: int = 0) -> Path:
-    """Release the committed code as version `name`; returns the file with its rows.
+    """Release the committed code as version `name`; returns the file with the released rows.
 
     Raises InputError if `name` is not a later version, if a file is not committed, if a row failed,
     or if git fails. All files are then restored.
@@ -73,7 +73,7 @@ def _refuse_unready(root: Path, path: Path, name: str) -> str:
         raise InputError(f"commit all changes before a release: {changed.splitlines()[0]}")
     if path.exists() or _git(root, "tag", "--list", f"v{name}"):
         raise InputError(
-            f"version {name} exists already, because its rows are stored or it has a tag"
+            f"version {name} exists already (stored rows or a tag of git): give a later version"
         )
     _git(root, "var", "GIT_COMMITTER_IDENT")
     return _git(root, "rev-parse", "HEAD")

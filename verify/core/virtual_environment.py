@@ -178,7 +178,7 @@ def pip(folder: Path, *words: str) -> None:
 
 @contextlib.contextmanager
 def alone() -> Iterator[None]:
-    """Context that waits for the end of another set-up of this folder, and excludes others."""
+    """Context that waits for the end of another set-up of this folder, and makes others wait."""
     try:
         import fcntl
     except ImportError:  # not on this system

@@ -1,4 +1,4 @@
-"""Messages for all values of raw inputs that are wrong irrespective of the other inputs."""
+"""Messages for all raw inputs whose values are wrong irrespective of the other inputs."""
 
 import operator
 from collections.abc import Mapping

@@ -103,7 +103,7 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Function for the values of all quantities and comparisons of a case, by name [SI]."""
+    """Function that returns the values [SI] of all quantities and comparisons of a case by name."""
 
     name = "quantities"
 

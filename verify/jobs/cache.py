@@ -72,7 +72,7 @@ def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
     """Fields of the result with a key. Raises OSError if it is missing or cannot be read."""
     content = Store(folder).load(KIND, [name]).get(name)
     if content is None:
-        raise OSError(f"{folder}: a level is no longer stored: run again")
+        raise OSError(f"{folder}: a solved level is no longer stored: repeat the run")
     return _result(unpacked(content)).fields
 
 

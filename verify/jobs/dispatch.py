@@ -48,7 +48,7 @@ class Dispatch:
         take: Callable[[], Any],
         receive: Callable[[Any, Any], int],
     ) -> None:
-        """Do every task that `take` returns until it returns None and no result adds a task.
+        """Do every task that `take` returns, until `take` returns None and no result adds a task.
 
         `receive` gets a task and its result (`Lost` if there is none) and returns the number of
         results stored with it. The messages of KeyboardInterrupt, GoneError and OSError state what

@@ -143,11 +143,11 @@ class LimitFit:
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
     """Fit of d = d0 + c eps^q by weighted least squares.
 
-    At least four points over a decade are required. For each q, the constants d0 and c are linear;
-    the optimal q is searched for in (0, 10]. The stated standard uncertainties `u` may have the
-    same sign at all points, as for similar meshes; therefore, their effects on a constant are
-    added. If the scatter about the fit has a larger effect, the scatter is used instead, as
-    independent errors.
+    At least four points are required, over at least a decade of eps. For each q, the constants d0
+    and c are linear; the optimal q is searched for in (0, 10]. The stated standard uncertainties
+    `u` may have the same sign at all points, as for similar meshes; therefore, their effects on a
+    constant are added. If the scatter about the fit has a larger effect, the scatter is used
+    instead, as independent errors.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4

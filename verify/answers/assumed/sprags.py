@@ -45,7 +45,7 @@ def inertia(g: Given) -> float:
 
 
 def race_inertia(g: Given) -> float:
-    """Moment of inertia [kg m^2] of a race in the paper, scaled to R_i and l."""
+    """Moment of inertia [kg m^2] of a race: that of the paper, scaled to R_i and l."""
     return float(INERTIA * (g.R_i / R_I) ** 4 * g.l / SPRAG_LENGTH)
 
 

@@ -32,7 +32,7 @@ MU = SharedReading(
 
 
 def wedge_angle(R: float, r: float, X: float) -> float:
-    """Half the wedge angle [rad] of an unloaded inner cam with flats at the distance X.
+    """Half the wedge angle [rad] of an unloaded clutch: inner cam, flats at X from the axis.
 
     `X`, the bore radius `R` of the ring and the roller radius `r` are in m.
     """

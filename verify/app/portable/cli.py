@@ -34,7 +34,7 @@ def portable(
     list
         List the machines, with the reason if a machine cannot be emulated here.
     again
-        Remove the results of earlier runs.
+        First remove the results of earlier runs.
     jobs
         Number of machines that are emulated in parallel; 0 for one per core.
     out

@@ -44,7 +44,7 @@ def sweep(
     tolerance
         An input of the sample and its tolerance, uniformly distributed: b=±0.05mm, E=±5%.
     only
-        Part of the names of the rows to compute; for some cases, this reduces the computation.
+        Text in the names of the rows to compute; for some cases, this reduces the computation.
     jobs
         Number of processes; 0 for one per core.
     engine

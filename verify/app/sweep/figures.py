@@ -98,7 +98,7 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
 
 
 def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
-    """Figures of a sample: scatter of results and error, causes, most influential input."""
+    """Figures of a sample: histograms, causes of scatter, error over the most influential input."""
     independent = np.arange(len(plan.points)) < 2 * plan.base
     factor = units.factor(course.pair.unit)
     label = with_unit(course.pair.symbol, course.pair.unit)
