@@ -108,7 +108,7 @@ def answer(
 
 
 def _outside(case: Case) -> Rule:
-    """Rule of a case outside the suite: design value by its first formula, no criteria."""
+    """Rule of a case outside the suite: its first judged value is the design value; no criteria."""
     first = next((one.key for one in case.outputs if one.judged), "")
     return Rule(first, without=NO_LIMITS)
 

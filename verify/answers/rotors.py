@@ -72,7 +72,7 @@ def sprag_rotor(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _separated(speed: float, critical: Sequence[float], part: Assessment) -> None:
-    """Add the criterion for a speed [rad/s] and the nearest of the critical speeds [rad/s].
+    """Add the criterion that `speed` [rad/s] is separated from the nearest critical speed [rad/s].
 
     `critical` must be in ascending order.
     """
@@ -90,7 +90,10 @@ def _separated(speed: float, critical: Sequence[float], part: Assessment) -> Non
 
 def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
               *, assumed: bool) -> None:  # fmt: skip
-    """Add the criterion for a critical speed [rad/s] and the speed range [rad/s] plus margin."""
+    """Add the criterion that a critical speed is outside the speed range with its margin.
+
+    `low`, `high` and `critical` are in rad/s; `margin` is relative.
+    """
     share = f"separation margin of {margin:.0%}"
     if critical < low:
         part.at_most("separation", "critical speed below the operating speed", critical,

@@ -105,9 +105,10 @@ def _digest(text: str) -> str:
 
 
 def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code of the names of its module that a function uses, and the modules that these import.
+    """Code that a function uses in its module, by name, and the modules that this code imports.
 
-    The function of a case that is one class names its parts by `code`: module, class, members.
+    A function of a case that is one class has the method `code`, which returns the used parts of
+    the class: module, class and members.
     """
     if hasattr(function, "code"):
         return _used_in_class(function, whole=whole)
@@ -118,7 +119,7 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
 
 
 def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code and modules for a function that names its parts, and for members that its modules read.
+    """Code and modules of a function with the method `code`, and of members that its modules read.
 
     A reference in a separate file reads sizes from the case: attributes of the case that its
     modules read are therefore included.
@@ -329,9 +330,9 @@ def _shallow(module: str) -> str:
 def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> Mapping[str, str]:
     """Meaning of each name that an import of a project module defines: the code of that module.
 
-    Modules of `group` are included in addition to those of `_counts`. The name alone represents a
-    name of the other side, whose code is not included (`_imported_by`), or a name of any other
-    module.
+    Modules of `group` are included in addition to those of `_counts`. The code of some names is not
+    included; their meaning is then the name itself. These are names of formulas that a module of
+    the reference imports (see `_imported_by`), and names of all other modules.
     """
     found = {}
     others = not whole and not _is_of_both(module)

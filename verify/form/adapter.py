@@ -60,7 +60,7 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 def _default(form: type[Case], time_limit: float | None) -> Case:
     """Instance of the case with the default inputs and its comparisons.
 
-    Raises CaseError for a rule of the form that the case breaks. Here, dimensions of equations are
+    Raises CaseError if the case breaks a rule of the form. Here, dimensions of equations are
     checked for cases outside the suite only; for cases of the suite, tests check them.
     """
     check_names(form)
@@ -185,9 +185,9 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
 def _check(one: Comparison, own: bool) -> Check:
     """Check of a comparison, with functions that use the inputs of the context.
 
-    A function of a check has the inputs or the context as its first argument. As declared, it may
-    belong to the instance with the default inputs; the returned check calls that of the present
-    inputs.
+    A function of a check has the inputs or the context as its first argument. The function of the
+    declared check may use the default inputs instead; the returned check calls the function that
+    the case declares at the present inputs.
     """
     check: Any = one.check
     functions = [
@@ -210,8 +210,8 @@ def _stated(one: Comparison) -> dict[str, str]:
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
     """Function `function` of the check of the comparison `name`, for the present inputs.
 
-    In the case of a user (`own`), an expected error must be independent of the reference; for the
-    cases of the suite, tests verify this.
+    In the case of a user (`own`), it is also checked that an expected error is independent of the
+    formula that it judges; for the cases of the suite, tests check this.
     """
 
     def call(first: Any, *rest: Any) -> Any:

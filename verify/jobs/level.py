@@ -137,9 +137,9 @@ def is_constant(grid: Grid) -> bool:
 
 
 def _without(context: Context, check: Check, key: object) -> str:
-    """Message that a number named by a check is missing.
+    """Message that the number `key`, which a check names, is missing; "" if no check names it.
 
-    It is empty if the key is not such a name.
+    The formulas or the reference must have this number.
     """
     if not any(isinstance(name, str) and name == key for name in vars(check).values()):
         return ""

@@ -96,7 +96,7 @@ class _Study:
         )  # fmt: skip
 
     def _range(self, one: Assumed) -> tuple[float, float]:
-        """Lowest and highest value [SI] of an assumed input in its variation."""
+        """Lowest and highest value [SI] to which an assumed input is changed."""
         model, value = self.case.inputs, getattr(self.inputs, one.name)
         about = assumption_of(self.case.id, one.name)
         if about.usual is not None:

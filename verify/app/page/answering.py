@@ -77,7 +77,7 @@ class Answering:
         return found
 
     async def _of_stored(self, state: State) -> Shown | None:
-        """Answer of variant B. It does not change while only the form is edited."""
+        """Answer of variant B, which does not change while only the form is edited."""
         if state.other is None:
             return None
         stored = replace(state, raw=state.other, other=None)

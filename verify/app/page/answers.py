@@ -108,7 +108,8 @@ def _evidence(checked: Checked) -> dict[str, Any]:
 def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ...]]:
     """Warnings by the input that they concern, and all other warnings.
 
-    A warning concerns an input if it begins with its name or names it alone.
+    A warning concerns an input if its text begins with the name of the input, or if this is the
+    only input that the text names.
     """
     beside: dict[str, tuple[str, ...]] = {}
     general = []

@@ -57,7 +57,10 @@ def camera(view: str) -> dict[str, Any]:
 
 
 def _raised(points: Array, values: Array) -> Array:
-    """Plane points with means of the values there as heights, in proportion to the extent."""
+    """Points (k, 3): plane points, with the mean of the values at each point as its height.
+
+    Heights are scaled, so that their range is `HEIGHT` times the extent of the body.
+    """
     _, place = np.unique(points[:, :2], axis=0, return_inverse=True)
     place = place.reshape(-1)
     means = (np.bincount(place, values) / np.bincount(place))[place]
