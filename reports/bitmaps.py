@@ -1,6 +1,6 @@
 """Conversion of rendered pixels into a small WebP image.
 
-The image has a palette without loss, or a high quality with loss if this is smaller.
+The image is stored without loss with a palette, or with loss at high quality if that is smaller.
 """
 
 import io

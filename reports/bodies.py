@@ -39,8 +39,8 @@ def body(field: Field, picture: Picture) -> Body:
     Reflection negates a coordinate: "x" adds the mirror image at the plane x = 0. Normal stresses
     and other scalars keep their sign. A shear stress (column 2 of the four columns xx, yy, xy, zz)
     changes sign at "x" and at "y", and component k of a vector changes sign at axis k. Shear in
-    separate data of one column would keep its sign, which is wrong: give it as a component of the
-    four.
+    separate data of one column would keep its sign, which is wrong: give shear as the third of four
+    columns.
 
     Raises
     ------

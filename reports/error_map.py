@@ -1,4 +1,4 @@
-"""Map of a formula's error over two parameters, shaded by the limits [%] that it meets."""
+"""Map of a formula's error over two parameters, shaded by the limits [%] that the error meets."""
 
 import numpy as np
 from markupsafe import Markup

@@ -12,10 +12,11 @@ TALL = 12.0
 def spread(
     targets: Sequence[float], room: Sequence[float], within: tuple[float, float] | None = None
 ) -> list[float]:
-    """Centres in the order of `targets`, as close to them as their widths `room` allow.
+    """Centres of names in the order of `targets`, as close to the targets as possible.
 
-    The solution is by least squares: overlapping neighbours form blocks, which are at the mean of
-    their targets. `within` limits the centres if there is enough space.
+    `room` contains the widths of the names, which do not overlap. The solution is by least squares:
+    neighbours that would overlap form blocks, which are at the mean of their targets. `within`
+    limits the centres if there is enough space.
     """
     if not len(targets):
         return []

@@ -160,7 +160,7 @@ def printed_table(table: PaperTable) -> PrintedTable:
 def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:
     """Rows, inputs and errata for the numbers of one printed row.
 
-    They are in the order of its cells; failed rows come first, then rows that were not run.
+    Rows are in the order of the cells; failed rows come first, then rows that were not run.
     """
     columns: dict[str, list[int]] = {}
     numbers: dict[str, PaperClaim] = {}

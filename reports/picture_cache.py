@@ -41,8 +41,8 @@ class Drawn:
     the region `rectangle` (left, bottom, right, top) in the length unit of the model. Values are
     from `low` to `high` in the unit of the picture, with evenly spaced colours `ramp`, which is
     empty for a body without data. Displacements are scaled by `exaggeration` (0: none); `outline`
-    is the undeformed body. `by` is the program that drew the picture. `why` is the reason if it is
-    not pyvista, otherwise empty.
+    is the undeformed body. `by` is the program that drew the picture. `why` is the reason if `by`
+    is not pyvista, otherwise empty.
     """
 
     image: bytes
