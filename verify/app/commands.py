@@ -209,8 +209,8 @@ def write_report(
 ) -> bool:  # fmt: skip
     """Write the report into `out`; returns whether every part was written as usual.
 
-    The reasons are printed for parts that are missing or that a substitute replaces. With the
-    `keys` of all judged cases, only changed files are written.
+    Otherwise, the reasons are printed, such as a missing program that a substitute replaces. With
+    the `keys` of all judged cases, only changed files are written.
     """
     from reports.origins import Origins  # only the command line may import reports
     from reports.write import write

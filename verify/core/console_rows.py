@@ -56,7 +56,7 @@ def causes(rows: Sequence[Row]) -> Causes:
 
 
 def closing(rows: Sequence[Row]) -> list[str]:
-    """Closing sentences: numbers of passed rows, largest difference, detection limit, unjudged."""
+    """Closing sentences: passed rows, largest difference, detection limit, rows not judged."""
     found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
     found += [
         _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
