@@ -265,7 +265,7 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """Row on `q` with the required sensitivity `demand`.
+        """Row on the quantity `q` with the required sensitivity `demand`.
 
         For a user's cup, the interval may be too wide for judging.
         """
