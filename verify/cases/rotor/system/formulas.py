@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def _found(group: int) -> Any:
-    """Function that returns whether the unbalance `group` excites a critical speed number `k`."""
+    """Function that returns whether shafts of speed group `group` excite `k` critical speeds."""
 
     def has(q: Any, k: int) -> bool:
         excited = q.study.excited

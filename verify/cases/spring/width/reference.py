@@ -65,7 +65,7 @@ def key_of(tail: Tail, head: Head) -> str:
 
 
 def thread(q: WidthInputs) -> float:
-    """Unit [m] for the widths of narrow springs: the larger of b and THREAD times leaf."""
+    """Unit [m] for widths of narrow springs: b, or THREAD times the leaf length if larger."""
     return max(q.b, THREAD * q.leaf)
 
 
