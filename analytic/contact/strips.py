@@ -172,8 +172,8 @@ def _cases(
     except ValueError:
         shapes = ", ".join(str(a.shape) for a in scalars)
         raise ValueError(
-            f"shapes must be compatible: got gap {z.shape} (its last axis are the strips), and "
-            f"length, R, E_star, load or approach {shapes}"
+            "gap (without its last axis, the strips), length, R, E_star, and load or approach must "
+            f"have compatible shapes, got gap {z.shape} and the others in this order: {shapes}"
         ) from None
     l_, R, E_star, given = (np.broadcast_to(a, shape) for a in scalars)
     return np.broadcast_to(z, (*shape, z.shape[-1])), l_, R, E_star, given

@@ -99,7 +99,10 @@ def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
 
 
 def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
-    """State of sprags whose spiral touches the circle of radius OA_s, with forces at OA [m]."""
+    """State of sprags whose spiral touches the circle of radius `OA_s` [m].
+
+    The contact forces on the inner race act at the radius `OA` [m].
+    """
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
     OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)

@@ -79,7 +79,7 @@ def turns(goursat: Goursat, kappa: float) -> Array:
 def rest(
     outline: Outline, forces: tuple[Force, Force], degree: int
 ) -> Callable[[Complex], Goursat]:
-    """Goursat's functions of polynomials that cancel the tractions of `forces`."""
+    """Goursat's functions, as polynomials, of the field that cancels the tractions of `forces`."""
     z = np.concatenate([outline.right, outline.left])
     middle, size = (outline.A + outline.B) / 2, abs(outline.B - outline.A) / 2
     k = np.arange(1, degree + 1)

@@ -21,7 +21,10 @@ from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """State under N [N] with OA of Eq. 9 in the triangle of Eq. 10, and with delta_ce in OC_e."""
+    """State under N [N].
+
+    OA of Eq. 9 is a side of the triangle of Eq. 10; OC_e includes delta_ce.
+    """
     N = np.asarray(N, dtype=np.float64)
     yields = clutch.compliance.yields(N)
     OA = np.asarray(np.asarray(clutch.sprag.R_i) - yields.race_i - yields.contact_i / 2)

@@ -102,7 +102,9 @@ def swing(w: RaceSpring, q: Driven, motion: Motion) -> Swing:
         atol=1e-12, t_eval=t, events=(turns, over), max_step=q.t_end / 100,
     )  # fmt: skip
     if found.status < 0:
-        raise ArithmeticError(f"the integration of two races on a spring failed: {found.message}")
+        raise ArithmeticError(
+            f"the time integration of the motion of both races failed: {found.message}"
+        )
     theta = found.y[0] - found.y[1]
     N = np.where(theta > 0, force(np.maximum(theta, 0)), 0.0)
     peaks = [

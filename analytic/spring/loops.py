@@ -39,7 +39,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Line:
-    """Second moments of the line from the middle of the head to the clamp, and both contact pairs.
+    """Line from the middle of the head to the clamp: its second moments and its contact pairs.
 
     `tops` (..., n - 1, 3) are the points (1, x, y) of the loops with the largest distance from the
     line of the force, one per loop.

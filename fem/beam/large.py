@@ -259,7 +259,8 @@ class LargeFrame:
     def _march(self, pattern: Loading, held: Mask, since: BeamState | None) -> March:
         if self.terms and since is not None and since is not self._reached:
             raise ValueError(
-                "terms store one path only: continue from its last state, or from rest"
+                "the terms of the model store the history of one load path only: continue from "
+                "the last state of this path, or from the unloaded state"
             )
         start, self._reached = (since or self.rest()).at(0.0), None
         start = replace(start, held=start.held | held)

@@ -64,7 +64,7 @@ class AlongBodies:
         return self.T @ q + pull.u_0
 
     def pull(self, forces: Mapping[str, float], displacements: Mapping[str, Prescribed]) -> Pull:
-        """Loads along z from values by name.
+        """Axial loads and displacements, from values by the name of the boundary.
 
         Supports that are not named in `displacements` retain their values.
         """

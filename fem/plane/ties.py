@@ -51,7 +51,7 @@ class Tie:
 
     @property
     def move(self) -> Move:
-        """Motion from leaders to their followers."""
+        """Rigid motion that moves the leader nodes to their follower nodes."""
         return Move.about(complex(*self.about), self.angle, complex(*self.shift))
 
 

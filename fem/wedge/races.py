@@ -103,7 +103,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """Displacement of the strut at its contacts, and drags with which the races follow it."""
+        """Displacement of the strut at its contacts, total overlap, and drags of the races."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above

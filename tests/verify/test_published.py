@@ -177,7 +177,7 @@ def test_an_incomplete_ledger_is_refused():
     for raw, message in (
         (changed("equations", -1), "needs Eqs. 1 to 21"),
         (changed("equations", 0, **EMPTY | {"status": "implemented"}),
-         "status implemented requires code and test"),
+         "status 'implemented' requires code and test"),
         (changed("equations", 0, **EMPTY | {"status": "argued"}), "requires the argument in note"),
         (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
          "requires empty code and test"),

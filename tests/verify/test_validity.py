@@ -81,7 +81,7 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
         "error beyond 5 % already at the default inputs; from the middle of the box, "
         "larger a: error exceeds 5 % between 2 and 3 mm (about 2.8)"
     )
-    assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one at a time"
+    assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one input varied at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
     assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
     assert limits(held)[0] == (0.02, 2, 0, 0, "all that was measured")

@@ -73,11 +73,13 @@ class Equation(Entry):
     @model_validator(mode="after")
     def _claims_are_backed(self) -> Self:
         if self.status == "implemented" and not (self.code and self.test):
-            raise ValueError(f"equation {self.number}: status implemented requires code and test")
+            raise ValueError(f"equation {self.number}: status 'implemented' requires code and test")
         if self.status == "argued" and not self.note:
-            raise ValueError(f"equation {self.number}: status argued requires the argument in note")
+            raise ValueError(f"equation {self.number}: status 'argued' requires a reason in note")
         if self.status == "missing" and (self.code or self.test):
-            raise ValueError(f"equation {self.number}: status missing requires empty code and test")
+            raise ValueError(
+                f"equation {self.number}: status 'missing' excludes code and test"
+            )
         return self
 
 

@@ -149,7 +149,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
         return (
             f"accurate within {percent(found.within)} over {_studied(found)}",
             f"at {found.unsolved} points, there is no answer" if found.unsolved else "",
-            f"the formula was not compared over all of {', '.join(missing)}" if missing else "",
+            f"no study covers the whole design range of {', '.join(missing)}" if missing else "",
             f"the formula was compared only at the default inputs in {own}" if own else "",
         )  # fmt: skip
     widest = _widest(found)
@@ -178,7 +178,7 @@ def _is_outside(found: FormulaVerdict) -> bool:
 def _range(one: VerdictRange) -> str:
     """Text of the range of one study within a limit, with dimensionless ratios."""
     box = ", ".join(map(side_in_words, one.box))
-    alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
+    alone = "" if not one.is_star or len(one.box) < 2 else " (one input varied at a time)"
     held = f" at {constant(one)}" if constant(one) else ""
     return f"{box}{alone}{held} in {one.case}, {one.inside} of {one.points} points"
 

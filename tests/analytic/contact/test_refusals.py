@@ -114,7 +114,7 @@ REFUSED = [
     (lambda: slice_compliance.compliance_matrix([1.0, 2.0], compliance=1.0), r"\(n, n\), got sha"),
     (lambda: pressed(strips, load=None), r"exactly one of load \[N\] and approach"),
     (lambda: pressed(strips, gap=0.0), "one height per strip along its last axis"),
-    (lambda: pressed(strips, gap=np.zeros((3, 5)), load=[1.0, 2.0]), "shapes must be compatible"),
+    (lambda: pressed(strips, gap=np.zeros((3, 5)), load=[1.0, 2.0]), "must have compatible shapes"),
     (lambda: pressed(strips, load=1e9), "longer than wide.*got b/l"),
     (lambda: pressed(strips, tolerance=0.0), "tolerance must lie in"),
     (lambda: strip_error.discretisation(strips_of(4), strips_of(2)), "more strips than coarse"),

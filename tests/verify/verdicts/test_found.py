@@ -132,7 +132,8 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
         monkeypatch.setattr(found, "design", lambda *_, one=one: (one,))
         assert verdict(formula(), *rows).verdict is expected
         assert verdict(formula(**CAUTION), *rows).verdict is Verdict.PART
-    assert "not compared over all of T 1 to 9 N" in verdict(formula(), *rows).words
+    missing = "no study covers the whole design range of T 1 to 9 N"
+    assert missing in verdict(formula(), *rows).words
     monkeypatch.setattr(found, "design", lambda *_: ())
     assert verdict(formula(), *rows).verdict is Verdict.PART  # no range is declared
 
@@ -217,7 +218,7 @@ def test_a_conservative_formula_states_over_which_range(row, monkeypatch):
 def test_values_that_a_study_holds_are_stated(row, monkeypatch):
     studied(monkeypatch, 0.001, -0.2, held=", at n = 8")
     words = verdict(formula(), row("x", 0.001)).words
-    assert "T 1 to 9 N, z 1 to 9 N (one at a time) at n = 8 in ring-lame" in words
+    assert "T 1 to 9 N, z 1 to 9 N (one input varied at a time) at n = 8 in ring-lame" in words
     assert "one input changed" not in verdict(formula(), row("x", -0.2)).words
 
 

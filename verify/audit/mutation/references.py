@@ -1,4 +1,4 @@
-"""Number of rows that fail if references are wrong: a score for reports, and the requirement.
+"""Number of rows that fail if references are changed: the score, and its required minimum.
 
 Module `references_moved` changes references where they are judged, module `references_read` where
 formulas return them. This module checks all rows of all cases by both methods in one pass over the

@@ -39,7 +39,7 @@ def pressed_fem(
 
 
 def stations(q: PolygonRing) -> Array:
-    """Angles [rad] of points outside, from the middle of a flat to a corner, shape (m,)."""
+    """Angles [rad] of points of the outer surface, from the middle of a flat to a corner, (m,)."""
     return np.linspace(0, q.half_angle, STATIONS)
 
 

@@ -21,8 +21,9 @@ class Box:
 
 
 def largest_box(inside: Flags) -> Box | None:
-    """The box with the most points, all of them inside, in a grid of any dimension; or None.
+    """Largest box that contains only grid points with `inside` True; None if there is no box.
 
+    The grid can have any number of dimensions.
     Of several largest boxes, the first in the order of the axes is returned. In grids with more
     than MOST_BOXES boxes, the result is a box that cannot be widened, although a larger box may
     exist.

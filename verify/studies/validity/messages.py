@@ -47,7 +47,7 @@ def over(plan: Plan) -> str:
     parts = [f"{span(a, a.values[0], a.values[-1])} ({len(a.values)} values)" for a in plan.axes]
     constant = held(plan)
     return (
-        ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
+        ", ".join(parts) + ", one input varied at a time" * (plan.star and len(parts) > 1)
         + f", at {constant}" * bool(constant)
     )  # fmt: skip
 

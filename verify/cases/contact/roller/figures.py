@@ -86,7 +86,10 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Curves of peak over `even` pressures: a line where both ends are unloaded, otherwise dots."""
+    """Curves of the ratio of peak pressure to `even` pressure over x.
+
+    The curve is a line where both ends are unloaded, and dots where an end is loaded.
+    """
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
     parts = (("this crown, ends unloaded", ~loaded, "line"),
