@@ -77,9 +77,7 @@ class Equation(Entry):
         if self.status == "argued" and not self.note:
             raise ValueError(f"equation {self.number}: status 'argued' requires a reason in note")
         if self.status == "missing" and (self.code or self.test):
-            raise ValueError(
-                f"equation {self.number}: status 'missing' excludes code and test"
-            )
+            raise ValueError(f"equation {self.number}: status 'missing' excludes code and test")
         return self
 
 

@@ -96,9 +96,7 @@ def test_a_slider_loses_the_area_of_its_loop():
 def test_a_state_that_the_terms_have_forgotten_is_refused():
     frame = bar(Slider(1, 100.0, 2.0, 6))
     path = frame.displaced({1: {"x": 0.1}}, [0.5, 1.0])
-    with pytest.raises(
-        ValueError, match="store the history of one load path only: continue from"
-    ):
+    with pytest.raises(ValueError, match="store the history of one load path only: continue from"):
         frame.under_loads({1: (1.0, 0, 0)}, [1.0], since=path.states[0])
 
 

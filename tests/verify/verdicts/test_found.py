@@ -132,7 +132,7 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
         monkeypatch.setattr(found, "design", lambda *_, one=one: (one,))
         assert verdict(formula(), *rows).verdict is expected
         assert verdict(formula(**CAUTION), *rows).verdict is Verdict.PART
-    missing = "no study covers the whole design range of T 1 to 9 N"
+    missing = "No study covers the whole design range of T 1 to 9 N"
     assert missing in verdict(formula(), *rows).words
     monkeypatch.setattr(found, "design", lambda *_: ())
     assert verdict(formula(), *rows).verdict is Verdict.PART  # no range is declared

@@ -85,7 +85,7 @@ class Verified:
 
 
 def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
-    """Finite-element results of candidate `i`: stiffness from two meshes, force-displacement curve."""
+    """Finite-element results of candidate `i`: stiffness, force-displacement curve, stress."""
     coarse, fine = (_stiffness(s, i, q, per_arc) for per_arc in PER_ARC)
     U_w = float(f.U_w[i])
     curve = compressed(s, f, i, q, stroke=STROKE * max(U_w, float(f.delta(q.F_w)[i])))
