@@ -44,8 +44,9 @@ class WedgeInputs(Inputs):
                           "touch", gt=0.1, le=1e5, claims="huang2018:table1-r-e")  # fmt: skip
     R_ed: float = quantity("26.23 mm", "mm", "R_ed", "outer radius of the outer race", gt=0.1,
                            le=1e5, claims="huang2018:table1-r-ed")  # fmt: skip
-    r_i: float = quantity("4.02 mm", "mm", "r_i", "radius of curvature of the spiral at first "
-                          "contact", gt=0.01, le=1e5, claims="huang2018:table1-r-i1")  # fmt: skip
+    r_i: float = quantity("4.02 mm", "mm", "r_i", "radius of curvature of the spiral at the "
+                          "inner contact without load", gt=0.01, le=1e5,
+                          claims="huang2018:table1-r-i1")  # fmt: skip
     nu_0: float = quantity("3.15 deg", "deg", "ν_0", "wedge angle at the inner contact, without "
                            "load", gt=0, le=LARGEST_WEDGE)  # fmt: skip
     z: int = count(12, "n_s", "number of sprags", ge=3, le=200,
@@ -96,7 +97,8 @@ class SpragInputs(WedgeInputs):
                            gt=0, lt=1)  # fmt: skip
     gamma_b: float = quantity("1 s/m", "s/m", "γ_b", "decay constant of friction with the sliding "
                               "speed (Eq. 13)", gt=0, le=1e6)  # fmt: skip
-    K_1: float = quantity(1.0, "1", "K_1", "depth of the crown", omitted=1.0, gt=0, le=100,
+    K_1: float = quantity(1.0, "1", "K_1", "depth factor of the crown: K_1 Q loads it uniformly",
+                          omitted=1.0, gt=0, le=100,
                           claims="huang2018:fig12-best-k1")  # fmt: skip
     K_2: float = quantity(0.7, "1", "K_2", "crowned length over length l", omitted=0.7, gt=0, le=1,
                           claims="huang2018:fig12-best-k2")  # fmt: skip
@@ -144,8 +146,8 @@ class EngagementInputs(SpragInputs):
                           "a sprag", gt=0, le=1e6, claims="huang2018:table1-k-r")  # fmt: skip
     C_rl: float = quantity("0.1 N m s/rad", "N m s/rad", "C_rl", "damping between the races", ge=0,
                            le=1e9, claims="huang2018:table1-c-rl")  # fmt: skip
-    k_out: float = quantity("1e5 N m/rad", "N m/rad", "k_out", "stiffness of the support of the "
-                            "outer race", gt=0, le=1e12)  # fmt: skip
+    k_out: float = quantity("1e5 N m/rad", "N m/rad", "k_out", "torsional stiffness of the support "
+                            "of the outer race", gt=0, le=1e12)  # fmt: skip
     dt: float = quantity("1e-5 s", "s", "Δt", "time step of the integration", gt=1e-9, le=1e-2,
                          claims="huang2018:time-step")  # fmt: skip
     t_end: float = quantity("0.06 s", "s", "t_e", "end time of the integration", gt=0, le=10)

@@ -82,7 +82,7 @@ def dropped(q: ClutchFormulas) -> list[str]:
     if q.z_m == 0 or q.z_end > REACHED * q.z_m:
         return []
     flat = q.z_end_deeper < DEEPER * q.z_end
-    more = "; a larger z_m changes little" if flat else ""
+    more = "; a larger z_m hardly changes the drop of these slices" if flat else ""
     return [
         f"the drop of the crown is {q.z_end / UM:.3g} µm at the middle of its end slices: z_m = "
         f"{q.z_m / UM:.3g} µm is reached only at the ends{more}"
@@ -105,9 +105,10 @@ def elastic(q: ClutchFormulas) -> list[str]:
     times = math.sqrt(share)
     spring = "softer" if share > 1 else "stiffer"
     return [
-        "as elastic bodies (case sprag-wedge, verified by finite elements), the sprags rotate "
-        f"by {q.alpha_elastic * DEGREE:.3g}°; with the deflections of the paper, used here, the "
-        f"clutch is {spring} and its period of oscillation is about {times:.3g} times as long"
+        "with the deflections of elastic bodies (case sprag-wedge, verified by finite elements), "
+        f"the sprags rotate by {q.alpha_elastic * DEGREE:.3g}°; with the deflections of the paper, "
+        f"used here, the clutch is {spring} and its period of oscillation is about {times:.3g} "
+        "times as long"
     ]
 
 

@@ -35,28 +35,30 @@ class SpragClutch(ClutchFormulas):
     dynamic = DYNAMIC
     scans: ClassVar = (Scan(vary=("T=12N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm"), star=True),)
     readings: ClassVar = (
-        "r_i of Table 1 is the spiral's radius of curvature at first contact",
+        "r_i of Table 1 is the spiral's radius of curvature at the inner contact without load",
         "T acts on the whole clutch, N is the normal force of one sprag",
         "z_m is in millimetres; the paper prints no unit",
     )
     assumptions: ClassVar = (
         *(
-            f"clutch of the paper: {named([name])} is identified; {why}"
+            f"clutch of the paper: {named([name])} is identified; it is the {why}"
             for name, why in IDENTIFIED.items()
         ),
         "clutch of the paper: the assumed inputs are "
         + "; ".join(f"{named([name])} ({why})" for name, why in ASSUMED.items()),
         "at the sprag rotation α_max the profile ends, and the springs are slack",
         "all sprags are equal and carry equal loads; races are uniformly loaded rings in plane "
-        "stress, the sprag is a bar, contacts are slices by Palmgren's law. For the clutch of the "
-        "paper, these deflections rotate the sprags by 7.2°, elastic bodies (α_el) by 5.7°",
+        "stress, the sprag is a bar, contacts are slices by Palmgren's law. In the clutch of the "
+        "paper, the sprags rotate by 7.2° with these deflections, and by 5.7° with those of "
+        "elastic bodies (α_el)",
         "the speed n only expands the outer race: centrifugal forces on the sprags and centrifugal "
         "stresses of the races are neglected",
         "the stresses of the races are those by Lamé under uniformly distributed forces, in plane "
         "stress; R_p limits the Tresca stress at both bores",
         "a verdict without --dynamic applies to a slowly rising torque",
         "the closure (Eqs. 9 and 10, corrected) uses the undeformed spiral and the deflections of "
-        "the whole inner side, so that the work of the torque equals that on the deflections",
+        "the whole inner side, so that the work of the torque equals the work of the normal forces "
+        "on the deflections",
         "the pressures of an engagement are static pressures under its largest normal force",
         "without a crown, the largest pressure is that of the end slices; it grows without limit "
         "with the number of slices",

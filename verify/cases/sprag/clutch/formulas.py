@@ -116,12 +116,13 @@ class ClutchFormulas(EngagementInputs, Case):
     def mu_req(self) -> float:
         return float(np.tan(self.nu_T))
 
-    @Quantity("μ_s/μ_req", "1", "ratio of static to required friction", safe="too low",
+    @Quantity("μ_s/μ_req", "1", "ratio of static to required friction coefficient", safe="too low",
               tex=r"\frac{\mu_s}{\mu_{req}}")  # fmt: skip
     def safety(self) -> float:
         return self.mu_s / self.mu_req
 
-    @Quantity("α(T)", "deg", "sprag rotation relative to the outer contact", equation="10",
+    @Quantity("α(T)", "deg", "sprag rotation relative to the radius of the outer contact",
+              equation="10",
               form="corrected", tex=r"\frac{1}{m} \ln\left(\frac{\rho_A}{\rho_0}\right)"
               r" - (\eta - \eta_0)")  # fmt: skip
     def alpha(self) -> float:
@@ -139,27 +140,29 @@ class ClutchFormulas(EngagementInputs, Case):
     def alpha_elastic(self) -> float:
         return math.nan if self.state is None else self._elastic[0]
 
-    @Quantity("θ(T)", "deg", "wind-up of the clutch, by rolling", source="rolling contacts")
+    @Quantity(
+        "θ(T)", "deg", "wind-up of the clutch with rolling contacts", source="rolling contacts"
+    )
     def theta(self) -> float:
         return math.nan if self.state is None else float(rolled(model.built(self).clutch, self.N))
 
-    @Quantity("dT/dθ", "N m/rad", "torsional stiffness under torque")
+    @Quantity("dT/dθ", "N m/rad", "tangent torsional stiffness at T")
     def stiffness(self) -> float:
         clutch = model.built(self).clutch
         return math.nan if self.state is None else crowned.stiffness(clutch, self.N)
 
-    @Quantity("T/θ", "N m/rad", "secant stiffness, torque over wind-up", tex=r"\frac{T}{\theta(T)}")
+    @Quantity("T/θ", "N m/rad", "secant torsional stiffness", tex=r"\frac{T}{\theta(T)}")
     def T_per_theta(self) -> float:
         return self.T / self.theta
 
     def _deflection(self, name: str) -> float:
         return math.nan if self.state is None else float(getattr(self.state.yields, name))
 
-    @Quantity("δ_HI", "µm", "approach of the inner contact, by slices", source="Eqs. 2-5")
+    @Quantity("δ_HI", "µm", "contact deformation at the inner race, by slices", source="Eqs. 2-5")
     def d_HI(self) -> float:
         return self._deflection("contact_i")
 
-    @Quantity("δ_HE", "µm", "approach of the outer contact, by slices", source="Eqs. 2-5")
+    @Quantity("δ_HE", "µm", "contact deformation at the outer race, by slices", source="Eqs. 2-5")
     def d_HE(self) -> float:
         return self._deflection("contact_e")
 
@@ -299,14 +302,16 @@ class ClutchFormulas(EngagementInputs, Case):
     def alpha_Liu(self) -> float:
         return math.nan if (now := model.rigid(self)) is None else float(now.alpha_b)
 
-    @Quantity("θ_L", "deg", "wind-up of the clutch with rigid races, by rolling", source="Liu")
+    @Quantity(
+        "θ_L", "deg", "wind-up of the clutch with rigid races and rolling contacts", source="Liu"
+    )
     def theta_Liu(self) -> float:
         if self.state is None:
             return math.nan
         force = model.normal_force(model.rigid(self))
         return float(rolled(model.built(self).clutch.rigid_races(), force))
 
-    @Quantity("α_9,10", "deg", "sprag rotation", equation="9, 10 as printed", form="as printed")
+    @Quantity("α_9,10", "deg", "sprag rotation", equation="9, 10", form="as printed")
     def alpha_printed(self) -> float:
         return math.nan if (now := model.literal(self)) is None else float(now.alpha_b)
 

@@ -37,8 +37,8 @@ def findings(q: Any) -> Sequence[str]:
         "uneven": "uneven at the first peak: the largest pressure is at mid-length",
     }[state]
     found = [
-        f"{first}; largest pressure at the first peak {pascal(q.p_peak)} under "
-        f"{newton(q.N_max)}, {over:.3g} times that of a uniform load; at rest "
+        f"{first}. At the first peak, the largest pressure is {pascal(q.p_peak)} under "
+        f"{newton(q.N_max)}, {over:.3g} times that of a uniform load; at rest, it is "
         f"{pascal(q.p_rest)} under {newton(q.N)}"
     ]
     if q.z_m == 0:

@@ -47,7 +47,7 @@ class SpragCrown(EngagementInputs, Case):
     """
 
     id = "sprag-crown"
-    title = "Effect of the crown's parameters"
+    title = "Effect of the crown's parameters on contact pressure"
     source = "huang2018"
     place = "Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2"
     method = BY_STRIPS
@@ -67,8 +67,8 @@ class SpragCrown(EngagementInputs, Case):
     assumptions: ClassVar = (
         "length, width, wedge angle, support and Q are identified, not printed: results that "
         "depend on them are calibrated",
-        "N_max of the crowns of Eq. 19 is a quadratic through 27 engagements: N_max changes by 2 % "
-        "over all crowns, and the residual of the fit changes p_max by less than 0.1 %",
+        "N_max of the crowns of Eq. 19 is a quadratic function fitted to 27 engagements. N_max "
+        "differs by 2 % over all crowns; the residual of the fit changes p_max by less than 0.1 %",
         "for a user's clutch, z_m of Eq. 19 is scaled by 2Q/(π l E') of that clutch",
         "pressures are computed by slices (Palmgren's law): at loaded ends, they are lower than on "
         "a half-space",
@@ -114,11 +114,21 @@ class SpragCrown(EngagementInputs, Case):
     def suits(self) -> float:
         return self.K_1 * crowned_for(self)
 
-    @Quantity("N", "N", "normal force at rest, with deflections, no springs", safe="too high")
+    @Quantity(
+        "N",
+        "N",
+        "normal force at rest, with deflections of all parts, without springs",
+        safe="too high",
+    )
     def N(self) -> float:
         return normal_force(under(self))
 
-    @Quantity("N_max", "N", "first peak force of two races on a spring", safe="too high")
+    @Quantity(
+        "N_max",
+        "N",
+        "first peak of the normal force, by the model of two races on a spring",
+        safe="too high",
+    )
     def N_max(self) -> float:
         if under(self) is None or (swung := swing(self)).over:
             return math.nan
@@ -155,11 +165,16 @@ class SpragCrown(EngagementInputs, Case):
     def p_end_peak(self) -> float:
         return float(self._peak.peak_pressure[0]) if self._peak else math.nan
 
-    @Quantity("R", "mm", "relative radius of the inner contact at rest", role="step")
+    @Quantity("R", "mm", "relative radius of curvature of the inner contact at rest", role="step")
     def R_rest(self) -> float:
         return formulas.radius(self, self.N) if math.isfinite(self.N) else math.nan
 
-    @Quantity("R_max", "mm", "relative radius of the inner contact at the first peak", role="step")
+    @Quantity(
+        "R_max",
+        "mm",
+        "relative radius of curvature of the inner contact at the first peak",
+        role="step",
+    )
     def R_peak(self) -> float:
         return formulas.radius(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 

@@ -36,8 +36,8 @@ class SpragEngagement(EngagementFormulas):
         "the driving direction is positive and the clutch locks at α > 0, the mirror image of "
         "Eq. 11; the springs have the sign that closes the contacts (ledger: "
         "eq-11-14-spring-sign)",
-        "the forces on the races act at OA and OB of Eq. 9, not at half of these radii (ledger: "
-        "eq-16-lever-arms)",
+        "the forces on the races act at the radii OA and OB of Eq. 9, not at half of these radii "
+        "(ledger: eq-16-lever-arms)",
         "C_be is the moment of the support, −k_out θ_e (ledger: eq-16-outer-spring)",
         "N_be = N_bi in Eqs. 14 and 16; for a sprag loaded by two forces in equilibrium, "
         "N_e = N_i cos ω/cos ν",

@@ -38,7 +38,13 @@ class EngagementFormulas(EngagementInputs, Case):
         """Whether the sprags rotate beyond their profile during the first oscillation."""
         return not math.isfinite(self.N_undamped) or bool(self.number("over"))
 
-    @Quantity("N_max", "N", f"largest normal force: {SPRING}", source=SPRING, safe="too high")
+    @Quantity(
+        "N_max",
+        "N",
+        f"largest normal force by the model of {SPRING}",
+        source=SPRING,
+        safe="too high",
+    )
     def N_max(self) -> float:
         return self.number("N_max")
 
@@ -55,14 +61,15 @@ class EngagementFormulas(EngagementInputs, Case):
     def N(self) -> float:
         return self.number("N")
 
-    @Quantity("N_1", "N", "first peak without damping, outer race fixed", safe="too high",
+    @Quantity("N_1", "N", "first peak of the normal force without damping, outer race fixed",
+              safe="too high",
               source="first peak without damping, outer race fixed",
               tex=r"N(\theta_1), \quad T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,"
               r"\mathrm{d}\theta")  # fmt: skip
     def N_undamped(self) -> float:
         return self.number("N_undamped")
 
-    @Quantity("W_1", "J", "work of the forces on all deflections up to N_1",
+    @Quantity("W_1", "J", "work of the contact forces on all deflections, up to the force N_1",
               source="work balance",
               tex=r"n_s \int (N\,\mathrm{d}H_i + N_e\,\mathrm{d}H_e)")  # fmt: skip
     def W_1(self) -> float:

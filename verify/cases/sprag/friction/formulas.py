@@ -92,7 +92,7 @@ class FrictionFormulas(EngagementInputs, Case):
         return float(np.interp(self.rest, self.wedge.theta, values))
 
     @Quantity("μ_b", "1", "friction coefficient above which the clutch locks",
-              source="statics at rest under T; springs cause the difference to tan ν",
+              source="statics at rest under T; the springs cause the difference from tan ν",
               safe="too high", tex=r"\frac{T}{n_s OA N_T}")  # fmt: skip
     def mu_b(self) -> float:
         return asked(self)[0]
@@ -102,18 +102,18 @@ class FrictionFormulas(EngagementInputs, Case):
     def tan(self) -> float:
         return asked(self)[1]
 
-    @Quantity("μ_s/μ_b", "1", "ratio of static to required friction", role="step",
+    @Quantity("μ_s/μ_b", "1", "ratio of static to required friction coefficient", role="step",
               tex=r"\frac{\mu_s}{\mu_b}")  # fmt: skip
     def mu_s_share(self) -> float:
         return self.mu_s / self.mu_b
 
-    @Quantity("μ_c/μ_b", "1", "ratio of Coulomb to required friction", role="step",
+    @Quantity("μ_c/μ_b", "1", "ratio of Coulomb to required friction coefficient", role="step",
               tex=r"\frac{\mu_c}{\mu_b}")  # fmt: skip
     def mu_c_share(self) -> float:
         return self.mu_c / self.mu_b
 
     @Quantity("N_s", "N", "normal force of driven sprags that slide",
-              source="sprags that slide on the inner race, μ = 0.9 tan ν_0; Eq. 14",
+              source="Eq. 14 for sprags that slide on the inner race with μ = 0.9 tan ν_0",
               tex=r"\frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)\mu - h}"
               r"{OB - b_e}}, \quad h = h_i - h_e")  # fmt: skip
     def N_slides(self) -> float:
