@@ -52,7 +52,9 @@ class SpragLoads(LoadsInputs):
     def p_0(self) -> float:
         return self.hertz[1]
 
-    @Quantity("R_rel", "mm", "relative radius of the contact", source="Hertz", role="step")
+    @Quantity(
+        "R_rel", "mm", "relative radius of curvature of the contact", source="Hertz", role="step"
+    )
     def R_rel(self) -> float:
         R_2 = -self.r_i if self.loaded == "bore" else self.r_o
         return float(hertz_line.relative_radius(R_1=self.R, R_2=R_2))
@@ -65,23 +67,25 @@ class SpragLoads(LoadsInputs):
             loaded_race.share(self.n * self.a / self.radius)
         )  # fmt: skip
 
-    @Quantity("δ_H", "µm", "local indentation to the wall's depth", role="step",
+    @Quantity("δ_H", "µm", "local indentation relative to a point at the depth of the wall",
+              role="step",
               source="Hertz's contact, plane stress",
               tex=r"\frac{2 P}{\pi E} \left(\ln\left(\frac{d}{a} + \sqrt{1 + \frac{d^2}{a^2}}"
               r"\right) - \nu \frac{d}{d + \sqrt{a^2 + d^2}}\right)")  # fmt: skip
     def dent(self) -> float:
         return self.dent_to(self.wall)
 
-    @Quantity("δ_Hh", "µm", "local indentation to half the wall's depth", role="step",
+    @Quantity("δ_Hh", "µm", "local indentation relative to a point at half the depth of the wall",
+              role="step",
               source="Hertz's contact, plane stress")  # fmt: skip
     def dent_half(self) -> float:
         return self.dent_to(self.wall / 2)
 
-    @Quantity("δ_tot", "µm", "Eq. 6 plus the local indentation")
+    @Quantity("δ_tot", "µm", "deflection by Eq. 6 plus the local indentation")
     def with_dent(self) -> float:
         return self.smeared + self.dent
 
-    @Quantity("δ_tot/δ(0)", "1", "δ_tot over the deflection at a load", role="step")
+    @Quantity("δ_tot/δ(0)", "1", "ratio of δ_tot to the deflection at a load", role="step")
     def windup(self) -> float:
         return self.with_dent / self.load
 

@@ -134,7 +134,8 @@ class RotatingRace(Case):
         return float(race_deflection(P=self.F / self.L, n=self.n, r_i=self.r_i, r_o=self.r_o,
                                      E=self.E, nu=self.nu, loaded="bore"))  # fmt: skip
 
-    @Quantity("δ_ce/δ_BE", "1", "growth at speed over deflection δ_BE", source="Eq. 8 over Eq. 6",
+    @Quantity("δ_ce/δ_BE", "1", "growth of the bore at speed over its deflection δ_BE",
+              source="Eq. 8 over Eq. 6",
               tex=r"\frac{\delta_{ce}}{\delta_{BE}}", role="step")  # fmt: skip
     def ratio(self) -> float:
         return self.growth / self.under_sprags

@@ -49,7 +49,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         "the pressure under the largest force of an engagement is that of a static contact",
     )
 
-    @Quantity("Q_0", "N", "design load of all crowns, without deflections")
+    @Quantity("Q_0", "N", "design load of every crown: static load of a sprag between rigid parts")
     def Q_crown(self) -> float:
         return crowned_for(self)
 
@@ -130,7 +130,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         yield Equation(
             tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
             r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
-            place="Eq. 20, for squares of pressures, separately for the end slice and the rest",
+            place="Eq. 20 for squares of pressures, separately for end slice and other slices",
         )
 
     def advice(self) -> Iterator[str]:

@@ -79,7 +79,7 @@ class OptimumInputs(EngagementInputs):
 class Optimum25Inputs(OptimumInputs):
     """Inputs for 25 N m, with the crown of Eq. 21."""
 
-    K_1: float = quantity(2.1507, "1", "K_1", "depth of the given crown", gt=0, le=100,
+    K_1: float = quantity(2.1507, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-25nm-k1")  # fmt: skip
     K_2: float = quantity(0.6763, "1", "K_2", "crowned length over length l, given crown",
                           gt=0, le=1, claims="huang2018:optimum-25nm-k2")  # fmt: skip
@@ -92,7 +92,7 @@ class Optimum40Inputs(OptimumInputs):
 
     T: float = quantity("40 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9,
                         claims="huang2018:torque-40")  # fmt: skip
-    K_1: float = quantity(2.8, "1", "K_1", "depth of the given crown", gt=0, le=100,
+    K_1: float = quantity(2.8, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-40nm-k1")  # fmt: skip
     K_2: float = quantity(0.7, "1", "K_2", "crowned length over length l, given crown",
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip

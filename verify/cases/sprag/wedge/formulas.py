@@ -138,7 +138,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def torque(self) -> float:
         return float(self.state.T)
 
-    @Quantity("T", "N m", "torque with the printed lever arm", equation="16",
+    @Quantity("T", "N m", "torque by the lever arms", equation="16",
               form="as printed", form_of="T")  # fmt: skip
     def torque_printed(self) -> float:
         inner, _ = printed.lever_arms(self.clutch.sprag, self.state.yields)
@@ -150,7 +150,7 @@ class WedgeFormulas(WedgeInputs, Case):
         return float(self.state.T_i)
 
     @Quantity("N_e", "N", "normal force on the outer race", role="step",
-              source="equilibrium; equal to N in the paper",
+              source="equilibrium of two forces; in the paper, N_e equals N",
               tex=r"N \frac{\cos\left(\omega_T\right)}{\cos\left(\nu_T\right)}")  # fmt: skip
     def N_e(self) -> float:
         return float(self.state.N_e)
@@ -165,33 +165,34 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha(self) -> float:
         return float(self.state.alpha_b)
 
-    @Quantity("α", "deg", "rotation with half planes and Eq. 6 of long races", form_of="alpha",
+    @Quantity("α", "deg", "sprag rotation with contacts of half planes, and Eq. 6 of long races",
+              form_of="alpha",
               source="Eqs. 6, 10")  # fmt: skip
     def alpha_plane(self) -> float:
         return float(self.state_of(self.bodies.plane).alpha_b)
 
-    @Quantity("α", "deg", "rotation by printed Eqs. 9, 10, elastic deflections",
+    @Quantity("α", "deg", "sprag rotation by Eqs. 9, 10 with elastic deflections",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
     def alpha_printed(self) -> float:
         return float(self.printed_state_of(self.clutch).alpha_b)
 
-    @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7", form_of="alpha",
+    @Quantity("α", "deg", "sprag rotation with Palmgren's law and Eqs. 6, 7", form_of="alpha",
               source="Eqs. 6, 7, 10")  # fmt: skip
     def alpha_composite(self) -> float:
         return float(self.state_of(self.bodies.composite).alpha_b)
 
-    @Quantity("α", "deg", "rotation with Palmgren's law and Eq. 6", form_of="alpha",
+    @Quantity("α", "deg", "sprag rotation with Palmgren's law and Eq. 6", form_of="alpha",
               source="Eqs. 6, 10")  # fmt: skip
     def alpha_contacts(self) -> float:
         return float(self.state_of(self.bodies.by_contacts_and_races).alpha_b)
 
-    @Quantity("α", "deg", "rotation by printed Eqs. 9, 10, Palmgren's law, Eqs. 6, 7",
+    @Quantity("α", "deg", "sprag rotation by Eqs. 9, 10 with Palmgren's law and Eqs. 6, 7",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:
         return float(self.printed_state_of(self.bodies.composite).alpha_b)
 
-    @Quantity("θ", "deg", "wind-up of the races, by rolling",
-              source="work; valid with OA_s, not with the printed OA in Eq. 10",
+    @Quantity("θ", "deg", "wind-up of the races with rolling contacts",
+              source="work of T and N; valid with OA_s in Eq. 10, not with the printed OA",
               tex=r"\int \frac{n_s N}{T} \mathrm{d}H")  # fmt: skip
     def theta(self) -> float:
         return float(rolled(self.clutch, np.asarray(self.N)))

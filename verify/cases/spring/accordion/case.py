@@ -95,7 +95,7 @@ class AccordionSpring(FreeStage):
     k_V = Quantity("k_V", "N/mm", "stiffness with bending, axial force and shear",
                    source=FRAME).reads(lambda q: q._stiffness("shear"))  # fmt: skip
 
-    @Quantity("k_1", "N/mm", "stiffness with the printed leaf length of Eq. 3",
+    @Quantity("k_1", "N/mm", "stiffness with the leaf length",
               equation="3", form="as printed", form_of="k1")  # fmt: skip
     def k1_printed_leaves(self) -> float:
         leaf = 2 * self.L1 / math.sin(self.alpha) + (2 * self.r + self.h) / math.tan(self.alpha)

@@ -67,11 +67,11 @@ class CurveSpring(CurveInputs, Case):
         tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
         r"\gamma=n\cdot r', \quad \kappa=\varphi')",
     ).reads(lambda q: q.linear.k1)  # fmt: skip
-    U_A = Quantity("U_A", "mm", "displacement at first contact, linear theory", source=LINEAR,
+    U_A = Quantity("U_A", "mm", "displacement at which a tip touches, linear theory", source=LINEAR,
                    tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
-    F_A = Quantity("F_A", "N", "force at first contact, linear theory",
+    F_A = Quantity("F_A", "N", "force at which a tip touches, linear theory",
                    source=LINEAR).reads(lambda q: q.linear.F_A)  # fmt: skip
-    k2 = Quantity("k_2", "N/mm", "stiffness after first contact, linear theory",
+    k2 = Quantity("k_2", "N/mm", "stiffness after a tip touches, linear theory",
                   source=LINEAR).reads(lambda q: q.linear.k2)  # fmt: skip
 
     @Quantity("U_10", "mm", "displacement at the intersection of Eq. 10's lines", role="step",

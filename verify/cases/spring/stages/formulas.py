@@ -54,7 +54,7 @@ class StageFormulas(StagesInputs, Case):
     k1 = Quantity("k_1", "N/mm", "stiffness before the tips touch", source=TIPS,
                   tex=r"\frac{EI}{J}").reads(lambda q: q._stages.k1)  # fmt: skip
 
-    @Quantity("f_FC", "mm^3", "mixed compliance integral of F and contact force",
+    @Quantity("f_FC", "mm^3", "compliance integral of F with the contact force",
               role="step", source=TIPS, tex=r"\int M\,m\,ds")  # fmt: skip
     def f_FC(self) -> float:
         return self.gap * self.EI / self.F_A
@@ -69,7 +69,8 @@ class StageFormulas(StagesInputs, Case):
     def J_C(self) -> float:
         return self.J - self.EI / self.k2
 
-    k2 = Quantity("k_2", "N/mm", "stiffness between the contacts of both tips", source=TIPS,
+    k2 = Quantity("k_2", "N/mm", "stiffness after the first and before the second tip touches",
+                  source=TIPS,
                   tex=r"\frac{EI}{J - J_C}").reads(lambda q: q._stages.k2)  # fmt: skip
 
     @Quantity("c_2", "N", "force of the second line at U = 0", source=TIPS)
