@@ -62,7 +62,7 @@ def test_the_verdict_comes_first(changes, verdict):
             {"T": 1e9},
             "no R_a, X or L near the given values is sufficient for this torque",
         ),
-        (TIGHT, "of 20,000 clutches of identical rollers with ±5 µm on X"),
+        (TIGHT, "random sample of 20,000 clutches with ±5 µm on X"),
         (CUP | {"T": 30.0, "X_tol": 5e-5}, "pop through"),
     ],
 )

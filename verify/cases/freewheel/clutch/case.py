@@ -23,10 +23,11 @@ WITHIN = "share of clutches within tolerance that"
 
 
 class FreewheelClutch(ClutchInputs):
-    """Whether a roller freewheel holds, and which limit is reached first as its loads grow.
+    """A roller freewheel is checked for slip, and for the limit that it reaches first.
 
-    The limits are friction, pressure, the ends of the cam flats, pop-through and tilt of the
-    rollers. A few micrometres change the clamping angle, and with it all limits.
+    The limits are friction, contact pressure, the ends of the cam flats, pop-through of the rollers
+    and their tilt. Deviations of a few micrometres change the clamping angle, and with it all
+    limits.
     """
 
     id = "freewheel-clutch"
@@ -36,30 +37,31 @@ class FreewheelClutch(ClutchInputs):
     levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
     readings: ClassVar = (
         "T and F_ax act on the whole clutch: F_a = F_ax/z on a roller, F_t = T/(zR)",
-        "R, r are radii and X the distance of a flat from the axis",
-        "± are limits of size: three standard deviations of a normal distribution, or the range of "
-        "a uniform one; s_μ is always the standard deviation of a normal distribution",
+        "R and r are radii, and X is the distance of a flat from the axis",
+        "± is the tolerance of a dimension: three standard deviations of a normal distribution, or "
+        "half of the range of a uniform one. s_μ is the standard deviation of the friction "
+        "coefficient, which has a normal distribution",
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
-        "the paper prints no dimensions, friction or tolerances of its clutches: these are a "
-        "synthetic clutch's; axial load and tolerances are user inputs",
-        "classes by μ/μ_req follow the paper's observations on its test rig (Sec. 7). A clutch "
-        "whose tan α_0 exceeds μ is red at any ratio",
-        "all rollers of a clutch are identical and carry equal loads; unloading, wear, crowns, "
-        "centrifugal forces and springs are neglected",
-        "P(slip) is the share of clutches of identical rollers that slip. If r and X differ from "
-        "roller to roller, the first roller slips in 1.5 to 2 times as many clutches (computed for "
-        "this synthetic clutch). The share of clutches that cannot carry the load with all rollers "
-        "together is about P(slip)",
-        "each limit is computed with the other load constant: F_ax is constant as T grows, and T "
-        "as F_ax grows. The couple of the axial forces makes the line load vary linearly along the "
+        "the paper prints no dimensions, friction coefficients or tolerances of its clutches: the "
+        "default inputs describe a synthetic clutch. Axial load and tolerances are user inputs",
+        "the classes green, yellow and red by μ/μ_req follow the paper's observations on its test "
+        "rig (Sec. 7). A clutch whose tan α_0 exceeds μ is red at any μ/μ_req",
+        "all rollers of a clutch are identical and carry equal loads. Unloading, wear, crowned "
+        "rollers, centrifugal forces and springs are neglected",
+        "P(slip) is the share of clutches that slip, with identical rollers in each clutch. "
+        "If r and X differ from roller to roller, at least one roller slips in 1.5 to 2 times as "
+        "many clutches (computed for this synthetic clutch). The share of clutches in which "
+        "all rollers together cannot carry the load is about P(slip)",
+        "limits of the torque are computed at constant F_ax, and limits of the axial load at "
+        "constant T. The couple of the axial forces makes the line load vary linearly along the "
         "roller",
-        "a star is clamped in its bore; a shaft and every rim are free. Finite elements cover only "
-        "inner cams with one material for all parts",
+        "a star (inner cam) is clamped in its bore. A shaft (outer cam) and the rims of all outer "
+        "parts are free. Finite elements cover only inner cams with one material for all parts",
     )
 
-    @Quantity("σ", "1", "+1 for an inner cam, −1 for an outer cam", role="step")
+    @Quantity("σ", "1", "sign of the cam: +1 for an inner cam, −1 for an outer cam", role="step")
     def sense(self) -> float:
         return 1.0 if self.is_star else -1.0
 
@@ -91,10 +93,10 @@ class FreewheelClutch(ClutchInputs):
     p_o = Quantity("p_o", "MPa", "peak pressure of the outer contacts (Hertz)",
                    safe="too high").reads(lambda q: q._of_state("p_o"))  # fmt: skip
     d_i = Quantity(
-        "d_i", "µm", "approach of roller and inner part",
+        "d_i", "µm", "elastic approach of roller and inner part",
     ).reads(lambda q: q._of_state("d_i"))  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and outer part",
+        "d_o", "µm", "elastic approach of roller and outer part",
     ).reads(lambda q: q._of_state("d_o"))  # fmt: skip
     s = Quantity("s", "µm", "travel of the rollers along the cam",
                  equation="6").reads(lambda q: q._of_state("s"))  # fmt: skip
@@ -115,8 +117,8 @@ class FreewheelClutch(ClutchInputs):
             return math.nan
         return float(self.duty.required(self.T, now.alpha))
 
-    @Quantity("μ/μ_req", "1", "available over required friction", equation="10", safe="too low",
-              tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
+    @Quantity("μ/μ_req", "1", "ratio of available to required friction coefficient",
+              equation="10", safe="too low", tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
     def safety(self) -> float:
         return self.mu / self.mu_req
 
@@ -125,15 +127,16 @@ class FreewheelClutch(ClutchInputs):
         tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}",
     ).reads(lambda q: q._axial.get("slip", math.nan))  # fmt: skip
     F_tilt_lift = Quantity(
-        "F_lift", "N", "axial load that lifts the rollers off at one end", safe="too low",
+        "F_lift", "N", "axial load at which one end of the rollers lifts off", safe="too low",
     ).reads(lambda q: q._axial.get("tilt_lift", math.nan))  # fmt: skip
-    F_tilt = Quantity("F_tilt", "N", "axial load at which the contact forces move by (e/L)_lim",
+    F_tilt = Quantity("F_tilt", "N", "axial load at which e/L is (e/L)_lim",
                       safe="too low").reads(lambda q: q._axial.get("tilt", math.nan))  # fmt: skip
     F_pressure = Quantity(
-        "F_p", "N", "axial load at which the rollers' ends reach p_lim", safe="too low",
+        "F_p", "N", "axial load at which the peak pressure at the rollers' ends is p_lim",
+        safe="too low",
     ).reads(lambda q: q._axial.get("pressure", math.nan))  # fmt: skip
 
-    @Quantity("e", "µm", "shift of the contact forces by the tilting couple", role="step",
+    @Quantity("e", "µm", "axial shift of the normal forces by the tilting couple", role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
     def e(self) -> float:
         if (now := self.duty.under) is None:
@@ -141,12 +144,13 @@ class FreewheelClutch(ClutchInputs):
         return float(tilt.offset(F_a=self.F_a, F_n=now.N, r=self.r, alpha=now.alpha))
 
     @Quantity(
-        "e/L", "1", "shift of the contact forces over the length of the rollers", tex=r"\frac{e}{L}"
-    )
+        "e/L", "1", "ratio of the shift of the normal forces to the length of the rollers",
+        tex=r"\frac{e}{L}",
+    )  # fmt: skip
     def e_L(self) -> float:
         return self.e / self.L
 
-    @Quantity("q/q_m", "1", "maximum of the line load, at one end, over its mean")
+    @Quantity("q/q_m", "1", "ratio of the maximum line load (at one end of a roller) to the mean")
     def peak(self) -> float:
         if not math.isfinite(self.e):
             return math.nan
@@ -156,17 +160,19 @@ class FreewheelClutch(ClutchInputs):
     def p_end(self) -> float:
         return max(self.p_i, self.p_o) * math.sqrt(self.peak)
 
-    @Quantity("T_min", "N m", "torque below which friction does not transmit the axial load")
+    @Quantity("T_min", "N m", "smallest torque at which friction transmits the axial load")
     def T_bears(self) -> float:
         return self.duty.least_torque if self.T >= 0 else math.nan
 
     T_slip = Quantity("T_μ", "N m", "torque at which the contacts slip",
                       safe="too low").reads(lambda q: q._torques.get("slip", math.nan))  # fmt: skip
     T_pressure_inner = Quantity(
-        "T_pi", "N m", "torque at which the inner contacts reach p_lim", safe="too low",
+        "T_pi", "N m", "torque at which the peak pressure of the inner contacts is p_lim",
+        safe="too low",
     ).reads(lambda q: q._torques.get("pressure_inner", math.nan))  # fmt: skip
     T_pressure_outer = Quantity(
-        "T_po", "N m", "torque at which the outer contacts reach p_lim", safe="too low",
+        "T_po", "N m", "torque at which the peak pressure of the outer contacts is p_lim",
+        safe="too low",
     ).reads(lambda q: q._torques.get("pressure_outer", math.nan))  # fmt: skip
     T_corner = Quantity(
         "T_c", "N m", "torque at which the rollers reach the ends of the cam flats", safe="too low",
@@ -175,11 +181,13 @@ class FreewheelClutch(ClutchInputs):
         "T_pop", "N m", "torque at which the rollers pop through", safe="too low",
     ).reads(lambda q: q._torques.get("pop_through", math.nan))  # fmt: skip
 
-    @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of α_0 to {0}").over(("X", "r", "R"))
+    @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of the clamping angle without load to {0}").over(
+        ("X", "r", "R")
+    )
     def dalpha_0_d(self, dimension: str) -> float:
         return next(s.slope for s in self.slopes if s.name == dimension)
 
-    @Quantity("dα(T)/dX", "deg/mm", "sensitivity of α under torque to X, over ±5 µm")
+    @Quantity("dα(T)/dX", "deg/mm", "sensitivity of the clamping angle under torque to X")
     def dalpha_dX(self) -> float:
         if self.duty.under is None:
             return math.nan
@@ -187,12 +195,12 @@ class FreewheelClutch(ClutchInputs):
         low, high = (float(state.loaded(clutch, self.T).alpha) for clutch in flats)
         return (high - low) / (2 * self.off)
 
-    @Quantity("s(α_0)", "deg", "standard deviation of α_0 due to the tolerances")
+    @Quantity("s(α_0)", "deg", "standard deviation of the clamping angle without load")
     def s_alpha_0(self) -> float:
         return deviation(self.cam, self.sigma)
 
     P_slip = Quantity(
-        "P(slip)", "%", "share of clutches of identical rollers that slip",
+        "P(slip)", "%", "share of clutches within tolerance that slip",
     ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
     P_no_wedge = Quantity(
         "P(gap)", "%", "share of clutches within tolerance that have no wedge",
@@ -202,11 +210,11 @@ class FreewheelClutch(ClutchInputs):
                            "the formulas",
     ).reads(lambda q: q._scattered.get("P_no_state", math.nan))  # fmt: skip
     P_corner = Quantity(
-        "P(corner)", "%", "share of clutches within tolerance with rollers beyond the ends of the "
-                          "flats",
+        "P(corner)", "%", "share of clutches within tolerance that have rollers beyond the "
+                          "ends of the flats",
     ).reads(lambda q: q._scattered.get("P_corner", math.nan))  # fmt: skip
 
-    @Quantity("{0}", "%", f"{WITHIN} are in class {{0}} by friction").over(
+    @Quantity("{0}", "%", f"{WITHIN} are in class {{0}} by μ/μ_req").over(
         ("green", "yellow", "red")
     )
     def share(self, light: str) -> float:
@@ -220,7 +228,7 @@ class FreewheelClutch(ClutchInputs):
     def alpha_below(self, percent: str) -> float:
         return self._scattered.get(f"alpha_{percent}", math.nan)
 
-    @Quantity("μ/μ_req,{0}%", "1", f"available over required friction {BELOW}").over(PERCENTS)
+    @Quantity("μ/μ_req,{0}%", "1", f"ratio μ/μ_req {BELOW}").over(PERCENTS)
     def safety_below(self, percent: str) -> float:
         return self._scattered.get(f"safety_{percent}", math.nan)
 

@@ -69,9 +69,9 @@ def tilted(q: ClutchInputs, v: Values) -> list[str]:
         return []
     end = f"{pascal(v['p_end'])} at one end" if "p_end" in v else "unbounded at one end"
     return [
-        "the couple of the axial forces tilts the rollers: the contact forces shift by "
-        f"{v['e_L']:.2g} L and the pressure is {end}; the friction criterion does not include the "
-        "tilt"
+        "the couple of the axial forces tilts the rollers: the normal forces shift by "
+        f"{v['e_L']:.2g} L along the rollers, and the peak pressure is {end}; the friction "
+        "criterion does not include the tilt"
     ]
 
 

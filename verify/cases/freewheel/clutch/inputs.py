@@ -62,8 +62,9 @@ class ClutchInputs(Case):
     r: float = given("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
     X: float = given("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
                         le=1e5)  # fmt: skip
-    R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
-                          "housing into which a drawn cup is pressed", gt=0.1, le=1e5)  # fmt: skip
+    R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer part; for a "
+                          "drawn cup, of the housing into which it is pressed", gt=0.1,
+                          le=1e5)  # fmt: skip
     r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
                           "shaft in an outer cam", ge=0, le=1e5)  # fmt: skip
     z: int = count(8, "z", "number of rollers", ge=3, le=100)

@@ -101,8 +101,8 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         )
     slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
-        f"of {DRAWS:,} clutches of identical rollers with {', '.join(given)}: {slips} (classes by "
-        f"friction: {shares}){spread}"
+        f"random sample of {DRAWS:,} clutches with {', '.join(given)}, all rollers of a clutch "
+        f"identical: {slips} (classes by μ/μ_req: {shares}){spread}"
     ]
 
 
