@@ -14,19 +14,20 @@ class Pulled(Star):
     mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=0.01,
                       le=1)  # fmt: skip
 
-    @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
+    @Quantity("μ_T", "1", "required friction coefficient under torque alone", equation="1",
               safe="too high", tex=r"\tan\left(\alpha\right)")  # fmt: skip
     def mu_T(self) -> float:
         alone = {"T": self.T, "F_ax": 0.0, "R": self.R}
         return float(criterion.required_friction(alpha=self.state.alpha, **alone))
 
     @Quantity("F_t", "N", "tangential force at either contact of a roller", equation="3",
-              form="corrected", source="T of the whole clutch", tex=r"\frac{T}{z R}")  # fmt: skip
+              form="corrected", source="T is the torque of the whole clutch",
+              tex=r"\frac{T}{z R}")  # fmt: skip
     def F_t(self) -> float:
         return float(self.T / self.cam.torque_on_race(F_t=1.0))
 
     @Quantity("F_a", "N", "axial force at either contact of a roller",
-              source="F_ax of the whole clutch", tex=r"\frac{F_{ax}}{z}")  # fmt: skip
+              source="F_ax is the load of the whole clutch", tex=r"\frac{F_{ax}}{z}")  # fmt: skip
     def F_a(self) -> float:
         return self.F_ax / self.z
 

@@ -69,8 +69,8 @@ class Star(Rollers):
     X: float = given("11.39565 mm", "mm", "X", "distance of the star's flats from the axis",
                      gt=1e-4, le=1e5)  # fmt: skip
     R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer ring", gt=1e-3, le=1e5)
-    r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the star, on its shaft", gt=1e-4,
-                       le=1e5)  # fmt: skip
+    r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the star, clamped on its shaft",
+                       gt=1e-4, le=1e5)  # fmt: skip
     z: int = count(8, "z", "number of rollers", ge=3, le=100)
     L: float = given("10 mm", "mm", "L", "length of the rollers", gt=1e-3, le=1e6)
     T: float = given("26 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9,
@@ -164,7 +164,7 @@ class Star(Rollers):
         tex=r"\arccos\left(\sqrt{\frac{R + X}{2 (R - r)}}\right) = "
         r"\frac{1}{2} \arccos\left(\frac{X + r}{R - r}\right)",
     ).reads(lambda q: q.cam.alpha0)  # fmt: skip
-    E_plane = Quantity("E'", "GPa", "modulus in plane strain", role="step",
+    E_plane = Quantity("E'", "GPa", "Young's modulus for plane strain", role="step",
                        tex=r"\frac{E}{1 - \nu^2}").reads(lambda q: q.bodies.inner.E)  # fmt: skip
     a_i = Quantity("a_i", "µm", "half-width of the contact on the star", source="Hertz",
                    tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}").reads(lambda q: q.state.a_i)  # fmt: skip
@@ -173,7 +173,8 @@ class Star(Rollers):
         tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}",
     ).reads(lambda q: q.state.a_o)  # fmt: skip
     l = Quantity(  # noqa: E741
-        "l", "mm", "distance of the undeformed contact on the flat from the axis", role="step",
+        "l", "mm", "distance of the undeformed contact point on the flat from the axis",
+        role="step",
         tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}",
     ).reads(lambda q: q.bodies.inner.l)  # fmt: skip
     k_i = Quantity(
@@ -184,15 +185,15 @@ class Star(Rollers):
         "k_o", "1", "compliance constant of a ring that is free at its rim", role="step",
         source="series over all loads on the ring",
     ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
-    c_o = Quantity("c_o", "1", "curvature term of the ring", role="step",
+    c_o = Quantity("c_o", "1", "coefficient of the curvature term of d_o", role="step",
                    source="series").reads(lambda q: q.bodies.outer.c)  # fmt: skip
     d_i = Quantity(
-        "d_i", "µm", "approach of roller and star", source="star clamped in its bore",
+        "d_i", "µm", "approach of roller and star", source="the star is clamped in its bore",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
         r"2 \ln\left(\frac{l}{a_i}\right) + k_i)",
     ).reads(lambda q: q.state.d_i)  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and ring", source="ring free at its rim",
+        "d_o", "µm", "approach of roller and ring", source="the rim of the ring is free",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
         r"2 \ln\left(\frac{R}{a_o}\right) + k_o + \frac{c_o a_o}{R})",
     ).reads(lambda q: q.state.d_o)  # fmt: skip
@@ -205,7 +206,7 @@ class Star(Rollers):
     N = Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
                  tex=r"\frac{F_t}{\tan\left(\alpha\right)}").reads(lambda q: q.state.N)  # fmt: skip
 
-    @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
+    @Quantity("μ_T", "1", "required friction coefficient under torque alone", equation="1",
               safe="too high",
               tex=r"\tan\left(\alpha\right) = \frac{F_t}{F_n}")  # fmt: skip
     def mu_T(self) -> float:

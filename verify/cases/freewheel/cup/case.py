@@ -58,11 +58,11 @@ SHARED = "plane strain, small strain, cup and housing as one body, shaft and cup
 
 
 class FreewheelCup(Cup):
-    """Drawn-cup roller clutch with flats in the cup: load draws the rollers towards ψ = 0.
+    """Drawn-cup roller clutch with flats in the cup: load reduces the wedge angle ψ towards 0.
 
-    The angle decreases, and the torque has a maximum before the rollers pop through between shaft
-    and cup. Finite elements of one pitch of shaft, roller and cup, with friction at both races,
-    follow the torque beyond its maximum. Their energy gives the wind-up.
+    The torque has a maximum before the rollers pop through between shaft and cup. Finite elements
+    of one pitch of shaft, roller and cup, with friction at both races, follow the torque beyond its
+    maximum. The wind-up follows from their strain energy.
     """
 
     id = "freewheel-cup"
@@ -103,7 +103,7 @@ class FreewheelCup(Cup):
         "α_0", "deg", "clamping angle without load, Eq. 4 for a cup",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r}{R_s + r}\right)",
     ).reads(lambda q: q.cam.alpha0)  # fmt: skip
-    E_plane = Quantity("E'", "GPa", "modulus in plane strain", role="step",
+    E_plane = Quantity("E'", "GPa", "Young's modulus for plane strain", role="step",
                        tex=r"\frac{E}{1 - \nu^2}").reads(lambda q: q.bodies.outer.E)  # fmt: skip
     a_i = Quantity(
         "a_i", "µm", "half-width of the contact on the shaft", source="Hertz",
@@ -116,28 +116,29 @@ class FreewheelCup(Cup):
         tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}",
     ).reads(lambda q: q.bodies.outer.l)  # fmt: skip
     k_i = Quantity(
-        "k_i", "1", "constant of a shaft", role="step", source="series over all loads on the shaft",
+        "k_i", "1", "compliance constant of the shaft", role="step",
+        source="series over all loads on the shaft",
     ).reads(lambda q: q.bodies.inner.k)  # fmt: skip
-    c_i = Quantity("c_i", "1", "curvature term of the shaft", role="step",
+    c_i = Quantity("c_i", "1", "coefficient of the curvature term of d_i", role="step",
                    source="series").reads(lambda q: q.bodies.inner.c)  # fmt: skip
     k_o = Quantity(
-        "k_o", "1", "constant of a ring that is free outside", role="step",
+        "k_o", "1", "compliance constant of a ring that is free at its rim", role="step",
         source="series over all loads on the ring",
     ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
-    c_o = Quantity("c_o", "1", "curvature term of the ring", role="step",
+    c_o = Quantity("c_o", "1", "coefficient of the curvature term of d_o", role="step",
                    source="series").reads(lambda q: q.bodies.outer.c)  # fmt: skip
     d_i = Quantity(
-        "d_i", "µm", "approach of roller and shaft", source="shaft free in its bore",
+        "d_i", "µm", "approach of roller and shaft", source="the bore of the shaft is free",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
         r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})",
     ).reads(lambda q: q.state.d_i)  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and cup", source="ring that replaces the cup",
+        "d_o", "µm", "approach of roller and cup", source="for the ring that replaces the cup",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
         r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})",
     ).reads(lambda q: q.state.d_o)  # fmt: skip
     alpha = Quantity(
-        "α", "deg", "clamping angle under torque, Eq. 5 for a cup", source="load lowers the angle",
+        "α", "deg", "clamping angle under torque, Eq. 5 for a cup", source="load reduces the angle",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(
@@ -150,13 +151,13 @@ class FreewheelCup(Cup):
     N = Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
                  tex=r"\frac{F_t}{\tan\left(\alpha\right)}").reads(lambda q: q.state.N)  # fmt: skip
 
-    @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
+    @Quantity("μ_T", "1", "required friction coefficient under torque alone", equation="1",
               safe="too high", tex=r"\tan\left(\alpha\right) = \frac{F_t}{F_n}")  # fmt: skip
     def mu_T(self) -> float:
         return float(np.tan(self.state.alpha))
 
     x = Quantity(
-        "x", "mm", "distance of the contact on the flat from the middle of the flat", role="step",
+        "x", "mm", "distance of the contact point from the middle of the flat", role="step",
         tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
     torque = Quantity("T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup",
@@ -194,20 +195,22 @@ class FreewheelCup(Cup):
     alpha_max = Quantity("α_max", "deg", "clamping angle at the largest torque",
                          role="step").reads(lambda q: q.at_summit.alpha)  # fmt: skip
 
-    @Quantity("p_max", "MPa", "larger peak pressure at the largest torque (Hertz)", role="step")
+    @Quantity(
+        "p_max", "MPa", "larger of both peak pressures at the largest torque (Hertz)", role="step"
+    )
     def p_max(self) -> float:
         return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
 
-    through = Quantity("d_through", "µm", "sum of both approaches at pop-through of the rollers, α "
-                                          "= 0",
+    through = Quantity("d_through", "µm", "sum d_i + d_o of the approaches at pop-through of the "
+                                          "rollers (α = 0)",
                        role="step",
                        tex=r"R_s + 2 r - X_o").reads(lambda q: q.cam.pop_through)  # fmt: skip
 
-    @Quantity("d_max", "µm", "sum of both approaches at the largest torque", role="step")
+    @Quantity("d_max", "µm", "sum d_i + d_o of the approaches at the largest torque", role="step")
     def d_max(self) -> float:
         return float(self.at_summit.d_i + self.at_summit.d_o)
 
-    @Quantity("δ", "1", "sum of the approaches at the largest torque, over that at pop-through",
+    @Quantity("δ", "1", "ratio of d_i + d_o at the largest torque to d_i + d_o at pop-through",
               role="step", tex=r"\frac{d_{max}}{d_{through}}")  # fmt: skip
     def share(self) -> float:
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)

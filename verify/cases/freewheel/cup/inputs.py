@@ -28,9 +28,11 @@ class Cup(Rollers):
     r: float = given("2 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
     X_o: float = given("13.910554 mm", "mm", "X_o", "distance of the cup's flats from the axis",
                        gt=1e-3, le=1e5)  # fmt: skip
-    R_a: float = given("30 mm", "mm", "R_a", "outer radius of the cup in its housing", gt=1e-3,
+    R_a: float = given("30 mm", "mm", "R_a", "outer radius of the housing around the cup", gt=1e-3,
                        le=1e5)  # fmt: skip
-    r_b: float = given("4 mm", "mm", "r_b", "bore radius of the shaft, free", gt=1e-4, le=1e5)
+    r_b: float = given(
+        "4 mm", "mm", "r_b", "bore radius of the shaft, whose bore is free", gt=1e-4, le=1e5
+    )
     z: int = count(8, "z", "number of rollers", ge=3, le=100)
     L: float = given("10 mm", "mm", "L", "length of the rollers", gt=1e-3, le=1e6)
     T: float = given("18 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9)

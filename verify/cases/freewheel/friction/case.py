@@ -42,11 +42,11 @@ SHARED = "Coulomb's law of friction, plane strain, load uniform along the roller
 
 
 class FreewheelFriction(Pulled):
-    """Friction criterion: the friction forces of wedge and axial load add at right angles.
+    """Friction criterion: torque alone requires tan α, and an axial load requires more friction.
 
-    The wedge requires a friction coefficient of tan α. Finite elements of the elastic clutch slip
-    at the limit of this criterion, under torque and along the axis. Beyond the limit the ring also
-    rotates: slip has the direction of the resultant.
+    Finite elements of the elastic clutch slip at the limit of this criterion, under torque alone
+    and with an axial load. Beyond the limit, the ring also rotates, because the slip has the
+    direction of the resultant friction force.
     """
 
     id = "freewheel-friction"
@@ -60,28 +60,28 @@ class FreewheelFriction(Pulled):
     readings: ClassVar = (
         "T and F_ax are loads of the whole clutch. F_n, F_t and F_a are forces of one contact of "
         "one roller: Eq. 8 contains F_a = F_ax/z where Eq. 9 contains F_ax",
-        "α is half the angle between flat and ring at the roller, under load",
+        "α is half of the angle at the roller between the normals of flat and ring, under load",
         "the lever of F_t is the ring's bore radius R",
         "μ_req is a separate symbol: Eq. 8 writes tan α for it, but tan α is F_t/F_n (Eq. 1)",
-        "at μ = μ_req the clutch holds by Eqs. 1 and 8 and by the classes, but not by Eqs. 9 and "
-        "10",
+        "at μ = μ_req the clutch holds by Eqs. 1 and 8 and by the classes of Sec. 7, but not by "
+        "Eqs. 9 and 10",
     )
     assumptions: ClassVar = (
-        "dimensions, μ and F_ax are user inputs: the paper prints none for its clutches. This "
-        "clutch is synthetic, at the largest torque of the test rig",
-        "finite elements have plane strain and an axial displacement u_z(x, y): long rollers, the "
-        "axial load uniform on the ring's rim, rollers free along the axis, the star clamped on "
-        "its shaft",
+        "dimensions, μ and F_ax are user inputs, because the paper prints none for its clutches. "
+        "The default clutch is synthetic and carries the largest torque of the test rig",
+        "the finite elements combine plane strain with an axial displacement u_z(x, y), as for "
+        "long rollers. The axial load is uniform on the ring's rim, the rollers are free along the "
+        "axis, and the star is clamped on its shaft",
         "the axial forces of a roller form a couple 2 r cos α F_a that tilts it: F_n shifts by e "
         "along the roller, in opposite directions at star and ring. Neither the criterion nor "
-        "finite elements that are uniform along the axis include this shift: e and the peak follow "
-        "from a linear line load and are not judged",
+        "finite elements that are uniform along the axis include this shift: e and the maximum "
+        "line load follow from a line load that varies linearly, and are not judged",
         "contacts have fixed positions and normals: displacements are small compared with the "
         "radii. Where friction is computed, the position of the roller is prescribed",
         "beyond the limit, the ring is either driven at constant torque or held against rotation: "
         "both results are reported",
-        "one coefficient of friction, independent of sliding speed, no oil; the couples of all "
-        "rollers cancel on star and ring",
+        "the friction coefficient is equal at all contacts and independent of the sliding speed. "
+        "Oil films are neglected. The couples of all rollers cancel on star and ring",
     )
 
     @Quantity("μ_req", "1", "required friction coefficient with the F_ax of Eq. 9", equation="8",
@@ -93,14 +93,14 @@ class FreewheelFriction(Pulled):
         )  # fmt: skip
         return float(found)
 
-    @Quantity("μ/μ_req", "1", "available over required friction: the clutch holds if it is 1 or "
-                              "more",
+    @Quantity("μ/μ_req", "1", "ratio of available to required friction coefficient; the clutch "
+                              "holds if it is 1 or more",
               equation="10", safe="too low", tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
     def safety(self) -> float:
         return float(criterion.safety(mu=self.mu, mu_req=self.mu_req))
 
-    @Quantity("R dφ/du_z", "1", "circumferential creep of the ring's bore over axial slip at the "
-                                "limit, F_t/F_a",
+    @Quantity("R dφ/du_z", "1", "ratio of the circumferential creep of the ring's bore to its "
+                                "axial slip at the limit, F_t/F_a",
               source="slip beyond the limit is along the resultant", tex=r"\frac{T}{R F_{lim}}",
               when=lambda q: q.bears_axial_load)  # fmt: skip
     def creep(self) -> float:
@@ -112,7 +112,7 @@ class FreewheelFriction(Pulled):
         role="step", when=lambda q: q.bears_axial_load,
     ).reads(lambda q: q.slipped()[0][0])  # fmt: skip
 
-    @Quantity("e", "mm", "axial shift of F_n along the roller, by the couple of its axial forces",
+    @Quantity("e", "mm", "axial shift of F_n along the roller due to the tilting couple",
               source="tilt of the roller; neither the criterion nor these finite elements include "
                      "it",
               role="step",
@@ -121,12 +121,12 @@ class FreewheelFriction(Pulled):
         state = self.state
         return float(tilt.offset(F_a=self.F_a, F_n=state.N, r=self.r, alpha=state.alpha))
 
-    @Quantity("q/q_m", "1", "maximum of the line load over its mean, by the shift e", role="step",
+    @Quantity("q/q_m", "1", "ratio of maximum to mean line load due to the shift e", role="step",
               source="one end lifts off from e = L/6 on", tex=r"1 + \frac{6 e}{L}")  # fmt: skip
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
-    @Quantity("p_1/p", "1", "maximum of Hertz's pressure over its value at the mean line load",
+    @Quantity("p_1/p", "1", "ratio of the peak pressures at maximum and mean line load (Hertz)",
               role="step",
               tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
     def pressure(self) -> float:
@@ -229,9 +229,9 @@ class FreewheelFriction(Pulled):
         verdict = "holds" if self.safety >= 1 else "slips"
         yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
-            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis and creeps by "
-            f"{self.creep:.3g} times this slip; if it cannot rotate, the rollers are released "
-            f"within {self.u_out * 1e3:.2g} mm"
+            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis and creeps around it "
+            f"by {self.creep:.3g} times this slip; if the ring cannot rotate, the rollers are "
+            f"released within {self.u_out * 1e3:.2g} mm of axial slip"
         )
 
     def refusal(self) -> str:

@@ -71,20 +71,21 @@ class LoadPaths(Pulled):
         "derivation",
     )
     assumptions: ClassVar = (
-        "static equilibria: at 30 Hz, inertia of the ring adds (f/f_0)², 0.03 % of the loads. "
-        "Thirty times the inertia of the ring would add 1 %. Inertia of rollers and oil is also "
-        "neglected",
+        "all states are static equilibria: at 30 Hz, the inertia of the ring adds only (f/f_0)², "
+        "or 0.03 %, to the loads. Thirty times this inertia would add 1 %. The inertia of rollers "
+        "and oil is also neglected",
         "rise time, duration, μ and all dimensions are user inputs, because the text does not "
         "contain the settings of Table 1; the clutch is synthetic",
-        "finite elements, load cases 1 and 2: every extreme is a load step that starts from the "
-        "friction forces of the extreme before. The drive holds the torque constant and rotates "
-        "the ring as rollers creep. The cycles are fewer and smaller than those of the path: slip "
-        "does not depend on them",
-        "load case 3: between zero torque and 26 N m, the rollers travel by more than the width of "
-        "their contacts. Each torque has a separate roller position, where both loads are applied "
-        "together",
-        "expected errors: tan α of one contact, from a layer and a disc that enclose the star, and "
-        "tilt of the surfaces; at the limit, 1/(1 − (tan α/μ)²) multiplies both",
+        "in the finite elements of load cases 1 and 2, every extreme of the axial load is a load "
+        "step that starts from the friction forces of the preceding extreme. The drive holds the "
+        "torque constant and rotates the ring as the rollers creep. The cycles are fewer and "
+        "smaller than those of the path, because the load at slip does not depend on them",
+        "in load case 3, the rollers travel by more than the width of their contacts between zero "
+        "torque and 26 N m. Each torque is computed at a separate position of the roller, where "
+        "both loads are applied together",
+        "the expected errors have two sources: tan α of one contact, which is bounded by a layer "
+        "and a disc that enclose the star, and the tilt of the surfaces. At the limit load, both "
+        "are multiplied by 1/(1 − (tan α/μ)²)",
     )
 
     F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch at the end "
@@ -135,19 +136,21 @@ class LoadPaths(Pulled):
     def F_lim_3(self) -> float:
         return self.largest_axial_load(self.T_critical) if self.T_critical else 0.0
 
-    @Quantity("μ_{0}", "1", "largest required friction, load case {0}", source="Eqs. 8 and 9 along "
-              "the paths of Sec. 6", safe="too high").over(CASES)  # fmt: skip
+    @Quantity("μ_{0}", "1", "largest required friction coefficient, load case {0}",
+              source="Eqs. 8 and 9 along the paths of Sec. 6",
+              safe="too high").over(CASES)  # fmt: skip
     def peak(self, case: int) -> float:
         return self.courses[case].peak
 
-    @Quantity("t_{0}", "s", "time of the largest required friction, load case {0}",
+    @Quantity("t_{0}", "s", "time at which the required friction is largest, load case {0}",
               role="step").over(CASES)  # fmt: skip
     def when(self, case: int) -> float:
         return self.courses[case].when
 
     @Quantity(
-        "μ/μ_{0}", "1", "minimum of available over required friction, load case {0}", safe="too low"
-    ).over(CASES)
+        "μ/μ_{0}", "1", "smallest ratio of available to required friction, load case {0}",
+        safe="too low",
+    ).over(CASES)  # fmt: skip
     def safety(self, case: int) -> float:
         return self.mu / self.courses[case].peak
 
@@ -165,7 +168,7 @@ class LoadPaths(Pulled):
         tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
     ).reads(lambda q: q._top.phi)  # fmt: skip
 
-    @Quantity("k", "N m/rad", "torsional stiffness of the wedged rollers at T", role="step",
+    @Quantity("k", "N m/rad", "torsional stiffness of the wedged rollers under T", role="step",
               tex=r"\frac{\mathrm{d}T}{\mathrm{d}\varphi}")  # fmt: skip
     def stiffness(self) -> float:
         phi = loaded(self.clutch, self.T * np.array([1 - STEP, 1 + STEP])).phi
@@ -176,7 +179,7 @@ class LoadPaths(Pulled):
     def inertia(self) -> float:
         return self.rho * math.pi / 2 * (self.R_a**4 - self.R**4) * self.L
 
-    @Quantity("f_0", "Hz", "natural frequency of the ring alone on the wedged rollers",
+    @Quantity("f_0", "Hz", "natural frequency of the ring on the wedged rollers",
               role="step", tex=r"\frac{\sqrt{\frac{k}{J}}}{2 \pi}")  # fmt: skip
     def f_0(self) -> float:
         return math.sqrt(self.stiffness / self.inertia) / (2 * math.pi)
@@ -276,24 +279,24 @@ class LoadPaths(Pulled):
         slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
         named = ", ".join(map(str, slips))
         yield (
-            f"slips in load case{'s' * (len(slips) > 1)} {named} of {len(paths)}"
+            f"the clutch slips in load case{'s' * (len(slips) > 1)} {named} (of {len(paths)})"
             if slips
-            else f"holds to the end of all {len(paths)} load cases"
+            else f"the clutch holds to the end of all {len(paths)} load cases"
         )
         for case, course in paths.items():
-            slip, least = course.slips_at, f"{self.mu / course.peak:.3g}, {course.light}"
+            slip, least = course.slips_at, f"{self.mu / course.peak:.3g} (class {course.light})"
             ends = (
-                f"slips at {slip:.4g} s; continued to the end of the path as if it held, the "
-                f"minimum of μ/μ_req is {least}"
+                f"the clutch slips at {slip:.4g} s; the minimum of μ/μ_req is {least} if the path "
+                "is continued to its end as if the clutch held"
                 if math.isfinite(slip)
-                else f"holds to the end, the minimum of μ/μ_req is {least}"
+                else f"the clutch holds to the end; the minimum of μ/μ_req is {least}"
             )
             yield f"{drawn.NAMES[case]}: {ends}"
         if math.isfinite(self.F_lim):
             yield (
-                f"under T = {self.T:g} N m the limit is F_ax = {self.F_lim:.4g} N; alternating "
-                f"axial loads above about {SETTLES:g} of this limit may cause ratcheting before "
-                "slip (computed with --fem)"
+                f"under T = {self.T:g} N m the largest axial load without slip is "
+                f"{self.F_lim:.4g} N; alternating axial loads above about {SETTLES:g} of this "
+                "limit may cause ratcheting before slip (computed with --fem)"
             )
 
     def refusal(self) -> str:

@@ -58,9 +58,10 @@ LEAVES = (
 class FreewheelTorque(Star):
     """Roller freewheel under torque: rollers wedged between star and ring travel with the load.
 
-    Clamping angle, normal force, roller travel and wind-up over torque are compared, with the
-    paper's Eqs. 3 to 7 corrected. Finite elements of one pitch of star, roller and ring with
-    friction at both races agree. Their energy gives the wind-up without assuming rolling.
+    Clamping angle, normal force, roller travel and wind-up over torque by the corrected Eqs. 3 to 7
+    of the paper agree with finite elements of one pitch of star, roller and ring, with friction at
+    both races. The strain energy of the finite elements gives the wind-up without the assumption of
+    rolling.
     """
 
     id = "freewheel-torque"
@@ -96,11 +97,11 @@ class FreewheelTorque(Star):
     )
 
     x = Quantity(
-        "x", "mm", "distance of the contact on the flat from the middle of the flat", role="step",
+        "x", "mm", "distance of the contact point from the middle of the flat", role="step",
         tex=r"(R - r + d_o) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
-    torque = Quantity("T", "N m", "torque of the tangential forces", equation="3", form="corrected",
-                      form_of="T", tex=r"z R F_t",
+    torque = Quantity("T", "N m", "torque of the ring's tangential forces", equation="3",
+                      form="corrected", form_of="T", tex=r"z R F_t",
                       safe="too low").reads(lambda q: q.state.T)  # fmt: skip
 
     @Quantity("T", "N m", "torque of the star's contact forces", equation="3", form="corrected",
