@@ -19,8 +19,9 @@ class SpragEngagement(EngagementFormulas):
     """Oscillation of the races on the sprags after a torque is suddenly applied.
 
     The equations of motion of the paper are solved by its Runge-Kutta steps, with refined time
-    steps. The results are compared with LSODA with events, which has only the geometric closure in
-    common with them, and with an energy balance, statics and two races on a spring.
+    steps. The results are compared with those of the integrator LSODA, which stops at every change
+    between stick and slip and has only the geometric closure in common with them. They are also
+    compared with an energy balance, statics and the model of two races on a spring.
     """
 
     id = "sprag-engagement"
