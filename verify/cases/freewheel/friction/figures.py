@@ -170,28 +170,28 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     k, star, ring = last["shares"]
     rows = [
         (f"torque alone, μ = {k[i]:g} tan α",
-         f"at rest; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} on those of "
-         "the ring")
+         f"at rest; slipping nodes carry {star[i]:.0%} of F_n on the star and {ring[i]:.0%} of "
+         "F_n on the ring")
         for i in (k.size - 1, 0)
     ]  # fmt: skip
     if math.isfinite(last["onset"][0]):
         rows.append((
             f"torque alone, μ below {last['onset'][0]:.5f} tan α",
-            "slips: both contacts slip completely, and the roller is released from the wedge",
+            "slips; both contacts slip completely, and the roller is released from the wedge",
         ))  # fmt: skip
     holds = "at rest" if v["F_lim"] >= q.F_ax else "slips along the axis"
     rows.append(
-        (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
+        (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; F_ax at slip is {v['F_lim']:.5g} N")
     )
     creep, out = last["creep"], last["let_out"]
     rows.append((
         "ring driven along the axis at constant torque",
-        f"slips; F_t, F_n and F_a are constant, the ring creeps by {v['creep']:.3f} of its axial "
-        "slip",
+        f"slips; F_t, F_n and F_a are constant, and the circumferential creep of the ring is "
+        f"{v['creep']:.3f} times its axial slip",
     ))  # fmt: skip
     rows.append((
         "ring driven along the axis and held against rotation",
-        f"slips; the rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after "
-        f"{out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
+        f"slips; the rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after an "
+        f"axial slip of {out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 NAMES = {
     1: "load case 1: steady torque, growing axial load",
     2: "load case 2: steady torque, alternating axial load",
-    3: "load case 3: both alternate in phase",
+    3: "load case 3: torque and axial load alternate in phase",
 }
 HIGH = 1.15  # upper end of the axis over the largest value
 NEAR = 0.9  # friction cone drawn from this multiple of tan(alpha_0)
@@ -41,8 +41,8 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             title="The three load cases",
             header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at [s]"),
             rows=tuple(rows),
-            note="Classes of Sec. 7, used without derivation. By Coulomb's law the clutch slips "
-                 "where μ/μ_req falls below 1.",
+            note="The classes of Sec. 7 are used without derivation. By Coulomb's law the clutch "
+                 "slips where μ/μ_req falls below 1.",
         ),
     )  # fmt: skip
 

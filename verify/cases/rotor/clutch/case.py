@@ -14,9 +14,9 @@ from verify.form.adapter import adapted
 class ClutchLink(ClutchStiffness):
     """A sprag clutch under torque acts as a bearing and a torsion spring between two rotors.
 
-    Its stiffness is derived from one potential. It is compared with struts between rigid hubs that
-    have the inclination of the sprags and exact kinematics. The terms that the equations neglect
-    are derived; they give the intervals of the rows.
+    Its stiffness is derived from one potential and compared with that of struts between rigid hubs.
+    The struts have the inclination of the sprags, and their kinematics are exact. The terms that
+    the equations neglect are derived; they give the intervals of the expected errors.
     """
 
     id = "rotor-clutch"

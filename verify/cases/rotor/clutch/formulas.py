@@ -32,7 +32,7 @@ class ClutchStiffness(SpragLink):
     with_crown: ClassVar[bool] = False
     with_gap: ClassVar[bool] = False
 
-    @Quantity("n", "1", "exponent of a line contact", source="Eq. 2", role="step")
+    @Quantity("n", "1", "exponent of the force law of a line contact", source="Eq. 2", role="step")
     def n(self) -> float:
         return LINE_CONTACT
 
@@ -46,7 +46,7 @@ class ClutchStiffness(SpragLink):
     def delta_0(self) -> float:
         return float(uniform.approach(N=self.N, k_n=self.k_n))
 
-    @Quantity("γ_0", "deg", "twist of the races", role="step")
+    @Quantity("γ_0", "deg", "angle of twist between the races under T", role="step")
     def twist(self) -> float:
         return self.delta_0 / self.d_t
 
@@ -84,7 +84,7 @@ class ClutchStiffness(SpragLink):
         return self.general("K_xz")
 
     @Quantity("K_xz1", "N", "coupling of bending and torsion by an offset, first order",
-              source="first order in an offset",
+              source="to first order in the offset",
               tex=r"\frac{Z}{2} k (n - 1) \frac{\Delta x}{\delta_0} d_t")  # fmt: skip
     def K_xz_first(self) -> float:
         return float(uniform.offset_coupling(Z=self.Z, k=self.k, d_t=self.d_t, dx=self.e,

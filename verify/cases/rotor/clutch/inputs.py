@@ -35,11 +35,11 @@ class SpragLink(Case):
     a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; "
                                "default: Palmgren's formula for steel", omitted=None, gt=0, le=1e4,
                                example="6.6 µm")  # fmt: skip
-    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor, for the "
+    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor along x in the "
                      "states with offset", gt=0, le=1e4)  # fmt: skip
-    drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the "
-                        "ends, for the states with crown", ge=0, le=1e4)  # fmt: skip
-    missing: int = count(1, "m", "number of missing neighbouring sprags, for the states with gap",
+    drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the ends "
+                        "of a sprag in the states with crown", ge=0, le=1e4)  # fmt: skip
+    missing: int = count(1, "m", "number of missing neighbouring sprags in the states with gap",
                          ge=1, le=197)  # fmt: skip
 
     @model_validator(mode="after")
@@ -61,14 +61,14 @@ class SpragLink(Case):
         """Constant of a sprag [N/m^(10/9)] (Eq. 2): force over deflection to the power 10/9."""
         return float(REFERENCE / self.yield_1kN**LINE_CONTACT)
 
-    @Quantity("δ_kN", "µm", "deflection of both contacts under 1 kN", role="step",
+    @Quantity("δ_kN", "µm", "deflection of both contacts of a sprag under 1 kN", role="step",
               source="Palmgren's formula, or the input a")  # fmt: skip
     def yield_1kN(self) -> float:
         both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
         return both if self.a is None else self.a
 
-    @Quantity("d_t", "mm", "deflection of both contacts over the angle of twist", source="Eq. 4",
-              role="step", tex=r"R_i \tan\left(\nu\right)")  # fmt: skip
+    @Quantity("d_t", "mm", "ratio of a sprag's deflection (both contacts) to the angle of twist",
+              source="Eq. 4", role="step", tex=r"R_i \tan\left(\nu\right)")  # fmt: skip
     def d_t(self) -> float:
         return self.R_i * math.tan(self.nu)
 

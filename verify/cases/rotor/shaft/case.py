@@ -19,10 +19,11 @@ FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 
 
 class UniformShaft(BeamTheories):
-    """Beam elements by Euler, Rayleigh and Timoshenko on a shaft with closed-form solutions.
+    """Beam elements by Euler, Rayleigh and Timoshenko for a shaft with known closed-form solutions.
 
-    The whirl frequencies of the same shaft as an elastic body are also known exactly: they give the
-    error of beam theory. The paper prints no dimensions; those here were chosen for this project.
+    The whirl frequencies of the same shaft as an elastic body are also known exactly, so that the
+    errors of the three beam theories can be computed. The paper prints no dimensions; the
+    dimensions here were chosen for this project.
     """
 
     id = "rotor-shaft"

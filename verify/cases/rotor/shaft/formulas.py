@@ -18,12 +18,12 @@ class BeamTheories(TurningShaft):
 
     theory: ClassVar[Theory | Literal["elasticity"]] = "timoshenko"
 
-    @Quantity("A", "mm^2", "area of the section", role="geometry",
+    @Quantity("A", "mm^2", "area of the cross-section", role="geometry",
               tex=r"\frac{\pi}{4} (d_o^2 - d_i^2)")  # fmt: skip
     def A(self) -> float:
         return self.shaft().A
 
-    @Quantity("I", "mm^4", "second moment of area", role="geometry",
+    @Quantity("I", "mm^4", "second moment of area of the cross-section", role="geometry",
               tex=r"\frac{\pi}{64} (d_o^4 - d_i^4)")  # fmt: skip
     def I(self) -> float:  # noqa: E743 - what the books call it
         return self.shaft().I
@@ -82,13 +82,15 @@ class BeamTheories(TurningShaft):
                               nu=self.nu, rho=self.rho)
         )  # fmt: skip
 
-    @Quantity("EIk^4", "MPa", "Rayleigh's equation, mode 1 forward", role="step",
+    @Quantity("EIk^4", "MPa", "stiffness term of Rayleigh's frequency equation, mode 1 forward",
+              role="step",
               tex=r"\omega_{1fR}^2 (\rho A + \rho I k^2) - 2 n \omega_{1fR} \rho I k^2",
               source="Rayleigh, mode 1")  # fmt: skip
     def rayleigh_equation(self) -> float:
         return self.E * self.I * self.k**4
 
-    @Quantity("κGAk", "N/mm", "Timoshenko's equation, mode 1 forward", role="step",
+    @Quantity("κGAk", "N/mm", "shear term of Timoshenko's frequency equation, mode 1 forward",
+              role="step",
               tex=r"\sqrt{(\kappa G A k^2 - \rho A \omega_{1f}^2) (\kappa G A + E I k^2 + "
               r"2 n \omega_{1f} \rho I - \rho I \omega_{1f}^2)}",
               source="Timoshenko, mode 1")  # fmt: skip

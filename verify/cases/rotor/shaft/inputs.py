@@ -50,7 +50,7 @@ class TurningShaft(Case):
             )
         return self
 
-    @Quantity("m", "1", "bore diameter over outer diameter", role="geometry")
+    @Quantity("m", "1", "ratio of bore diameter to outer diameter", role="geometry")
     def m(self) -> float:
         return self.d_i / self.d_o
 

@@ -16,7 +16,7 @@ from verify.form.adapter import adapted
 
 
 class SpragRotor(CentralSystem):
-    """The paper's 22 nodes with twelve unknown dimensions and stiffnesses.
+    """Model with the paper's 22 nodes and twelve unknown dimensions and stiffnesses.
 
     The paper prints three critical speeds, but none of the dimensions and stiffnesses. Many sets of
     parameters give all three speeds; each set is compared with all other statements of the paper.

@@ -142,7 +142,7 @@ class CentralSystem(SpragRotorInputs):
     def torsion_shaft(self) -> float:
         return float(self._torsion[2] / (2 * pi))
 
-    @Quantity("m", "1", "exponent of a line contact", source="Eq. 2", role="step")
+    @Quantity("m", "1", "exponent of the force law of a line contact", source="Eq. 2", role="step")
     def exponent(self) -> float:
         return EXPONENT
 
@@ -150,7 +150,9 @@ class CentralSystem(SpragRotorInputs):
     def across(self) -> float:
         return float(CENTRAL[K_C])
 
-    @Quantity("d_t", "mm", "deflection of the sprags over the angle of twist", role="step")
+    @Quantity(
+        "d_t", "mm", "ratio of the deflection of the sprags to the angle of twist", role="step"
+    )
     def d_t(self) -> float:
         return float(layout(CENTRAL).d_t[0])
 
@@ -165,7 +167,7 @@ class CentralSystem(SpragRotorInputs):
 
     @Quantity("K_xz1", "N", "coupling of bending and torsion by the offset, first order",
               role="step",
-              source="coupling by an offset, first order",
+              source="to first order in the offset",
               tex=r"(m - 1) K_{xx} d_t \Delta x/\delta_0")  # fmt: skip
     def coupling_first(self) -> float:
         return (EXPONENT - 1) * self.across * self.d_t * self.offset

@@ -21,7 +21,7 @@ class SpragRotorInputs(Case):
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
-    members: int = count(48, "N", "required number of sets of parameters", ge=8, le=MOST)
+    members: int = count(48, "N", "required number of fitted sets of parameters", ge=8, le=MOST)
     zeta_low: float = given(
         "0.5 %", "%", "ζ_min", "smallest damping ratio at critical speeds 1 and 5 (not printed)",
         ge=0.05, le=20,
@@ -39,7 +39,7 @@ class SpragRotorInputs(Case):
         claims="huang2022:unbalance-1",
     )  # fmt: skip
     U_2: float = given(
-        "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: lowest of three values", gt=0, le=1,
+        "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19, lowest of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-low",
     )  # fmt: skip
     U_2_middle: float = given(
@@ -67,12 +67,12 @@ class SpragRotorInputs(Case):
         claims="huang2022:orbit-torque",
     )  # fmt: skip
     offset: float = given(
-        0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the deflection of the sprags "
-                            "(not printed)", ge=0.001, le=0.9,
+        0.2, "1", "Δx/δ_0", "ratio of the static offset of the clutch's rings to the deflection of "
+                            "the sprags (not printed)", ge=0.001, le=0.9,
     )  # fmt: skip
     anisotropy: float = given(
-        0.2, "1", "k_y/k_x − 1", "relative excess of the stiffness along y of bearings to the "
-                                 "ground (not printed)", ge=0, le=2,
+        0.2, "1", "k_y/k_x − 1", "relative excess of the stiffness along y over that along x, "
+                                 "bearings to the ground (not printed)", ge=0, le=2,
     )  # fmt: skip
 
     @model_validator(mode="after")

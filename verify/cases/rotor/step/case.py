@@ -41,9 +41,9 @@ class SteppedBeam(SteppedShaft):
     """A shaft with a step of the diameter, for which beam theory overestimates the stiffness.
 
     The corners of the thick part carry little stress. The elastic body of revolution gives the
-    error of the beam, with nominal diameters and by the 45° rule. Different beam models agree to
-    round-off.
-    The paper prints no dimensions; the dimensions here were chosen for this project.
+    errors of two beams: one with nominal diameters, and one with the stiffness of the 45° rule.
+    Different models of the same beam agree to round-off. The paper prints no dimensions; the
+    dimensions here were chosen for this project.
     """
 
     id = "rotor-step"
@@ -79,7 +79,8 @@ class SteppedBeam(SteppedShaft):
     def split(self) -> float:
         return self.whirl(2, "forward") - self.whirl(2, "backward")
 
-    @Quantity("ω_1f/ω_1f'", "1", "ratio of nominal diameters to 45° rule, mode 1 forward",
+    @Quantity("ω_1f/ω_1f'", "1", "ratio of the frequencies of mode 1 forward, nominal "
+                                "diameters to 45° rule",
               role="step", tex=r"\frac{\omega_{1f}}{\omega_{1f}'}")  # fmt: skip
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))

@@ -25,7 +25,7 @@ class SteppedShaft(Case):
         omitted=None, gt=0,
         example="150 mm",
     )  # fmt: skip
-    b: float = given("15 mm", "mm", "b", "width of both bearings, at the ends of the shaft", gt=0)
+    b: float = given("15 mm", "mm", "b", "width of each bearing, at the ends of the shaft", gt=0)
     k: float = given("2e5 N/mm", "N/mm", "k", "radial stiffness of a bearing", gt=0, le=1e9)
     n: float = given("6000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
     rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (not printed)", gt=0, le=1e5)
@@ -71,7 +71,7 @@ class SteppedShaft(Case):
     def reach(self) -> float:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
-    @Quantity("d_stiff", "mm", "diameter that counts for stiffness at that distance",
+    @Quantity("d_stiff", "mm", "diameter that determines the stiffness at the distance s_45",
               source="45° rule",
               role="geometry")  # fmt: skip
     def d_stiff(self) -> float:

@@ -13,7 +13,7 @@ from verify.form.adapter import adapted
 
 
 class RotorSystem(TransferRotor):
-    """Shafts in segments, with discs, bearings, links and unbalances, as described in a file.
+    """Rotor of coaxial shafts with discs, bearings, links and unbalances, described in a file.
 
     Exact transfer matrices give every frequency and critical speed; refined beam elements converge
     to these values. The default inputs were chosen for this project.

@@ -34,7 +34,7 @@ def _turning(q: Any) -> bool:
 class TransferRotor(DescribedRotor):
     """Results of transfer matrices of a rotor; speeds in rad/s, frequencies in Hz."""
 
-    @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed", role="step",
+    @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed n", role="step",
               source="rotating Timoshenko shaft; the number of negative eigenvalues of D equals "
                      "the number of roots below ω, so that no root is missed",
               tex=r"\omega,\quad \det D(\omega, n)=0,\quad "
@@ -50,7 +50,7 @@ class TransferRotor(DescribedRotor):
     def frequency(self, k: int) -> float:
         return float(self.study.modes.w[k - 1] / TURN)
 
-    @Quantity("s_{0}", "1", "sense of whirl {0}: 1 forward, −1 backward", role="step",
+    @Quantity("s_{0}", "1", "sense of whirl of mode {0} (1 = forward, −1 = backward)", role="step",
               when=lambda q, k: len(q.study.modes.w) >= k).over(ORDERS)  # fmt: skip
     def sense(self, k: int) -> float:
         return float(self.study.modes.whirl[k - 1])
