@@ -27,12 +27,12 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
     if ahead:
         listed = _listed(ahead, q.T, "T")
         found.append(
-            "as the torque grows (stresses of the rings and of the rollers' ends are not "
-            f"included): {listed}"
+            "next limits as the torque grows (without stresses of the rings and of the rollers' "
+            f"ends): {listed}"
         )
     if (least := v.get("T_bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
-            f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) the "
+            f"limit as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) the "
             f"clutch slips axially under F_ax = {newton(q.F_ax)}"
         )
     return found
@@ -60,7 +60,7 @@ def axial(q: ClutchInputs, v: Values) -> list[str]:
         for limit in sorted(passed, key=lambda x: SEVERITY.index(x.key))
     ]
     if ahead:
-        found.append(f"as the axial load grows: {_listed(ahead, q.F_ax, 'F_ax')}")
+        found.append(f"next limits as the axial load grows: {_listed(ahead, q.F_ax, 'F_ax')}")
     return found
 
 

@@ -72,7 +72,7 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     """Change of alpha_0 per micrometre, and the deviation of X at which the clutch slips."""
     by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
-        f"1 µm on {s.name} changes it by {s.slope * 1e-6 * DEGREE:+.3f}°"
+        f"+1 µm of {s.name} changes α_0 by {s.slope * 1e-6 * DEGREE:+.3f}°"
         + (f" (μ/μ_req by {100 * ratio[s.name]:+.2g} %)" if ratio else "")
         for s in by
     )
@@ -80,7 +80,7 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     parts = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
     found = [
         f"sensitivity of α_0: {turned}"
-        + (f"; contributions to its variance: {parts}" if parts else "")
+        + (f"; contributions to the variance of α_0: {parts}" if parts else "")
     ]
     if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu:
         found += _ends_of_X(q)

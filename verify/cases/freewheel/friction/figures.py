@@ -108,7 +108,7 @@ def _path(q: Any, last: Any) -> Curves:
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return plot(
         "Beyond the limit: the ring driven along the axis", "u_z [µm]",
-        "F_a/F_n over its limit; T over T at rest",
+        "(F_a/F_n)/limit; T/(T at rest)",
         line("F_a/F_n, ring held", out[:, 0] / µm, np.abs(out[:, 4:6]).mean(axis=1) / full),
         line("T, ring held", out[:, 0] / µm, out[:, 7], 1),
         dots("F_a/F_n, constant torque", creep[::2, 0] / µm,

@@ -61,12 +61,12 @@ class LoadPaths(Pulled):
              star=True),
     )  # fmt: skip
     readings: ClassVar = (
-        "load case 2: the axial load alternates about zero; load case 3: torque and axial load are "
-        "in phase. The text does not contain Fig. 7",
+        "in load case 2, the axial load alternates about zero. In load case 3, torque and axial "
+        "load are in phase. The text of the paper does not contain Fig. 7",
         "T is the steady torque of load cases 1 and 2 and the torque amplitude of load case 3. "
         "F_ax is the amplitude at the end of the path, for the whole clutch",
         "amplitudes grow in proportion to time",
-        "a clutch with T < 0 overruns: the criterion does not apply there",
+        "at T < 0 the clutch overruns, and the criterion does not apply",
         "the class limits 0.8 and 1.0 are a rule from the paper's test runs, used here without "
         "derivation",
     )
@@ -74,8 +74,8 @@ class LoadPaths(Pulled):
         "all states are static equilibria: at 30 Hz, the inertia of the ring adds only (f/f_0)², "
         "or 0.03 %, to the loads. Thirty times this inertia would add 1 %. The inertia of rollers "
         "and oil is also neglected",
-        "rise time, duration, μ and all dimensions are user inputs, because the text does not "
-        "contain the settings of Table 1; the clutch is synthetic",
+        "rise time, duration, μ and all dimensions are user inputs, because the text of the paper "
+        "does not contain the settings of Table 1. The clutch is synthetic",
         "in the finite elements of load cases 1 and 2, every extreme of the axial load is a load "
         "step that starts from the friction forces of the preceding extreme. The drive holds the "
         "torque constant and rotates the ring as the rollers creep. The cycles are fewer and "
@@ -88,18 +88,18 @@ class LoadPaths(Pulled):
         "are multiplied by 1/(1 − (tan α/μ)²)",
     )
 
-    F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch at the end "
-                        "of the path",
+    F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch, or its "
+                        "amplitude, at the end of the path",
                         gt=0, le=1e9, claims="nagler2021:rig-axial-load")  # fmt: skip
     T_m: float = given("0 N m", "N m", "T_m",
                        "mean torque of load case 3; T is the amplitude about this mean",
                        ge=0, le=1e9)  # fmt: skip
-    f: float = given("30 Hz", "Hz", "f", "frequency of load cases 2 and 3", gt=0, le=1e5,
+    f: float = given("30 Hz", "Hz", "f", "frequency of the alternating loads", gt=0, le=1e5,
                      claims="nagler2021:rig-frequency")  # fmt: skip
-    rise: float = given("0.1 s", "s", "t_T", "time in which the torque rises to T, load "
+    rise: float = given("0.1 s", "s", "t_T", "time in which the torque rises from 0 to T in load "
                         "cases 1 and 2", gt=0, le=1e6)  # fmt: skip
-    duration: float = given("0.5 s", "s", "t_end", "end of the path, at which the axial "
-                            "load reaches F_ax", gt=0, le=1e6)  # fmt: skip
+    duration: float = given("0.5 s", "s", "t_end", "time at the end of the path, when the axial "
+                            "load or its amplitude is F_ax", gt=0, le=1e6)  # fmt: skip
     rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density of the ring", gt=0, le=1e5)
 
     @model_validator(mode="after")

@@ -26,7 +26,7 @@ class TurningShaft(Case):
     d_i: float = given(
         "30 mm", "mm", "d_i", "bore diameter; 0 for a solid shaft", omitted=0.0, ge=0
     )
-    n: float = given("10000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    n: float = given("10000 r/min", "r/min", "n", "speed of rotation", ge=0, le=1e7)
     rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (not printed)", gt=0, le=1e5)
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)

@@ -18,7 +18,7 @@ class SpragRotorInputs(Case):
     """Loads, damping and size of the ensemble; the layout is that of the paper."""
 
     speed: float = given(
-        "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
+        "5000 r/min", "r/min", "n", "speed at which the natural frequencies are computed",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
     members: int = count(48, "N", "required number of fitted sets of parameters", ge=8, le=MOST)
@@ -43,11 +43,11 @@ class SpragRotorInputs(Case):
         claims="huang2022:unbalance-2-low",
     )  # fmt: skip
     U_2_middle: float = given(
-        "3e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: middle of three values", gt=0, le=1,
+        "3e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19, middle of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-middle",
     )  # fmt: skip
     U_2_high: float = given(
-        "5e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: highest of three values", gt=0, le=1,
+        "5e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19, highest of three values", gt=0, le=1,
         claims="huang2022:unbalance-2-high",
     )  # fmt: skip
     rig_speed: float = given(

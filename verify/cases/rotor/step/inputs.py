@@ -27,7 +27,7 @@ class SteppedShaft(Case):
     )  # fmt: skip
     b: float = given("15 mm", "mm", "b", "width of each bearing, at the ends of the shaft", gt=0)
     k: float = given("2e5 N/mm", "N/mm", "k", "radial stiffness of a bearing", gt=0, le=1e9)
-    n: float = given("6000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    n: float = given("6000 r/min", "r/min", "n", "speed of rotation", ge=0, le=1e7)
     rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (not printed)", gt=0, le=1e5)
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
