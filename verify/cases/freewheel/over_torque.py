@@ -23,7 +23,7 @@ def angle(q: Any, *, ends: str) -> AlongLine:
         title="Clamping angle over torque", x=("T", "N m"), y=("α", "°"),
         curve=lambda T: loaded(q.clutch, T).alpha, reference="alpha_over_T", at=GRID * q.T,
         points=FINE * q.T, order=2, scale=q.alpha, scale_name="α(T)", neglects=True,
-        note=f"At zero torque it is α_0 = {q.alpha_0 * DEGREE:.4g}°{ends}",
+        note=f"At zero torque the angle is α_0 = {q.alpha_0 * DEGREE:.4g}°{ends}",
     )  # fmt: skip
 
 

@@ -52,7 +52,7 @@ def test_the_verdict_comes_first(changes, verdict):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({}, "rollers' ends are not included): first the contacts slip (110.5 N m, 4.25 T)"),
+        ({}, "rollers' ends): first the contacts slip (110.5 N m, 4.25 T)"),
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),

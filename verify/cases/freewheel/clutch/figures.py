@@ -37,9 +37,9 @@ def figures(context: Context) -> Sequence[Figure]:
         found.append(flats(q, context))
     if (ensemble := q.scatter) is not None:
         found += [
-            cumulated("Clamping angle of clutches within tolerance", "α_0 [°]",
+            cumulated("Clamping angle without load of clutches within tolerance", "α_0 [°]",
                       ensemble.drawn.alpha0 * DEGREE, float(q.cam.alpha0) * DEGREE),
-            cumulated("Friction of clutches within tolerance", "μ/μ_req", ensemble.safety,
+            cumulated("Ratio μ/μ_req of clutches within tolerance", "μ/μ_req", ensemble.safety,
                       context.analytic["safety"], limits=True),
         ]  # fmt: skip
     if any(s.share for s in q.slopes):
@@ -115,13 +115,13 @@ def angles(q: ClutchInputs) -> Curves:
     tan = math.atan(q.mu) * DEGREE
     asked = np.arctan(q.duty.required(T, now.alpha))
     return plot(
-        "Clamping angle and required friction", "T [N m]", "[°]",
+        "Clamping angle and angle of the required friction", "T [N m]", "angle [°]",
         line("α", T, now.alpha * DEGREE),
         line("arctan μ_req, with F_ax", T, asked * DEGREE, 2),
         dashes("arctan μ", T[[0, -1]], tan, 1),
         dots("this clutch", [q.T], np.interp([q.T], T, now.alpha * DEGREE), 5),
         y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
-        note="The clutch holds where the required friction lies below μ.",
+        note="The clutch holds where arctan μ_req is below arctan μ.",
     )  # fmt: skip
 
 
@@ -155,7 +155,7 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
         dashes("Eq. 7 as printed, s/R + s/X", T, now.phi_printed * DEGREE, 2),
         dashes("2s/R", T, now.phi_small * DEGREE, 4),
         measured,
-        note=f"At T the rollers have travelled s = {float(q.duty.under.s) * 1e6:.4g} µm.",
+        note=f"Under the given torque, the travel is s = {float(q.duty.under.s) * 1e6:.4g} µm.",
     )  # fmt: skip
 
 
@@ -185,5 +185,5 @@ def sensitivity(q: ClutchInputs) -> Bars:
              f"{100 * s.share:.0f} %, {s.slope * 1e-6 * DEGREE:+.3f}°/µm".replace("-", "−"))
             for s in by
         ),
-        note="First-order approximation.",
+        note="The variance is a first-order approximation.",
     )  # fmt: skip
