@@ -19,7 +19,7 @@ from verify.judging.claims import Claim
 
 SUBJECT = "acceptance figure for this quantity"  # stated for that very quantity
 EQUAL = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
-BOTH_WAYS = "twice the acceptance figure, which applies to both signs"
+BOTH_WAYS = "twice the acceptance figure, because the error may have either sign"
 
 
 @dataclass(frozen=True)

@@ -114,8 +114,10 @@ class HubRing(PolygonRing):
         "200 N/mm", "N/mm", "R/b", "hub force on a flat, per width of the ring", gt=0, le=1e7
     )
     tan_phi: float = given(
-        0.05, "1", "tan φ_1", "friction between hub and ring, towards the flat's middle", ge=0, le=1
-    )
+        0.05, "1", "tan φ_1",
+        "friction coefficient of hub and ring; friction acts towards the flat's middle",
+        ge=0, le=1,
+    )  # fmt: skip
 
     @model_validator(mode="after")
     def _on_the_flat(self) -> Self:

@@ -50,8 +50,9 @@ class FitInputs(Case):
     )  # fmt: skip
     r_o: float = given("40 mm", "mm", "r_o", "rim radius of the outer ring", gt=0, le=1e5)
     delta: float = given(
-        "15 µm", "µm", "δ", "interference of the radii (half of the diametral value)", gt=0, le=1e6
-    )
+        "15 µm", "µm", "δ", "interference of the radii (half of the diametral interference)",
+        gt=0, le=1e6,
+    )  # fmt: skip
     p_i: float = given(
         "37 MPa", "MPa", "p_i", "pressure in the inner bore", omitted=0.0, ge=0, le=1e5
     )

@@ -29,7 +29,7 @@ class FlatRoller(OnHalfSpace):
 
     On a half-space, the pressure at its ends is infinite. The peak that a model gives there depends
     on the number of slices only and has no physical meaning. The rows judge values that converge,
-    and the slope with which the peak grows.
+    and the exponent with which the peak grows as the slices become narrower.
     """
 
     id = "contact-roller-flat"

@@ -126,8 +126,8 @@ class Crown(Roller):
     """Inputs of a roller with the logarithmic crown of Eq. 1."""
 
     K_1: float = given(
-        2.1507, "1", "K_1", "depth factor of the crown: load for uniform pressure over Q", gt=0,
-        le=100,
+        2.1507, "1", "K_1",
+        "depth factor of the crown: ratio of the load with uniform pressure to Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = given(
@@ -150,7 +150,9 @@ class Crown(Roller):
 class Tilt(Crown):
     """Inputs of a crowned roller whose axis is not parallel to the race."""
 
-    theta: float = given("0.03 deg", "deg", "θ", "tilt; loads the end y = l/2 more", ge=0, le=1)
+    theta: float = given(
+        "0.03 deg", "deg", "θ", "tilt of the roller; the end y = l/2 carries more load", ge=0, le=1
+    )
 
     def gap(self, y: Array) -> Array:
         return super().gap(y) - self.theta * y

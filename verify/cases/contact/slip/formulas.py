@@ -47,7 +47,7 @@ class SlipFormulas(SlipInputs):
         return float(self.first_traction(0.0, self.share))
 
     @Quantity("δ(Q_max)", "nm", "displacement due to slip at Q_max", role="step",
-              source="Cattaneo; in addition to the displacement with full stick",
+              source="Cattaneo; excess over the displacement with full stick",
               tex=r"\frac{\mu P}{\pi E*} (k + (1 - k) \ln\left(1 - k\right))")  # fmt: skip
     def delta(self) -> float:
         return float(partial_slip.rigid_displacement_beyond_stick(Q=self.Q_max, **self.moved))

@@ -28,7 +28,7 @@ class SlipInputs(Case):
     P: float = given("70 N/mm", "N/mm", "P", "normal load per length", gt=0, le=1e6)
     mu: float = given(0.1, "1", "μ", "coefficient of friction", ge=1e-3, le=1)
     share: float = given(
-        0.6, "1", "Q/(μP)", "amplitude of tangential force over μP; --fem: 0.5 to 0.9",
+        0.6, "1", "Q/(μP)", "amplitude of the tangential force over μP (with --fem: 0.5 to 0.9)",
         gt=0, lt=1,
     )  # fmt: skip
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)

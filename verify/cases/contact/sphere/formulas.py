@@ -32,7 +32,9 @@ class SphereFormulas(SphereInputs):
     def p_0(self) -> float:
         return float(hertz_point.peak_pressure(**self.hertz))
 
-    @Quantity("δ", "µm", "approach of far points", source=HERTZ, tex=r"\frac{a^2}{R}")
+    @Quantity(
+        "δ", "µm", "approach of points far from the contact", source=HERTZ, tex=r"\frac{a^2}{R}"
+    )
     def approach(self) -> float:
         return float(hertz_point.approach(**self.hertz))
 

@@ -57,9 +57,10 @@ class PolyhedralClutch(ClutchFormulas):
         "at the race does not pass through the ring",
         "the hub force R is inclined by φ_1 towards the middle of the flat: its angle to the "
         "radius through its contact is ψ + φ_1, as in Eq. 14",
-        "series: complex potentials of the ring. Outward displacements of the middle of a flat: "
-        "u_p by unit pressure, u_h1 by unit hub force, −u_N(a) N by the roller force N, including "
-        "local indentation. δ(N) is the compression of the roller; κ = R/N",
+        "series: u_p, u_h1 and −u_N(a) N are outward displacements of the middle of a flat, under "
+        "unit pressure, unit hub force and the roller force N. They follow from complex potentials "
+        "of the ring, and the last includes local indentation. δ(N) is the compression of the "
+        "roller; κ = R/N",
         "margin and pressure for the target torque hold for elastic ring and rollers",
     )
     assumptions: ClassVar = (
@@ -105,7 +106,8 @@ class PolyhedralClutch(ClutchFormulas):
         if self.b > WIDE * self.delta_1 and isfinite(self.M_wide):
             yield (
                 f"b/δ_1 = {self.b / self.delta_1:.3g}: the ring is between plane stress (assumed) "
-                f"and plane strain, which gives {self.M_wide:.4g} N m; rollers load the ends more"
+                f"and plane strain (torque {self.M_wide:.4g} N m); rollers load its ends more than "
+                "its middle"
             )
         if self.hub_share >= 1:
             yield (

@@ -49,7 +49,8 @@ class PaperChain(ClutchInputs):
         safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
     ).reads(lambda q: q.full.F)  # fmt: skip
     hub_share = Quantity(
-        "s", "1", "share of the hub force in N; self-locking from 1", equation="16", role="step",
+        "s", "1", "share of N due to the hub force; self-locking if s ≥ 1", equation="16",
+        role="step",
         tex=r"\frac{\mu_g D_i \cos\left(\varphi_1\right)}"
         r"{2 (r + r_1) \sin\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.hub_share)  # fmt: skip

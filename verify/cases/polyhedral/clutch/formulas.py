@@ -76,7 +76,7 @@ class ElasticClutch(ClutchInputs):
     def N_need(self) -> float:
         return self.line_need * self.b
 
-    @Quantity("M_rigid", "N m", "torque with rigid rollers, a bound", source=SERIES)
+    @Quantity("M_rigid", "N m", "torque with rigid rollers, an upper bound", source=SERIES)
     def M_rigid(self) -> float:
         return self.stiff.grip * self.line_rigid * self.all_levers
 
@@ -91,7 +91,7 @@ class ElasticClutch(ClutchInputs):
     def alpha_need(self) -> float:
         return float(2 * np.arctan(self.hub.grip))
 
-    @Quantity("α_ring", "deg", "steepest slope of the outside under p_t, no rollers",
+    @Quantity("α_ring", "deg", "steepest slope of the outside under p_t, without rollers",
               role="step")  # fmt: skip
     def alpha_ring(self) -> float:
         ring = self.hub.contact.sector

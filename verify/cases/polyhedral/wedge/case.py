@@ -47,8 +47,8 @@ class WedgedRoller(WedgeFormulas):
         "gap and pressure act along the normal of the flat race, so that a sliding roller stays in "
         "the same wedge; for the stick zone, they act along the normal of the common, deformed "
         "contact surface",
-        "the stick zone is computed under a separate load, small enough for Cattaneo's "
-        f"half-planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
+        "the stick zone is computed under a separate load, so small that Cattaneo's half-planes "
+        f"are a good approximation: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
         "no weight of the roller, one coefficient of friction, no effect of speed",
     )
 
