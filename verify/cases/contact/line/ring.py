@@ -24,11 +24,11 @@ SHEAR = (
 
 
 class RollerInRace(TwoBodies):
-    """A roller with the contact radius of the sprag in the outer race.
+    """A roller in the bore of a race, with a profile radius of the sprag.
 
     The bore is curved in the same direction as the roller, which widens the contact. The wall is
-    about fifty half-widths thick. The approach of the centre of the roller and the fixed rim is
-    derived from the Fourier series of the ring.
+    about fifty half-widths of the contact thick. The approach of the centre of the roller and the
+    fixed rim is derived from the Fourier series of the ring.
     """
 
     id = "contact-ring"

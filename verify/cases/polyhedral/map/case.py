@@ -30,10 +30,10 @@ PLANE: Assumption = "plane stress"
 
 
 class PolyhedralMap(MapInputs):
-    """Errors of K = 1 and of the roller force of the paper for 3 to 48 flats, walls and fillets.
+    """Errors of K = 1 and of the paper's roller force are mapped over flats, walls and fillets.
 
-    Finite elements solve every cell of the maps; the series is compared with them. Dimensions are
-    assumed.
+    The rings have 3 to 48 flats. Every ring of the maps is solved with finite elements; the series
+    is compared with them. Dimensions are assumed.
     """
 
     id = "polyhedral-map"
