@@ -85,7 +85,7 @@ class RollerOnFlat(FlatInputs):
         "each mesh has a node at the edge of the contact, which a coarse solution locates",
     )
 
-    @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, of the roller's "
+    @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, for the roller's "
               "centre", tex=r"\frac{P}{\pi E*} (2 \ln\left(\frac{4 R}{a}\right) - 1)")  # fmt: skip
     def approach(self) -> float:
         sizes = {"P": self.P, "a": self.a, "R": self.R}

@@ -53,8 +53,8 @@ class ComparedCrowns(Divided, StripRoller):
     assumptions: ClassVar = texts.ASSUMPTIONS[:4]
     crown: ClassVar[str] = "Lundberg"  # of the quantities
 
-    @Quantity("A_1", "µm", "scale of crowns for uniform pressure", source="Lundberg", role="step",
-              tex=r"\frac{F}{\pi l E*}")  # fmt: skip
+    @Quantity("A_1", "µm", "scale of the drop of crowns for uniform pressure", source="Lundberg",
+              role="step", tex=r"\frac{F}{\pi l E*}")  # fmt: skip
     def A_1(self) -> float:
         return float(self.F / (np.pi * self.L * self.E_star))
 

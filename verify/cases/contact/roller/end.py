@@ -62,9 +62,10 @@ class EndFace(Crown):
     assumptions: ClassVar = (
         "linear elasticity, no friction; solid cylinders with circular sections",
         "the pressure acts along the common normal and is uniform in each cell of the contact",
-        "some harmonics around the axis are solved, up to the wavelength of a cell; the others are "
-        "interpolated",
-        "sharpness of the edge: axisymmetric model of a ring shrunk onto a longer shaft",
+        "Fourier terms around the axis are solved for some wavelengths down to that of a cell; the "
+        "other terms are interpolated",
+        "the exponent of the pressure at the edge is computed with an axisymmetric model of a ring "
+        "shrunk onto a longer shaft",
     )
     crown: ClassVar[str] = "crowned"  # of the quantities
 

@@ -125,7 +125,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     growth = Quantity(
         "u_r(0)", "µm", "growth of the outside in the middle of the flats", role="step",
-        source="outside, by the complex potential",
+        source="complex potential φ at the outside",
         tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
     ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
 
@@ -138,7 +138,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outside by the hub force, {0}: {1}",
+    @Quantity("u_{1}({0})", "µm", "displacement of the outside at {1} by the hub force at {0}",
               source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]
