@@ -77,7 +77,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
 def green(caught: Caught) -> list[str]:
     """Texts about rows that pass although their references were changed."""
     return [
-        f"{one['row']} at {', '.join(one['green at'])}"
+        f"{one['row']}: passes with the reference changed by {', '.join(one['green at'])}"
         for one in caught.references.get("survivors", ())
     ]
 
@@ -101,13 +101,14 @@ def in_words(caught: Caught) -> list[str]:
     listed, moved = data["listed"], data["by formula"]
     always = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
-        f"{listed['rows']} of {data['rows']} rows are not required to fail at ±1 %: "
-        f"{listed['share']:.1%}, or {listed['share without convergence']:.1%} without the "
+        f"{listed['rows']} of {data['rows']} rows are not required to fail if their reference is "
+        f"changed by ±1 %. This is {listed['share']:.1%} of all rows, or "
+        f"{listed['share without convergence']:.1%} without the "
         f"{data['convergence']} convergence rows.",
         f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
         f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "
         f"{len(moved['hidden'])} pass in spite of the change.",
-        f"Rows that fail whatever the value of a formula, counted separately: {always}.",
+        f"Rows that fail at any value of a formula are counted separately: {always}.",
     ]
 
 

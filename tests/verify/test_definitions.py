@@ -120,7 +120,7 @@ def test_errata_of_the_ledger_are_found_again():
     """With three changes so many other combinations are near that the hit is no evidence."""
     for reference, *names in (
         ("wang2023:k1-theory", "L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
-        ("huang2018:table-2-relative-error", "of the predicted value"),
+        ("huang2018:table-2-relative-error", "relative to the predicted value"),
     ):
         found = PROBLEMS[reference].search()
         assert [hit.readings for hit in found.hits] == [tuple(names)]

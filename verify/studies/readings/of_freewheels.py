@@ -29,7 +29,7 @@ def half_angle(q: Mapping[str, Any]) -> float:
 
 def _half_angle_readings() -> tuple[Reading, ...]:
     return (
-        switched("numerator", "R for r in the numerator", numerator="R"),
+        switched("numerator", "R instead of r in the numerator", numerator="R"),
         switched("root", "without the root", root=False),
         switched("inverse", "sin for cos", inverse=math.asin),
         switched("inverse", "tan for cos", inverse=math.atan),
@@ -85,7 +85,7 @@ def side_force(q: Mapping[str, Any]) -> float:
 
 def _side_readings() -> tuple[Reading, ...]:
     return (
-        switched("chord", "chord for arc", chord=True),
+        switched("chord", "chord instead of arc", chord=True),
         Reading(name="across the flats", of="d_i", inputs=lambda q: {
             "d_i": q["d_i"] * math.cos(math.pi / q["z"])}),
         doubled("d_i"),
@@ -110,7 +110,7 @@ def first_torque(q: Mapping[str, Any]) -> float:
 
 def _first_torque_readings() -> tuple[Reading, ...]:
     return (
-        switched("chord", "sides for the circumference", chord=True),
+        switched("chord", "perimeter of the polygon instead of the circumference", chord=True),
         *count("z"),
         doubled("d_i"),
         doubled("D_i"),
@@ -129,20 +129,23 @@ PROBLEMS = (
     ),
     Problem(
         reference="nagler2021:eq-5-denominator-signs", case="freewheel-torque",
-        what="Eq. 5 as printed, without load", formula=loaded_angle, derived="3.5000", unit="deg",
+        what="angle without load, Eq. 5 as printed", formula=loaded_angle, derived="3.5000",
+        unit="deg",
         inputs=lambda: {"X": 11.39565, "r": 2.5, "ring": 16.5, "above": 1.0, "below": 1.0,
                         "share": 1.0},
         readings=_loaded_angle_readings, rounding=LAST_OF_X, errata=("eq-5-denominator-signs",),
     ),
     Problem(
         reference="nagler2021:eq-3-lever-on-the-flat", case="freewheel-torque",
-        what="Eq. 3 as printed, on the star", formula=torque_of_one, derived="1.00916",
+        what="torque of one roller on the star, Eq. 3 as printed", formula=torque_of_one,
+        derived="1.00916",
         inputs=lambda: EXAMPLE | {"lever": "X", "of": math.tan, "times": 1.0}, unit="N mm",
         readings=_torque_readings, rounding=LAST_OF_X, errata=("eq-3-lever-on-the-flat",),
     ),
     Problem(
         reference="belcin:eq-13-side-force", case="polyhedral-locking",
-        what="Eq. 13 as printed, 1 MPa on a hexagon", formula=side_force, derived="1080.0",
+        what="force on a side of a hexagon under 1 MPa, Eq. 13 as printed", formula=side_force,
+        derived="1080.0",
         inputs=lambda: POLYGON | {"chord": False, "across": 1.0}, unit="N",
         readings=_side_readings, errata=("eq-13-side-force",),
     ),

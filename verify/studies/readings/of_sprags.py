@@ -44,7 +44,7 @@ def _rounded(number: int) -> dict[str, float]:
 
 def _error_readings() -> tuple[Reading, ...]:
     return (
-        switched("of", "of the predicted value", of=1.0),
+        switched("of", "relative to the predicted value", of=1.0),
         switched("of", "of the mean of both", of=0.5),
         switched("power", "squared", power=2.0),
         switched("power", "root", power=0.5),
@@ -150,14 +150,16 @@ def _problem(name: str, **more: Any) -> Problem:
 def _errors(number: int) -> Problem:
     return _problem(
         f"table2-row{number}-error", case="sprag-crown", formula=error,
-        what="difference of both values over the actual value", inputs=lambda: _row(number),
+        what="difference of actual and predicted value, relative to the actual value",
+        inputs=lambda: _row(number),
         rounding=_rounded(number), readings=_error_readings, errata=("table-2-row-10-error",),
     )  # fmt: skip
 
 
 def _squares(number: int) -> Problem:
     return _problem(
-        f"table2-row{number}-mse", case="sprag-crown", what="squared difference of both values",
+        f"table2-row{number}-mse", case="sprag-crown",
+        what="squared difference of actual and predicted value",
         formula=squared, inputs=lambda: _row(number) | {"power": 2.0}, rounding=_rounded(number),
         readings=_square_readings,
     )  # fmt: skip
@@ -175,14 +177,15 @@ PROBLEMS = (
     _errors(10),
     _column("table-2-mse", tuple(map(_squares, ROWS))),
     _problem(
-        "stress-40nm-reduction", case="sprag-clutch", what="reduction by both printed pressures",
+        "stress-40nm-reduction", case="sprag-clutch",
+        what="reduction from the two printed pressures",
         formula=reduction, inputs=lambda: _reduction(40), rounding=_rounded_pair(40),
         readings=_reduction_readings, errata=("sec-4-2-2-percentage",),
     ),
     *(
         _problem(
             f"stress-40nm-{kind}", case="sprag-clutch",
-            what="pressure at 25 N m times the root of the ratio of torques", formula=raised,
+            what="pressure at 25 N m times the square root of the torque ratio", formula=raised,
             inputs=lambda kind=kind: _raised(kind),
             readings=lambda kind=kind: _raised_readings(kind),
             rounding={"pressure": half(f"stress-25nm-{kind}")}, errata=("sec-4-2-force-ratio",),

@@ -147,7 +147,7 @@ def _error_readings() -> tuple[Reading, ...]:
         switched("forces", "mean over stage OA", forces=tuple(F for F in every if A > F)),
         Reading(name="root mean square over 1 to 11 N", of="forces",
                 inputs=lambda _q: {"forces": every, "rms": True}),
-        switched("of_theory", "of the theory's force", of_theory=True),
+        switched("of_theory", "relative to the force of the theory", of_theory=True),
     )  # fmt: skip
 
 
