@@ -3,24 +3,29 @@
 from collections.abc import Mapping
 
 _IN_TIME = (
-    "transient motion of rigid sprags on springs: there is no mesh that a second solver can use"
+    "the case computes the motion of rigid sprags on springs in time; there is no mesh that a "
+    "second solver can use"
 )
 _STRIPS = (
-    "coupled strips on a half-space, which tamaas and calculix do not have; case contact-roller "
-    "compares the strips with tamaas"
+    "the model is coupled strips on a half-space, which tamaas and calculix do not have; case "
+    "contact-roller compares the strips with tamaas"
 )
 _ALONG = "displacement along the axis at uniform strain, which plane cells of calculix do not have"
-_FRAME = "frames of the same beams as those that are compared with strips of calculix in "
+_FRAME = "the frames have the beams that are compared with strips of calculix in "
 
 ALONE: Mapping[str, str] = {
-    "ring-loads-map": "sectors as in ring-loads, which calculix solves, with other n and walls",
-    "polyhedral-map": "sectors as in polyhedral-ring, which calculix solves, with other flats",
-    "polyhedral-wedge": "history-dependent sticking of a released roller: calculix models "
-    "sticking by a slope, so that the half-width is not accurate",
-    "polyhedral-clutch": "the ring of polyhedral-locking, which calculix solves, under torque",
+    "ring-loads-map": "the sectors are those of ring-loads, which calculix solves, with other "
+    "numbers of loads n and other wall thicknesses",
+    "polyhedral-map": "the sectors are those of polyhedral-ring, which calculix solves, with "
+    "other numbers of flats, walls and fillets",
+    "polyhedral-wedge": "the sticking of a released roller depends on the history of loading; "
+    "calculix models sticking by a tangential stiffness, so that the half-width is not accurate",
+    "polyhedral-clutch": "the ring is that of polyhedral-locking, which calculix solves, under a "
+    "torque",
     "freewheel-friction": _ALONG,
     "freewheel-paths": _ALONG,
-    "freewheel-clutch": "a pitch as in freewheel-torque, which calculix solves, of other size",
+    "freewheel-clutch": "the model is one pitch as in freewheel-torque, which calculix solves, "
+    "with other dimensions",
     "sprag-engagement": _IN_TIME,
     "sprag-friction": _IN_TIME,
     "sprag-clutch": _STRIPS,
