@@ -101,7 +101,7 @@ def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_alone(monkeypa
     monkeypatch.setattr(LargeFrame, "displaced", fails)
     spring, U = reference.spring_of(Q), np.arange(1, 4) * mm
     assert len(curve_fem.fem_compress(spring, U[:2], per_arc=CELLS, beyond=U[2:]).U) == 2
-    with pytest.raises(ArithmeticError, match="pressed to 3 mm: no equilibrium found"):
+    with pytest.raises(ArithmeticError, match="at a displacement of 3 mm: no equilibrium found"):
         curve_fem.fem_compress(spring, U, per_arc=CELLS)
 
 
