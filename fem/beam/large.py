@@ -144,10 +144,11 @@ class LargeFrame:
         loads: Loads | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States for displacements of nodes ("x", "y", "r"), multiplied by each of the `factors`.
+        """States for prescribed displacements `moved` of nodes, times each of the `factors`.
 
-        `reactions` include the forces that the displacements require. `loads` act in full from the
-        start. With `since`, displacements and loads are added to that state.
+        `moved` has components "x", "y" and the rotation "r" for each node. `reactions` include the
+        forces that the displacements require. `loads` act in full from the start. With `since`,
+        displacements and loads are added to that state.
 
         Raises
         ------
@@ -211,10 +212,10 @@ class LargeFrame:
     def linear_buckling(
         self, loads: Loads | None, *, count: int = 1, distributed: Forces | None = None
     ) -> tuple[Array, Array]:
-        """Load factors (count,) and modes (count, n, 3) of linearised buckling; terms are ignored.
+        """Load factors (count,) and modes (count, n, 3) of linearised buckling.
 
-        Displacements before buckling are assumed to be small. The largest displacement of a mode is
-        1.
+        The `terms` of the frame (contact, friction, springs) are ignored. Displacements before
+        buckling are assumed to be small. The largest displacement of a mode is 1.
         """
         pattern = loading(self.elements, loads, None, distributed)
         check_rigid_motions(self.points, self.elements.nodes, ~self.held)

@@ -66,7 +66,7 @@ class Balance:
 
     @property
     def weights(self) -> Array:
-        """Weights (3n,) of a mean square over nodes: of displacements / `length` and rotations."""
+        """Weights (3n,) of squared displacements and rotations in a dimensionless nodal mean."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:
@@ -106,7 +106,7 @@ class Balance:
         return Response(energy, stored, internal, residual, math.sqrt(size), K, predict)
 
     def factorise(self, u: Extended, K: csc_array) -> Tangent:
-        """Factorised tangent with prescribed components. Raises ConvergenceError if singular."""
+        """Factorised tangent of the free components. Raises ConvergenceError if it is singular."""
         free = ~self.held
         try:
             factor = splu(

@@ -65,7 +65,7 @@ class Elements:
 
     @property
     def noise(self) -> float:
-        """Nodal force caused by round-off of the strains, per unit of the displacements."""
+        """Error of nodal forces by round-off of strains, divided by the displacements' size."""
         steepest = self.moduli.max(axis=2) * abs(self.slope).sum(axis=2).astype(float)
         return float(np.finfo(np.longdouble).eps * np.linalg.norm(steepest))
 

@@ -17,7 +17,7 @@ GAUSS = np.polynomial.legendre.leggauss(3)
 
 @dataclass(frozen=True)
 class Given:
-    """Step control by a given change of the factor."""
+    """Step control by a given change of the load factor."""
 
     change: float
     kink = math.inf
@@ -30,7 +30,7 @@ class Given:
 
 
 class March:
-    """Path from one equilibrium state to the next; a failed step leaves the state unchanged."""
+    """Steps from one equilibrium state to the next; a failed step leaves the state unchanged."""
 
     def __init__(self, balance: Balance, start: BeamState) -> None:
         self.balance = balance
@@ -42,7 +42,7 @@ class March:
         self.tangent: Tangent = self.balance.factorise(here.exact, self.response.K)
 
     def step(self, change: float, control: Control, *, crossing: bool = True) -> BeamState:
-        """State after a step with the predicted `change` of the factor.
+        """State after a step; `change` is the predicted change of the load factor.
 
         Raises ConvergenceError, with unchanged state, if the step fails. It is also raised if a
         pivot changes its sign and `crossing` is False.

@@ -34,7 +34,7 @@ class Control(Protocol):
     kink: float
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:
-        """Change of the factor in an iteration; all arrays have the shape (3n,).
+        """Change of the load factor in an iteration; all arrays have the shape (3n,).
 
         `moved` is the displacement since the start of the step, `step` the next displacement at
         constant factor, and `push` the displacement per unit factor.
@@ -42,7 +42,7 @@ class Control(Protocol):
         ...
 
     def speed(self, push: Array, moved: Array) -> float:
-        """Change of the factor in a step of full size along the tangent `push`.
+        """Change of the load factor in a step of full size along the tangent `push`.
 
         `push` is the displacement per unit factor. In arc-length control, the change has the sign
         for which the step leads in the direction of the displacement `moved`.

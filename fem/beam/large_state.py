@@ -51,7 +51,7 @@ class BeamState:
         return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
 
     def at(self, factor: float) -> "BeamState":
-        """Copy of the state, as the start of a path whose factor begins at `factor`."""
+        """Copy of the state as the start of a new path; the load factor of the copy is `factor`."""
         return replace(self, factor=factor, residuals=(), steps=0)
 
 
@@ -95,7 +95,7 @@ class Path:
 
     @property
     def term_energy(self) -> Array:
-        """Energy (k,) stored by the terms."""
+        """Energy (k,) stored by the additional terms (contact, springs)."""
         return np.array([state.term_energy for state in self.states])
 
     @property
@@ -110,15 +110,15 @@ class Path:
 
     @property
     def dissipated(self) -> Array:
-        """Energy (k,) dissipated by the terms."""
+        """Energy (k,) dissipated by the additional terms (friction)."""
         return np.array([state.dissipated for state in self.states])
 
     @property
     def residuals(self) -> tuple[tuple[float, ...], ...]:
-        """For each state, relative residuals of the Newton iterations of the last step to it."""
+        """Relative residuals of the Newton iterations in the last step that leads to each state."""
         return tuple(state.residuals for state in self.states)
 
     @property
     def negative(self) -> Array:
-        """Numbers (k,) of negative pivots of the tangent."""
+        """Number of negative pivots of the tangent stiffness in each state (k,)."""
         return np.array([state.negative for state in self.states])

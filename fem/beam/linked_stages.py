@@ -100,10 +100,10 @@ class Opposite:
 def opposite(
     points: Array, leaf: Indices, tip: int, normal: Literal["force", "leaf"], b: float
 ) -> Opposite:
-    """Point of `leaf` (m, 2) opposite to `tip`, the end node of another leaf that is along y.
+    """Point of `leaf` (m, 2) opposite to `tip`, the end node of another leaf.
 
-    `b` is the thickness [length]. `normal` is the direction to the point: the normal of the
-    unloaded "leaf", or the direction x of the "force".
+    The other leaf is parallel to y. `b` is the thickness [length]. `normal` is the direction to the
+    point: the normal of the unloaded "leaf", or the direction x of the "force".
     """
     starts, steps = points[leaf[:, 0]], points[leaf[:, 1]] - points[leaf[:, 0]]
     along = steps[0] / np.hypot(*steps[0])

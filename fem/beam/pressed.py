@@ -1,4 +1,4 @@
-"""Frame whose end is displaced far along x: equilibrium path, and reactions at the guided end.
+"""Frame whose end has large displacements along x: equilibrium path, reactions at the guided end.
 
 For springs of thin strip, whose stiff and soft directions differ by many powers of ten. Strains are
 therefore differences in extended precision, and stiffnesses are computed from strains.
@@ -33,7 +33,7 @@ class PressedFrame:
 
     @property
     def stiffness(self) -> float:
-        """Stiffness of a free head along x for small displacements [force/length]."""
+        """Stiffness along x of an otherwise free head, for small displacements [force/length]."""
         solved = solve_curved_frame(
             self.points, self.elements, sections=self.section, supports={self.tail: "xyr"},
             loads={self.head: (1.0, 0.0, 0.0)},
@@ -41,7 +41,7 @@ class PressedFrame:
         return -1 / (2 * solved.potential_energy)
 
     def frame(self, head: str) -> LargeFrame:
-        """Frame whose head has the components `head` fixed ("yr": guided along x)."""
+        """Frame with the components `head` of the head fixed; "yr" guides the head along x."""
         supports = {self.tail: "xyr", self.head: head}
         return LargeFrame(self.points, self.elements, sections=self.section, supports=supports)
 
@@ -50,7 +50,7 @@ class PressedFrame:
         return self.frame("yr")
 
     def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
-        """States of the guided frame at the displacements `U` from rest or from `since`."""
+        """States of the guided frame at head displacements `U` from rest or the state `since`."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 
@@ -109,11 +109,12 @@ class PressedFrame:
         return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
 
     def critical_displacement(self, until: float, first: float) -> float | None:
-        """Head displacement at the first critical point of the guided frame; None above `until`.
+        """Head displacement at the first critical point of the guided frame, or None.
 
-        At the critical point, the tangent stiffness ceases to be positive definite. Arc-length
-        control passes limit points, at which displacement control fails. The path begins with the
-        displacement `first`. All displacements are lengths.
+        The result is None if no critical point lies below the displacement `until`. At the critical
+        point, the tangent stiffness ceases to be positive definite. Arc-length control passes limit
+        points, at which displacement control fails. The path begins with the displacement `first`.
+        All displacements are lengths.
         """
         path = self.guided.along_arc(
             None, moved={self.head: {"x": 1.0}}, first=first,
@@ -124,6 +125,9 @@ class PressedFrame:
 
 
 def let_go(S: Array, head: Freedom) -> float:
-    """Determinant of the stiffness S (3, 3) of a "free" or "hinged" head."""
+    """Determinant of the components of the stiffness S (3, 3) in which the head can move.
+
+    A "free" head can move along x and y and rotate; a "hinged" head cannot move along y.
+    """
     moving = [0, 2] if head == "hinged" else [0, 1, 2]
     return float(np.linalg.det(S[np.ix_(moving, moving)]))

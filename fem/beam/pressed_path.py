@@ -1,4 +1,4 @@
-"""Paths of a compressed frame: forces of a guided head, drift of a free head, inclined paths."""
+"""Paths of a compressed frame whose head is guided along x, free, or displaced at an angle to x."""
 
 from collections.abc import Sequence
 
@@ -41,13 +41,13 @@ def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> 
 
 
 def free_force(one: PressedFrame, U: Array) -> float:
-    """Force along x on a head at the last of its displacements `U` along x, otherwise free."""
+    """Force along x on an otherwise free head at the last of the prescribed displacements `U`."""
     path = one.frame("").displaced({one.head: {"x": 1.0}}, U)
     return float(path.reactions[-1, one.head, 0])
 
 
 def slanted_force(one: PressedFrame, x: float, y: float) -> tuple[float, float]:
-    """Longitudinal and transverse force of a head displaced by (x, y) without rotation."""
+    """Forces along x and along y on a head that is displaced by (x, y) without rotation."""
     moved = {one.head: {"x": x, "y": y}}
     state = one.frame("r").displaced(moved, np.linspace(0.25, 1, 4)).last
     F_x, F_y, _ = state.reactions[one.head]
@@ -67,7 +67,7 @@ def deflected(one: PressedFrame, u: Array) -> Array:
 
 
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
-    """Paths of a free head and of a guided head: force, drift, reactions.
+    """Arrays by name, which describe the path of a free head and the path of a guided head.
 
     "free" (m, 4): force, displacements along x and y, determinant relative to the undeformed frame.
     "guided" (k, 4): displacement, force, lateral stiffness, determinant of a hinged head relative

@@ -1,4 +1,4 @@
-"""Buckling of a compressed frame with a released head: linearised, and along its path."""
+"""Buckling of a compressed frame whose head is released before loading, or in a loaded state."""
 
 import math
 from dataclasses import replace

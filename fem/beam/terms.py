@@ -42,8 +42,9 @@ class Term(Protocol):
     def settle(self, x: Positions) -> bool:  # noqa: ARG002
         """Improve multipliers at the converged `x`; True if equilibrium must be computed again.
 
-        `reject` must be able to undo all changes. Raises ConvergenceError
-        (`fem.beam.large_balance`) to reject `x`: the step is then repeated with a smaller size.
+        The multipliers are Lagrange multipliers, for example contact forces. `reject` must be able
+        to undo all changes. Raises ConvergenceError (`fem.beam.large_balance`) to reject `x`: the
+        step is then repeated with a smaller size.
         """
         return False
 
@@ -51,4 +52,4 @@ class Term(Protocol):
         """Accept `x` as the new state: history, multipliers and `dissipated` become final."""
 
     def reject(self) -> None:
-        """Return to the last accepted state, for example of multipliers that `settle` changed."""
+        """Return to the last accepted state; for example, undo what `settle` changed."""

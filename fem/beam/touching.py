@@ -32,7 +32,7 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 
 
 class Touching(Term, ABC):
-    """Contact of lines, tested at their probes, with a partner: other lines or an obstacle.
+    """Contact of lines with other lines or with an obstacle, tested at probes of the lines.
 
     `record` contains the contacts of the accepted state; `records` contains those of all states
     since the start of the path, beginning with the reference state.

@@ -72,7 +72,7 @@ class Curve:
     nodes: Indices  # in the order of the line
 
     def arrays(self, name: str) -> dict[str, Array]:
-        """Arrays of the curve, to be stored under `name`; shapes are reduced to centre lines."""
+        """Arrays of the curve, with names that begin with `name`; shapes are centre lines."""
         return {
             **{f"{name} {key}": getattr(self, key) for key in STORED},
             f"{name} shapes": self.shapes[:, self.nodes],

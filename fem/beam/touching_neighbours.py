@@ -37,7 +37,10 @@ class Arcs:
 
 
 def arcs(points: Array, elements: Indices) -> Arcs:
-    """Arc lengths along lines of elements; a line ends at a free end, a branch, or its start."""
+    """Arc lengths along lines of elements.
+
+    A line ends at a free end or at a branch; a closed line ends where it starts.
+    """
     ends = elements[:, :2]
     at: dict[int, list[int]] = {}
     for e, pair in enumerate(ends.tolist()):
@@ -64,7 +67,7 @@ def arcs(points: Array, elements: Indices) -> Arcs:
 
 
 class Apart:
-    """Test whether elements are at least `least` from the cell of a probe, along the line.
+    """Test whether elements are at least the arc length `least` away from the cell of a probe.
 
     The test fails for the element of the probe and for elements with a common node.
     """

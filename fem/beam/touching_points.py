@@ -44,7 +44,7 @@ def powers(corners: Array) -> Array:
 
 
 def on(curve: Array, xi: Array) -> tuple[Array, Array]:
-    """Positions and derivatives by xi (k, 2) at the parameters xi (k,) of curves.
+    """Points (k, 2) of k curves at the parameters xi (k,), and their derivatives (k, 2) by xi.
 
     The curves are given by their coefficients from `powers`, (k, 2, 3).
     """

@@ -74,7 +74,7 @@ Flat = FlatObstacle  # its name in version 0.1
 
 @dataclass(frozen=True)
 class DiscObstacle:
-    """Disc of `radius` [length] about `centre`; with `inside`, the beam is in a bore."""
+    """Disc of `radius` [length] about `centre`; with `inside`, a bore that contains the beam."""
 
     centre: tuple[float, float]
     radius: float
@@ -116,12 +116,12 @@ class Body:
         self.eta, self.past = self.nearest(x)
 
     def nearest(self, x: Array) -> tuple[Array, Surface]:
-        """Parameter of the point of each cell nearest to the shape, and the surface there."""
+        """For each cell, the parameter of its point nearest to the shape, and the surface there."""
         p = self.probes
         curves = powers(x[p.nodes, :2])
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance plus additional gap, and the derivative of this sum by eta."""
+            """Distance from the shape plus additional gap, and the derivative of the sum by eta."""
             own, slope = on(curves[rows], eta)
             surface = self._surface(x, own)
             n = self.normals(x, surface)

@@ -28,7 +28,7 @@ class Touch:
     slipping: Array
 
     def without(self, last: int) -> "Touch":
-        """Contacts without the last unknowns (`last` is their number), those of a fixed body."""
+        """Contacts without their last `last` unknowns, for a contact body that does not move."""
         keep = slice(None, -last)
         return replace(
             self,
