@@ -55,7 +55,8 @@ def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
     start = size = abs(first) * math.sqrt(float(weights * push @ push))
     if not start > 0:
         raise ValueError(
-            "along_arc needs loads or displacements that move the frame, and first != 0"
+            "along_arc needs loads or displacements that move the frame, and a first step "
+            "`first` that is not zero"
         )
     heading, longest = math.copysign(1.0, first) * push, start
     while True:
@@ -92,7 +93,7 @@ def collect(
             break
     if until is not None:
         raise ArithmeticError(
-            f"`until` was True for no state within {steps} steps, the last one at the factor "
+            f"`until` was True for none of {steps} states; the last state is at the factor "
             f"{found[-1].factor:.6g}: increase steps"
         )
     return tuple(found)

@@ -31,11 +31,13 @@ def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> 
         if (U_cr := one.critical_displacement(until, shares[0] / CLOSER * until)) is None:
             raise
         raise UnstableError(
-            f"the guided head has a critical point at {U_cr / length:.1%} of the length"
+            f"the guided head has a critical point at a displacement of {U_cr / length:.1%} of the "
+            "length"
         ) from error
     if any(state.negative for state in states):
         raise UnstableError(
-            f"the guided head becomes unstable before {shares[-1]:.0%} of the length"
+            f"the guided head becomes unstable before its displacement is {shares[-1]:.0%} of the "
+            "length"
         )
     return [one.force(states[int(np.argmin(abs(U - s * length)))]) for s in shares]
 

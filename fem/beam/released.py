@@ -40,11 +40,12 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
 
 
 def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
-    """First buckling of a guided head after its release: displacement, round-off error, state.
+    """Smallest displacement of a guided head at which the head buckles if it is released there.
 
-    The result is NaN and None if the head does not buckle up to `until`. The search begins at the
-    linearised buckling load. A lower critical point is not missed, because the determinant changes
-    its sign at the first critical point from rest.
+    The results are this displacement, its round-off error, and the state. The result is NaN and
+    None if the head does not buckle up to `until`. The search begins at the linearised buckling
+    load. A lower critical point is not missed, because the determinant changes its sign at the
+    first critical point from rest.
     """
     load, _ = linear_load(one)
     rest, at = one.guided.rest(), 0.0

@@ -13,11 +13,11 @@ SETTLED = 1e-11  # relative to a place: the distance there is stationary
 
 
 def closest(curve: Array, at: Array) -> Array:
-    """Parameters (k,), 0 to 1, of the points nearest to `at` (k, 2) on curves.
+    """Parameters (k,), 0 to 1, of the points on k curves that are nearest to the points `at`.
 
-    The curves are given by their coefficients from `powers`, (k, 2, 3). Newton's method for the
-    distance begins with the projection on the chord. If the distance is not convex (beyond the
-    centre of curvature), the step has the length scale of the chord.
+    `at` is (k, 2). The curves are given by their coefficients from `powers`, (k, 2, 3). Newton's
+    method for the distance begins with the projection on the chord. If the distance is not convex
+    (beyond the centre of curvature), the step has the length scale of the chord.
     """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2

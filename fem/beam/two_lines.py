@@ -36,7 +36,7 @@ class FittedLines:
         return (self.c1 - self.c2) / (self.k2 - self.k1)
 
     def apart(self, other: "FittedLines") -> float:
-        """Larger relative difference of `k1` or `k2` between this result and `other`."""
+        """Larger of the relative differences of `k1` and `k2` between this result and `other`."""
         off = [abs(other.k1 / self.k1 - 1), abs(other.k2 / self.k2 - 1)]
         return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
 
@@ -83,7 +83,7 @@ def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def on_common(one: Array, other: Array, stroke: float) -> tuple[Array, Array]:
-    """Points of both curves at common displacements, rounded to 1e-6 of the `stroke`."""
+    """Points of the curves `one` and `other` at common displacements (within 1e-6 of `stroke`)."""
     U, V = (np.round(curve[0] / stroke, 6) for curve in (one, other))
     return one[:, np.isin(U, V)], other[:, np.isin(V, U)]
 

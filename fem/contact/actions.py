@@ -70,7 +70,7 @@ class Supports:
         self._of[np.isin(self.conditions.owner, rest)] = 0.0
 
     def values(self, displacements: Mapping[str, Support]) -> Array:
-        """Prescribed values (m,), with the values of the supports in `displacements` replaced.
+        """Prescribed values (m,); the values in `displacements` replace those of the same supports.
 
         Order: conditions of supports, motions of obstacles, mean motions.
         """

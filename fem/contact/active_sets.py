@@ -30,10 +30,11 @@ def exchanged(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int],
     finer: float = 1.0,
 ) -> Solution:  # fmt: skip
-    """Multipliers, motions and consistent contact states, with rigid motions on springs (k, k).
+    """Multipliers, motions and contact states that are consistent with each other.
 
-    The iteration begins with `states` (m,). `changes` receives the number of changed rows of each
-    iteration. Raises NotFoundError if the states repeat or continue to change.
+    Springs (k, k) act on the rigid motions. The iteration begins with `states` (m,). `changes`
+    receives the number of changed rows of each iteration. Raises NotFoundError if the states repeat
+    or continue to change.
     """
     rough, seen = bool(system.rough.size), set()
     fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
@@ -62,7 +63,7 @@ def exchanged(
 
 @dataclass(frozen=True)
 class StateEquations:
-    """Linear system A x = known for given contact `states`, on springs (k, k).
+    """Linear system A x = known for given contact `states`, with springs (k, k) on rigid motions.
 
     x contains the multipliers of the rows `own`, then the motions. The friction of the slipping
     rows `slip` is `drag` times the multiplier of their normal row, whose position in x is `at`.
@@ -102,9 +103,10 @@ class StateEquations:
 def linear(
     system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States
 ) -> tuple[Array, Array]:
-    """Multipliers (n,) and motions (k,) for given contact `states`, on springs (k, k).
+    """Multipliers (n,) and motions (k,) for given contact `states`.
 
-    Raises NotFoundError if the states do not determine the multipliers and motions.
+    Springs (k, k) act on the rigid motions. Raises NotFoundError if the states do not determine the
+    multipliers and motions.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

@@ -64,7 +64,7 @@ class AlongBodies:
         return self.T @ q + pull.u_0
 
     def pull(self, forces: Mapping[str, float], displacements: Mapping[str, Prescribed]) -> Pull:
-        """Axial loads and displacements, from values by the name of the boundary.
+        """Load along z from dictionaries by name: forces, and prescribed displacements of supports.
 
         Supports that are not named in `displacements` retain their values.
         """
@@ -128,7 +128,10 @@ class AlongBodies:
         return self.words[int(np.argmax(np.abs(amplitudes)))]
 
     def refuse(self, words: str) -> None:
-        raise ValueError(f"{words}: neither supports along z nor friction prevent this motion")
+        raise ValueError(
+            f"{words}: neither supports along z nor friction prevent this motion; add a support "
+            "along z"
+        )
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:

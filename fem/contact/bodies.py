@@ -151,7 +151,9 @@ class Bodies:
         return self.words[int(np.argmax(np.abs(self._fields.T @ (self.motions @ amplitudes))))]
 
     def refuse(self, words: str) -> None:
-        raise ValueError(f"{words}: neither supports nor contact prevent this motion")
+        raise ValueError(
+            f"{words}: neither supports nor contact prevent this motion; add a support"
+        )
 
     @cached_property
     def _factor(self) -> tuple[Array, bool]:

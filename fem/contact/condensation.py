@@ -33,7 +33,7 @@ class Condensed:
         return self.S @ at_rest + self.springs * at_rest
 
     def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
-        """All unknowns under the forces `f` (unknowns,), with `surface` (s,) on the surface.
+        """All unknowns under the forces `f` (unknowns,) and surface displacements `surface` (s,).
 
         `on_surface` (s,) is the result of `load` for `f`.
         """

@@ -72,7 +72,7 @@ class Cone(System):
         return w, pressure, at.multipliers[self.tau] - c * w[self.tau]
 
     def error(self, task: Task, at: State) -> tuple[float, NDArray[np.int8]]:
-        """Distance of `at` from its projection on the contact laws, and the states (m,) there.
+        """Distance of `at` from its projection on the contact laws; states (m,) of the projection.
 
         The distance is relative to the largest pressure.
         """

@@ -49,10 +49,12 @@ class Descent:
     e: Array
 
     def solve(self, starts: list[State]) -> State:
-        """Solution of the first search that converges: from initial states, then along paths.
+        """Solution of the first search that converges.
 
-        Raises SlidingError if bodies continue to move at the end of a search. Otherwise raises
-        NotFoundError with the reasons of all failed searches.
+        Newton's method from each of the `starts` is tried first; then paths of solutions are
+        followed, which begin without friction or with all nodes sticking. Raises SlidingError if
+        bodies continue to move at the end of a search. Otherwise raises NotFoundError with the
+        reasons of all failed searches.
         """
         reasons: list[str] = []
         carried: Array | None = None

@@ -86,7 +86,10 @@ class System:
 
     @cached_property
     def augmentation(self) -> tuple[Array, Array]:
-        """Penalty factors c_n (m,) and c (r,): pressures that close unit gaps and slips."""
+        """Penalty factors c_n (m,) of gaps, and c (r,) of slips.
+
+        They are the pressure that closes a unit gap, and the traction that causes a unit slip.
+        """
         yields = self.yields
         return 1 / yields[: self.friction.size], 1 / np.sqrt(yields[self.t] * yields[self.z])
 

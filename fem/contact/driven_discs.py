@@ -1,4 +1,4 @@
-"""Two bodies under given forces, which a displacement of the section of the upper body causes."""
+"""Two bodies in contact; the section of the upper body is displaced so that given forces act."""
 
 import numpy as np
 
@@ -11,11 +11,11 @@ HIT = 1e-12  # relative to P, within which loads are met
 
 
 class DrivenDiscs:
-    """Two bodies with friction under given forces on their rigidly displaced sections.
+    """Two bodies in contact with friction; the upper section is displaced so that given forces act.
 
-    A secant method finds the displacement. `problem` has the boundary "upper.middle" with
-    prescribed motion, and one pair of surfaces. P [N/m] acts along -y; `approach` [m] is the
-    approximate displacement of the section by P.
+    The section is displaced without deformation. A secant method finds the displacement. `problem`
+    has the boundary "upper.middle" with prescribed motion, and one pair of surfaces. P [N/m] acts
+    along -y; `approach` [m] is the approximate displacement of the section by P.
     """
 
     def __init__(self, problem: ContactProblem, *, P: float, approach: float) -> None:
@@ -28,10 +28,10 @@ class DrivenDiscs:
         return self.problem.solve(displacements=moved, after=after)
 
     def loaded(self, Q: float, cut: Array, after: ContactSolution) -> tuple[ContactSolution, Array]:
-        """Contact state under Q and P [N/m] in the step after `after`, and section displacement.
+        """Contact state under Q and P [N/m], and the displacement of the upper section.
 
-        `cut` is the initial displacement of the search (Broyden's method). Raises NotFoundError if
-        the search does not reach the loads.
+        The step begins at the state `after`. `cut` is the initial displacement of the search
+        (Broyden's method). Raises NotFoundError if the search does not reach the loads.
         """
         target, flexibility = np.array([Q, -self.P]), self.flexibility
         state = self.at(cut, after)
@@ -48,7 +48,8 @@ class DrivenDiscs:
                 step @ flexibility @ gained
             )
         raise NotFoundError(
-            f"loads not reached in 50 steps: forces differ by {np.abs(missing).max():.2e} N/m"
+            "the loads were not reached in 50 steps: the contact forces still differ from the "
+            f"loads by up to {np.abs(missing).max():.2e} N/m"
         )
 
     def _press(self, y: float) -> tuple[tuple[ContactSolution, Array], Array]:

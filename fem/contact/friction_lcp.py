@@ -116,7 +116,7 @@ class FrictionLcp:
         return multipliers, motions * (a[:k] - a[k:]), states
 
     def polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
-        """Solution of the linear system of `states` that is nearest to the result of the pivots."""
+        """Solution of the linear system of `states`, nearest to the result of Lemke's method."""
         system = self.system
         equations = StateEquations.of(system, states, self.spring)
         scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

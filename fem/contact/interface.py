@@ -93,7 +93,7 @@ class Interface:
         )
 
     def shift(self, response: Response) -> Array:
-        """Change of the gaps and slips (r,) by a response, without the rigid motions."""
+        """Change of the gaps and slips (r,) by a response in which all rigid motions are zero."""
         w = self.C @ response.at_rest
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 

@@ -101,11 +101,11 @@ class LockedSector:
         return 2 * self.at(p, hub).touches[0].force[0]
 
     def efficiency(self, p: float) -> tuple[float, float]:
-        """Fraction of an additional pressure force on the flat that reaches the roller, and u.
+        """Fraction of an additional pressure force on the flat that reaches the roller.
 
-        Nodes come into contact one by one, which causes steps of the force. A cubic polynomial over
-        several pressures smooths these steps. u is the standard uncertainty of the slope of the
-        polynomial.
+        The results are this fraction and its standard uncertainty u. Nodes come into contact one by
+        one, which causes steps of the force. A cubic polynomial over several pressures smooths
+        these steps. u is the standard uncertainty of the slope of the polynomial.
         """
         side = self.sector.d_i * np.sin(self.sector.half_angle)
         reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)

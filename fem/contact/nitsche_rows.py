@@ -15,12 +15,13 @@ from fem.plane.geometry import jacobians
 
 @dataclass(frozen=True, kw_only=True)
 class Rows:
-    """Normal rows at the n integration points of all pairs, then tangential rows with friction.
+    """Normal rows at the n integration points of all pairs, then tangential rows.
 
-    From displacements, `stress` (rows, unknowns) gives the traction [stress] of the slave, and
-    `motion` (rows, unknowns) the gap or slip [length]. `start` (rows,) is the gap or slip without
-    displacement. `gamma` (rows,) is in [length/stress], `weight` (rows,) in [area]. `friction` (n,)
-    are coefficients of friction. `rough` (rows - n,) are the points of the tangential rows.
+    Only pairs with friction have tangential rows. From displacements, `stress` (rows, unknowns)
+    gives the traction [stress] of the slave, and `motion` (rows, unknowns) the gap or slip
+    [length]. `start` (rows,) is the gap or slip without displacement. `gamma` (rows,) is in
+    [length/stress], `weight` (rows,) in [area]. `friction` (n,) are coefficients of friction.
+    `rough` (rows - n,) are the points of the tangential rows.
     """
 
     stress: csr_array
@@ -36,7 +37,7 @@ class Rows:
         return np.asarray(self.start + self.motion @ u)
 
     def limits(self, p: Array) -> tuple[Array, Array]:
-        """Lower and upper limits (rows,) of tractions, with friction at the pressures `p` (n,)."""
+        """Lower and upper limits (rows,) of tractions; the pressures `p` (n,) limit friction."""
         n, bound = self.friction.size, self.friction[self.rough] * p[self.rough]
         return np.concatenate([np.zeros(n), -bound]), np.concatenate([np.full(n, np.inf), bound])
 

@@ -372,7 +372,7 @@ class ContactProblem:
         if moved > RUNAWAY * size:
             raise NotFoundError(
                 f"no equilibrium with small motions was found: {self.bodies.named(motion)}; in the "
-                f"solution, it moves by {moved:.3g}, while surfaces deform by only {size:.3g}"
+                f"solution, this motion is {moved:.3g}, while surfaces deform by only {size:.3g}"
             )
 
     def _deformation(self, found: ContactSolution) -> float:
@@ -388,5 +388,6 @@ class ContactProblem:
         if np.any(missing):
             raise NoEquilibriumError(
                 f"{self.bodies.named(missing)}, and the loads cause this motion: contact can only "
-                "push, and no admissible contact forces balance the loads"
+                "push, and no admissible contact forces balance the loads; add a support, or "
+                "change the loads"
             )

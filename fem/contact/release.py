@@ -59,7 +59,7 @@ class Release:
                     return multipliers, motion, states  # a neutral motion is unchanged
                 share = max(share / 10, WEAKEST_SPRING)  # a gap still has to close
         raise NotFoundError(
-            f"contact forces differ from the loads by {missed:.1e}, largest force {size:.1e}"
+            f"contact forces differ from the loads by {missed:.1e}; the largest force is {size:.1e}"
         )
 
     def _settled(self, motion: Array, share: float, states: States) -> Solution:

@@ -1,4 +1,4 @@
-"""Exact shapes of contact surfaces, with which facets do not affect the gap."""
+"""Exact shapes of contact surfaces, so that the gap does not depend on the facets of the mesh."""
 
 import math
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Load paths of two bodies under a constant normal load: first tangential loading, and a cycle."""
+"""Tangential load paths of two bodies under constant normal load: first loading, and a cycle."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,7 @@ class Push:
         return np.sqrt([smoothed(self.k, self.stick, share)[0] for share in shares])
 
     def beyond_chord(self, share: float, chord: float) -> Value:
-        """Displacement [m] at `share` minus that of the line from 0 to `chord`.
+        """Displacement [m] of the curve at `share`, minus that of its chord from 0 to `chord`.
 
         `share` and `chord` are values of Q/(mu P). The second result is the standard uncertainty.
         """
@@ -87,7 +87,10 @@ class Swing:
 
 
 def swing(discs: DrivenDiscs, first: ContactSolution, top: Array, Q: float, steps: int) -> Swing:
-    """Cycle from the state `first` under Q [N/m], in which the displacement is `top` (x, y) [m]."""
+    """Cycle that begins in the state `first`, with the force Q [N/m] and displacement `top` [m].
+
+    `top` has the components x and y.
+    """
     there = np.linspace(1.0, -1.0, steps + 1)[1:]
     state, work, found = first, 0.0, [(top[0], Q)]
     opposite = first

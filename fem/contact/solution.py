@@ -111,7 +111,7 @@ class Touch:
         return t @ (points.x - origin[:, None])
 
     def half_width(self, centre: tuple[float, float] | None = None) -> float:
-        """Half-width of the elliptic pressure with the moments of this pressure; 0 without contact.
+        """Half-width of the elliptic pressure that has the moments of `p`; 0 without contact.
 
         It is 2 sqrt(int p x^2 / int p), with x from `centre` (default: the centre of pressure). For
         a body of revolution, it is the radius sqrt(5/2 int p r^2 / int p) about the axis.

@@ -116,7 +116,11 @@ class Trace:
         return replace(self, nodes=nodes, end_normals=normals, shape=shape)
 
     def curvature(self) -> float:
-        """Largest curvature [1/length]: change of angle of a facet's normals over its length."""
+        """Largest curvature [1/length] of the exact shape, or of the facets without exact shape.
+
+        The curvature of a facet is the angle between the normals at its ends, divided by its
+        length.
+        """
         if self.shape is not None:
             return self.shape.curvature
         turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))

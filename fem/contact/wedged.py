@@ -1,4 +1,4 @@
-"""Half a roller on an inclined race under a normal force: free, caged, or released.
+"""Half a roller on an inclined race under a normal force: free, held by a cage, or released.
 
 The bisector of the wedge is the x axis; the wedge becomes narrower towards +x. By symmetry and
 without friction, the section y = 0 of the roller remains straight. The race is displaced along its

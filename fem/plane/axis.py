@@ -44,6 +44,10 @@ def check_radii(mesh: Mesh2D) -> None:
 
 
 def hoop_strain(u: Array, slope: Array, r: Array, reach: Array) -> Array:
-    """Hoop strain u_r/r, or its limit du_r/dr (`slope`) on the axis; `reach` is the cell radius."""
+    """Hoop strain u_r/r, or its limit du_r/dr (`slope`) on the axis.
+
+    Points are on the axis if their radius is negligible compared with `reach`, the largest radius
+    of the cell.
+    """
     near = r < AT_AXIS * reach
     return np.where(near, slope, u / np.where(near, 1.0, r))

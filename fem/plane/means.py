@@ -87,7 +87,7 @@ class _Motion:
 
 
 def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
-    """Combinations of columns of `T` (unknowns, n) with zero means, and displacements.
+    """Combinations of columns of `T` (unknowns, n) whose means are zero, and k displacements.
 
     `C` (k, unknowns) gives the means. Each of the displacements (unknowns, k) changes one mean by
     one and no other mean. The last `surface` columns remain the last

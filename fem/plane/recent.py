@@ -18,7 +18,7 @@ Key = tuple[type | int | Array | Indices, ...]
 
 @dataclass
 class Recent(Generic[V]):
-    """Cache of at most `most` results, of total size `room` at most; the latest result is first."""
+    """Cache of at most `most` results with a total size of at most `room`; the latest is first."""
 
     most: int
     room: float = np.inf

@@ -36,7 +36,7 @@ class Held:
     means: Mapping[str, Mean]
 
     def on_means(self, conditions: Conditions, reaction: Array) -> Array:
-        """Forces (k,) along the mean motions, calculated from `reaction` (unknowns,)."""
+        """Forces (k,) conjugate to the mean motions, calculated from `reaction` (unknowns,)."""
         led = self.tied.led(conditions)
         rows = [led.beside(row) for row in (self.rows @ self.tied.P).toarray()]
         force, *_ = np.linalg.lstsq(np.array(rows).T, led.beside(self.tied.P.T @ reaction))
@@ -106,7 +106,7 @@ class PlaneSolution:
         return x, y
 
     def mean_reaction(self, boundary: str) -> dict[str, float]:
-        """Force (x, y) and moment (r, about `Mean.about`) of the mean motions of `boundary`."""
+        """Force (x, y) and moment (r, about `Mean.about`) that cause mean motions of `boundary`."""
         means = {} if self.held is None else self.held.means
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"

@@ -137,7 +137,7 @@ class Tied:
         return self.led(conditions).forces(self.P.T @ reaction)
 
     def ordered(self, place: Indices) -> Indices:
-        """Place (unknowns,) in the order of elimination, with leaders after all other unknowns."""
+        """Positions (unknowns,) in the order of elimination; leaders follow all other unknowns."""
         place = place.copy()
         np.maximum.at(place, self.leader, place[self.follower])
         place[self.leader] += self.count

@@ -164,5 +164,5 @@ def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
 
 
 def test_a_path_whose_end_is_not_reached_states_where_it_stopped():
-    with pytest.raises(ArithmeticError, match=r"no state within 3 steps, .* at the factor"):
+    with pytest.raises(ArithmeticError, match=r"none of 3 states; .* at the factor"):
         frame().along_arc({2: (0, 1, 0)}, first=0.1, steps=3, until=lambda s: False)
