@@ -24,7 +24,7 @@ CROSSING = 1 / 32  # over the longest step: longer ones may jump over a turn to 
 
 @dataclass(frozen=True)
 class Arc:
-    """Step control by arc length: the displacement over the step has the norm `size`.
+    """Step control by arc length: the displacement in each step has the norm `size`.
 
     `weights` (3n,) are the weights of the squared displacements in the squared norm.
     """

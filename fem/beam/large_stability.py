@@ -61,7 +61,7 @@ class _Place:
 
 
 def critical_points(balance: Balance, path: Path) -> Iterator[CriticalPoint]:
-    """Critical points at sign changes of pivots, located to 1e-9 of a step of the path."""
+    """Critical points, where pivots change sign, located to 1e-9 of a step of the path."""
     states = [path.start, *path.states]
     for before, after in pairwise(states):
         low, high = _look(balance, before), _look(balance, after)
@@ -140,7 +140,7 @@ def _does_work(balance: Balance, place: _Place) -> bool:
 
 
 def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
-    """Smallest positive factors (count,) and modes (count, n, 3) of K_0 + factor x K_g.
+    """Smallest positive factors (count,) with singular K_0 + factor x K_g, and modes (count, n, 3).
 
     K_g is the geometric stiffness for the section forces of the linear solution.
     """

@@ -59,7 +59,7 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
-        """Stiffness (3, 3) of the released head in a state, and its round-off error (3, 3).
+        """Stiffness (3, 3) of the head, if it is released in a `state`, and round-off error (3, 3).
 
         The stiffness is the force and couple on the head per small displacement and rotation. The
         round-off error is taken from the asymmetry and from the change in the last correction. Only

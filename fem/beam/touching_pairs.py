@@ -21,7 +21,7 @@ TINY = 1e-300
 
 @dataclass(frozen=True)
 class Meeting:
-    """Nearest points of elements to k probes, each on the right or left side of the probe.
+    """Points of elements that are nearest to k probes, on the right or left side of the probe.
 
     The slot number is 2 probe + side. The nearest point is `xi` on `element`; the position of the
     probe is `eta` on its element. `n` (k, 2) is the direction from the nearest point to the probe,
@@ -67,7 +67,7 @@ class Pairs:
         self._look_round(self.accepted)
 
     def nearest(self, x: Array) -> Meeting:
-        """Nearest element within reach at `x`, for every slot."""
+        """For every slot, the nearest element within reach at the positions `x`."""
         at = x[:, :2]
         if self.last and np.array_equal(at, self.last[0]):
             return self.last[1]

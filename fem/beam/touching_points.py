@@ -85,7 +85,7 @@ class Probes:
 
 
 def probes(points: Array, elements: Indices, thickness: float, per_element: int) -> Probes:
-    """`per_element` probes, each in a part of an element, and one probe at each free end."""
+    """Probes: `per_element` in equal parts of each element, and one at each free end."""
     size = lengths(points, elements, np.ones(len(elements)))
     element = np.repeat(np.arange(len(elements)), per_element)
     lower = np.tile(np.arange(per_element) / per_element, len(elements))

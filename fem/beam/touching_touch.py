@@ -10,7 +10,7 @@ from fem.beam.section import Array, Indices
 
 @dataclass(frozen=True)
 class Touch:
-    """Geometry of k contacts with m unknowns each: rows `dofs` (k, m) of the frame.
+    """Geometry of k contacts with m unknowns each; `dofs` (k, m) are the numbers of the unknowns.
 
     `gap` has the derivatives `opening` (k, m) and `turning` (k, m, m). The virtual slip `sliding`
     (k, m) has the derivatives `swerving` (k, m, m). `slip` since the last accepted state has the

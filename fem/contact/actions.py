@@ -134,7 +134,7 @@ class Supports:
 
 
 class Loads:
-    """Loads, given by name, as unit actions."""
+    """Conversion of loads, given by name, to unit actions."""
 
     def __init__(self, bodies: Bodies) -> None:
         self._bodies = bodies

@@ -50,7 +50,7 @@ class AlongBodies:
         return np.asarray(cho_solve(self._factor, forces, check_finite=False))
 
     def load(self, pull: Pull) -> tuple[Array, Array]:
-        """Forces (n,) on the free unknowns, and equivalent forces (s,) on the surface."""
+        """Forces (n,) of `pull` on the free unknowns, and equivalent forces (s,) on the surface."""
         load = self.T.T @ (pull.f - self.internal_forces(pull.u_0))
         return load, self.condensed.load(load)
 

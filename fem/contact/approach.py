@@ -12,7 +12,7 @@ LARGEST_GAP = 1e-4  # initial distance times curvature: below, gaps are linear i
 
 
 def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | None] | None:
-    """Rigid displacements (all,) of the surfaces of each pair from the mesh to first contact.
+    """Rigid displacements (all,) that move the surfaces of each pair to first contact.
 
     The entry of a pair that needs no displacement is None. The result is None if no pair needs a
     displacement: all initial gaps of loaded points are then so small that they change linearly with

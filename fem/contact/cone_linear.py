@@ -31,7 +31,7 @@ class Rate:
 
 @dataclass(frozen=True)
 class Linearised:
-    """Equations of `cone`, linearised at `at`.
+    """Equations of `cone`, linearised at the state `at`.
 
     `states` (m,) gives the state of each node: open, sticking or slipping.
     """

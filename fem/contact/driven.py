@@ -56,14 +56,14 @@ class DrivenSector:
         return float(R * np.cos(self.phi_1)), float(-R * np.sin(self.phi_1))
 
     def at(self, p: float, N: float) -> ContactSolution:
-        """Contact state under the pressure `p` and the hub force that belongs to `N`."""
+        """Contact state under the pressure `p` and the hub force for the roller force `N`."""
         return self.fine.at(p, self.push(N))
 
     def force_on(self, sector: LockedSector, p: float) -> float:
         """Force N of a roller under the pressure `p`; infinite if the sector is self-locking."""
 
         def excess(N: float) -> float:
-            """Roller force minus the force N to which the hub force is proportional."""
+            """Roller force in the solution, minus the roller force N for the hub force."""
             return sector.force(p, self.push(N)) - N
 
         low, high = 0.0, sector.force(p)

@@ -27,7 +27,9 @@ class Surfaces:
         known = {*(bodies.basis.mesh.boundaries or {}), *bodies.obstacles}
         for p in pairs:
             if p.slave in bodies.obstacles:
-                raise ValueError(f"contact {p}: an obstacle must be the master: swap the names")
+                raise ValueError(
+                    f"contact {p}: an obstacle must be the master: swap slave and master"
+                )
             if p.master not in known:
                 raise ValueError(
                     f"contact {p}: there is no boundary or obstacle {p.master!r}; there are: "

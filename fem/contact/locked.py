@@ -41,7 +41,7 @@ class FlatSector(NamedTuple):
 def rigid_roller(
     sector: FlatSector, mesh: Mesh2D, *, d: float, material: Elastic
 ) -> ContactProblem:
-    """Contact problem of the sector, body "ring", under a rigid roller, the obstacle "stop"."""
+    """Contact problem of the sector (body "ring") under a rigid roller (obstacle "stop")."""
     r = sector.d_e / 2
     return ContactProblem(
         mesh,
@@ -123,7 +123,7 @@ class LockedSector:
         return near.half_width((r, 0.0)), on_race
 
     def balance(self, p: float, hub: Force) -> tuple[float, float, float]:
-        """Unbalanced forces along x and y on half a sector, and the force along x on its cuts."""
+        """Unbalanced forces along x and y on half a sector, and force along x on the two cuts."""
         sector, state = self.sector, self.at(p, hub)
         c, s = np.cos(sector.half_angle), np.sin(sector.half_angle)
         names = ("ring.mid", "ring.corner")

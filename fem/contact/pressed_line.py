@@ -82,7 +82,7 @@ class PressedLine:
         return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:
-        """Uncertainty by round-off of `value` [unit of the value], the result named `key`.
+        """Uncertainty of the result `key` by round-off, in the unit of its `value`.
 
         Coordinates of nodes on a circle are rounded relative to the largest x. In a cell of size h,
         this causes a strain x eps/h, and a pressure equal to this strain divided by the compliance

@@ -9,7 +9,7 @@ from fem.plane.geometry import Array, Indices
 
 
 def cut_out(cells: Mapping[str, Array], inside: Callable[[Array], Array]) -> dict[str, Any]:
-    """Points, cells and data of the cells for whose centres (m, 2) `inside` is True."""
+    """Points, cells and data of those cells for which `inside` is True at the centres (m, 2)."""
     corners = cells["cells"].astype(np.int64)
     kept = np.flatnonzero(inside(cells["points"][corners].mean(axis=1)))
     used, corners = np.unique(corners[kept], return_inverse=True)

@@ -34,7 +34,7 @@ def pull(v, w):
 
 
 def push(side: Trace, p: Array) -> Array:
-    """Forces (unknowns,) of the pressure `p` (m, q) on facets, per unit length of the facets."""
+    """Forces (unknowns,) of the load `p` (m, q) per unit length of facets, directed inwards."""
     return -side.load(p * np.asarray(side.normals))
 
 
@@ -66,7 +66,7 @@ def surface_load(
     *,
     turn: bool = False,
 ) -> Array:
-    """Forces of `pressures` (positive inwards) and `tractions` [stress] on named boundaries."""
+    """Forces (unknowns,) of `pressures` (positive inwards) and `tractions` on named boundaries."""
     f = np.zeros(basis.N)
     for name, pressure in pressures.items():
         side = _wall(basis, name, outer_facets(basis.mesh, name), turn)
@@ -85,7 +85,7 @@ def surface_load(
 def force_load(
     basis: Basis, forces: Mapping[str, tuple[float, float]], *, turn: bool = False
 ) -> Array:
-    """Forces of the total `forces` [force] on named boundaries, each uniformly distributed.
+    """Forces (unknowns,) of resultant `forces` on named boundaries, each distributed uniformly.
 
     A total force acts on the whole thickness or circumference. Raises ValueError for a radial total
     force on a body of revolution, because it has no resultant.
@@ -131,7 +131,7 @@ def point_load(
     *,
     turn: bool = False,
 ) -> Array:
-    """Forces (unknowns,) of point forces at nodes, which are given by coordinates.
+    """Forces (unknowns,) of point forces at nodes; the nodes are given by their coordinates.
 
     With `turn`, a node is a ring, and each force is the total on the ring. Raises ValueError if
     there is no node at the point, and for a radial force on the axis.

@@ -25,7 +25,10 @@ class Recent(Generic[V]):
     kept: list[tuple[Key, V, float]] = field(default_factory=list)
 
     def get(self, key: Key, make: Callable[[], V], size: Callable[[V], float] = lambda _: 0) -> V:
-        """Result for the arguments `key`, stored or computed by `make`; `size` gives its memory."""
+        """Result for the arguments `key`: a stored result, or the result of `make`.
+
+        `size` gives the memory that the result needs.
+        """
         for k, entry in enumerate(self.kept):
             if same(entry[0], key):
                 self.kept.insert(0, self.kept.pop(k))

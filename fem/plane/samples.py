@@ -34,7 +34,7 @@ class Samples:
         return np.array([xx * n_x + xy * n_y, xy * n_x + yy * n_y])
 
     def polar(self, centre: tuple[float, float] = (0.0, 0.0)) -> tuple[Array, Array, Array, Array]:
-        """Radial displacement (m,), and radial, hoop and shear stress (m,) about `centre`."""
+        """Radial displacement, and radial, hoop and shear stress, each (m,), about `centre`."""
         d = self.x - np.reshape(centre, (2, 1))
         c, s = d / np.hypot(*d)
         xx, yy, xy, _ = self.stress

@@ -47,13 +47,13 @@ class Conditions:
     owners: tuple[Owner, ...]
 
     def of(self, boundary: str) -> NDArray[np.bool_]:
-        """True for the conditions that belong to `boundary`."""
+        """Mask (m,) of the conditions that belong to `boundary`."""
         if boundary not in self.owners:
             return np.zeros(self.owner.size, bool)
         return self.owner == self.owners.index(boundary)
 
     def anchored_at(self, node: Indices) -> NDArray[np.bool_]:
-        """True for the conditions of an anchor at the node with the unknowns `node` (2,)."""
+        """Mask (m,) of the conditions of an anchor at the node with the unknowns `node` (2,)."""
         points = [i for i, owner in enumerate(self.owners) if isinstance(owner, tuple)]
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
