@@ -1,4 +1,4 @@
-"""Common base of both kinds of roller freewheels, by the names of their parts.
+"""Common attributes and methods of both kinds of roller freewheels, named after cam and race.
 
 The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for
 a cup with flats around a shaft. In a cup, rollers are drawn into the wedge in the opposite sense.
@@ -8,7 +8,7 @@ from typing import Protocol
 
 
 class OneClutch(Protocol):
-    """Clutch of rollers of radius `r` between flats at `flat` and a race of radius `race` [m]."""
+    """Clutch: rollers of radius `r`, a race of radius `race`, flats `flat` from the axis [m]."""
 
     def __hash__(self) -> int: ...
     @property

@@ -24,7 +24,7 @@ def parts(q: OneClutch) -> FreewheelParts:
 
 
 def sizes(state: RollerClutchState) -> Loaded:
-    """Force, torque, angle, approaches and half-widths of a state, as needed by the bounds."""
+    """Force, torque, angle, approaches and contact half-widths in `state`, for the error bounds."""
     s = state
     return Loaded(N=float(s.N), T=float(s.T), alpha=float(s.alpha), d_i=float(s.d_i),
                   d_o=float(s.d_o), a_i=float(s.a_i), a_o=float(s.a_o))  # fmt: skip
@@ -36,7 +36,7 @@ def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
 
 
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
-    """Expected interval of an error.
+    """Expected error of a row: it lies within `interval`, which was derived as `source` states.
 
     For inputs of a user, it is not sharp if it is wider than `WIDEST`.
     """

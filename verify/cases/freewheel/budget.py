@@ -18,7 +18,7 @@ LIGHTER, THICKER = 4, 4
 
 
 def light(q: Any) -> Any:
-    """Inputs with a quarter of the torque and any axial load, which halves the contact widths."""
+    """Inputs with a quarter of all loads (torque, any axial load): contact widths are halved."""
     more = {"T": q.T / LIGHTER}
     if hasattr(q, "F_ax"):
         more["F_ax"] = q.F_ax / LIGHTER

@@ -29,7 +29,10 @@ def overlapping(q: OneClutch, d_i: float, d_o: float) -> Place:
 
 
 def fem_mesh(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
-    """Mesh of the pitch for contact half-widths `widths` [m]; `cells` on half a fine zone."""
+    """Mesh of the pitch whose fine zones suit the contact half-widths `widths` [m].
+
+    Half a fine zone has `cells` cells.
+    """
     from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
 
     q = place.q

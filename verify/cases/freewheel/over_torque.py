@@ -18,7 +18,7 @@ WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # x/a of a contact, mor
 
 
 def angle(q: Any, *, ends: str) -> AlongLine:
-    """Figure of the clamping angle over torque, from alpha_0; `ends` completes the note."""
+    """Figure of the clamping angle over torque; `ends` is the end of its note on alpha_0."""
     return AlongLine(
         title="Clamping angle over torque", x=("T", "N m"), y=("α", "°"),
         curve=lambda T: loaded(q.clutch, T).alpha, reference="alpha_over_T", at=GRID * q.T,
@@ -37,7 +37,7 @@ def travel(q: Any) -> AlongLine:
 
 
 def torsion(context: Context, *, printed: str, note: str) -> Curves:
-    """Figure of the wind-up: exact rolling, Eq. 7 as `printed`, and energy of finite elements."""
+    """Figure of the wind-up by exact rolling, by Eq. 7 as `printed`, and by finite elements."""
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
     return plot(

@@ -27,7 +27,7 @@ def heaviest(q: Any) -> Iterator[Picture]:
 
 
 def pulled(displacement: str, shear: str, **window: Any) -> Iterator[Picture]:
-    """Pictures of displacement and shear stress along the axis, with these captions."""
+    """Pictures of displacement and shear stress along the axis; both arguments are captions."""
     yield Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
                   displacement="", caption=displacement)  # fmt: skip
     yield Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,

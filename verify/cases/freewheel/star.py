@@ -57,7 +57,7 @@ class Rollers(Case):
         return float(self.T / (self.z * self.race * np.tan(self.cam.alpha0)))
 
     def loaded_by(self, load: Load) -> Self:
-        """The clutch in another state: at N = N_0, or at the given angle psi."""
+        """The clutch in the state named by `load`: under T, at N = N_0, or at the angle psi."""
         return self.variant(load=load)
 
 

@@ -23,7 +23,7 @@ def accepted(
     q: Quantity, name: str, share: str, words: str, *, within: float, symbol: str = "",
     source: str = SUBJECT, by: str = "", inverse: bool = False,
 ) -> Comparison:  # fmt: skip
-    """Row of the formula `q` evaluated with the forces of the reference, within a given tolerance.
+    """Row that evaluates the formula `q` with the forces of the reference, with a tolerance.
 
     `share` names the ratio of formula to reference minus 1 (inverse ratio if `inverse`). The
     difference of the last meshes is the uncertainty. `words` precede the error in the row.
@@ -55,7 +55,7 @@ class Named:
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
-    """Rows of the forces of the reference in the formulas of the class `clutch`.
+    """Rows that insert the forces of the reference into the formulas of the class `clutch`.
 
     `of_cam` is the torque of both forces on the flats.
     """
@@ -82,7 +82,7 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
 
 
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:
-    """(F_t/N)² of the reference over tan² alpha_0, minus 1, at decreasing approach of the contacts.
+    """Points of the limit without load: ratio of (F_t/N)² (reference) to tan² alpha_0, minus 1.
 
     Multiplied by R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
     """

@@ -45,7 +45,7 @@ def _sweep(one: Pitch, L: float, N_0: float, cells: int) -> FlatCourse:
 
 @lru_cache(maxsize=16)
 def starts(one: Pitch, P: float) -> tuple[Start, ...]:
-    """Initial states of the sweep up to `P` = N_0/L [N/m], from coarse meshes."""
+    """Initial states of the sweep up to the load `P` = N_0/L [N/m], computed on coarse meshes."""
     now = loaded(
         one, guessed_inside(one, P), lambda state: P / state.on_flat[0],
         power=0.95,  # approaches grow a little slower than forces

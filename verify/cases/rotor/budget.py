@@ -15,7 +15,7 @@ def slender(q: Any) -> Any:
 
 
 def slender_step(q: Any) -> Any:
-    """Inputs of a stepped shaft four times as long; seats unchanged, springs and speed scaled."""
+    """Inputs of a stepped shaft four times as long, with equal seats; k and n are scaled."""
     return q.model_copy(update={
         "L": SLENDER * q.L, "L_2": SLENDER * q.L_2, "k": q.k / SLENDER**3, "n": q.n / SLENDER**2,
     })  # fmt: skip

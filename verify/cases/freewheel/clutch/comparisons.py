@@ -34,7 +34,7 @@ def turn(q: ClutchInputs) -> Interval:
 
 
 def moved(q: ClutchInputs, dX: float) -> Moved:
-    """The clutch with its flats `dX` [m] farther from the axis, for bounds."""
+    """Contact compliances and flat distance of a clutch with flats moved out by `dX` [m]."""
     bodies = compliance(q.moved(dX))
 
     def approaches(N: float) -> tuple[float, float]:
@@ -61,7 +61,7 @@ def interval(q: ClutchInputs, of: Callable[[], Interval]) -> tuple[float, float]
 
 
 def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
-    """Rows of `q`, for quantities of `case`: under torque, with shifted flats, at slip."""
+    """Rows of `q` under torque, with shifted flats and at slip; `case` defines the quantities."""
     judged: tuple[tuple[Quantity, str, str, Callable[[], Interval], str], ...] = (
         (case.alpha, "clamping angle under torque (Eqs. 4, 5)", "α(T)",
          lambda: expected(q).angle(), BRACKET),

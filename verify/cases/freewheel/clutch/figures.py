@@ -48,7 +48,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: ClutchInputs) -> float:
-    """Upper end [N m] of the torque axis: beyond the next two limits, where equilibrium exists."""
+    """Upper end [N m] of the torque axis: beyond the next two limits, but below `duty.end`."""
     ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
     return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)
@@ -160,7 +160,7 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Cumulative distribution of the clutches, with the nominal value and the class limits."""
+    """Figure of the cumulative distribution of `x` over random clutches, and the value `drawn`."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
     lines = [(drawn, "nominal", 5)]

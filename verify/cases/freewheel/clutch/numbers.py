@@ -14,7 +14,7 @@ def pascal(p: float) -> str:
 
 
 def share(part: float) -> str:
-    """Share of the random samples in per cent; one sample is 0.005 %."""
+    """Share `part` of the random samples as text in per cent; a single sample is 0.005 % of all."""
     if part == 0:
         return "none"
     return "all" if part == 1 else f"{100 * part:.3g} %"

@@ -55,7 +55,7 @@ def _each(parts: list[str]) -> str:
 
 
 def stiffer(q: ClutchInputs) -> str:
-    """Dimensions with which an equilibrium exists at the torque."""
+    """Text that names dimensions with which the clutch would have an equilibrium at its torque."""
     found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
              else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
              for name, value in bearing(q.duty)]  # fmt: skip
@@ -69,7 +69,7 @@ def stiffer(q: ClutchInputs) -> str:
 
 
 def sensitive(q: ClutchInputs, v: Values) -> list[str]:
-    """Change of alpha_0 per micrometre, and the deviation of X at which the clutch slips."""
+    """Messages: change of alpha_0 for 1 µm on each dimension, and changes of X that cause slip."""
     by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
         f"+1 µm of {s.name} changes α_0 by {s.slope * 1e-6 * DEGREE:+.3f}°"

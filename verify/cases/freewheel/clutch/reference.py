@@ -24,7 +24,7 @@ AROUND = (0.99, 1.01)  # friction over mu_req: slips, holds
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
-    """Results of one mesh level: sweep over torque, shifted flats; on the finest mesh, slip."""
+    """Results of a mesh: sweep over torque and shifted flats; on the finest mesh also slip."""
     one, T = q.as_star, q.T
     states = sweep(one, level)
     place = states.place(T)
@@ -55,7 +55,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:
-    """Whether the clutch holds with friction `AROUND` mu_req, as 1 or 0, shape (2,).
+    """Array (2,), 1 if the clutch holds with a friction `AROUND` times mu_req, otherwise 0.
 
     mu_req follows from the angle of the finite elements.
     """

@@ -216,7 +216,7 @@ class FreewheelCup(Cup):
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
 
     def reference(self, level: int) -> Level:
-        """Results of one pitch, beyond the largest torque; `level` cells on half a fine zone."""
+        """Results of one pitch beyond the largest torque; half a fine zone has `level` cells."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.cup.sweep import CupSweep, given_angle
 
@@ -235,7 +235,7 @@ class FreewheelCup(Cup):
                       **reference.over_torque(self, sweep))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows at equal torque, force and angle, at the largest torque, and without load.
+        """Rows at equal torque, force and angle, at the largest torque and without load.
 
         The last rows compare the equilibrium of forces.
         """
@@ -367,7 +367,10 @@ class FreewheelCup(Cup):
 
 
 def margin(key: str) -> Callable[[Context], tuple[float, float]]:
-    """Function that returns `key` of the finest mesh and twice its change from the mesh before."""
+    """Function of the context that returns a pair: `key` of the finest mesh, and its uncertainty.
+
+    The uncertainty is twice the change from the mesh before.
+    """
 
     def of(context: Context) -> tuple[float, float]:
         before, now = (r.values[key] for r in context.fem[-2:])

@@ -40,7 +40,7 @@ def given_angle(q: OneClutch) -> float:
 
 @lru_cache(maxsize=16)
 def starts(q: OneClutch) -> tuple[Start, ...]:
-    """Initial states for all loads, lightest first, from coarse meshes."""
+    """Initial states for all loads of the sweep, from coarse meshes; the lightest load first."""
     under = under_torque(q)
     d = sum(under.d)
     onward = [share * through(q) for share in ONWARD]
@@ -73,7 +73,7 @@ def under_torque(q: OneClutch) -> Start:
 
 
 class CupSweep(SummitCourse):
-    """States of the sector on meshes of `cells`, with splines between the states."""
+    """States of the sector over the load on meshes with `cells`, interpolated by splines."""
 
     def __init__(self, q: OneClutch, cells: int) -> None:
         one = pitch(q)

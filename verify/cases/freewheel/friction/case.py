@@ -246,7 +246,7 @@ class FreewheelFriction(Pulled):
 
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
-    """Expected error with its source: `interval`, or an underived error if there is none."""
+    """Expected error due to `source`: `interval`, or an error of unknown size if it is None."""
     return underived(source) if interval is None else Expected(*interval, source)
 
 

@@ -26,7 +26,7 @@ COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Rows on friction at full slip without and with axial load, on the cone, on wedge angles."""
+    """Rows on friction at full slip: without and with axial load, on the cone, by wedge angle."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)
@@ -74,7 +74,7 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
 
 
 def onset(context: Context) -> Pair:
-    """tan(alpha) and the friction at which both contacts slip completely, with uncertainty."""
+    """tan(alpha) and the smallest friction without slip of both contacts, with uncertainty."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
@@ -110,7 +110,7 @@ def _off(context: Context, forces: Array) -> float:
 
 
 def on_the_cone(context: Context) -> tuple[float, float, str]:
-    """Largest relative deviation of the friction from mu N at full slip.
+    """Largest relative deviation of the friction force from mu N at full slip.
 
     The maximum includes both contacts, and clutches with other wedge angles.
     """
@@ -123,7 +123,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Largest deviation of F_t/(mu N) from tan(alpha)/mu, over clutches with different angles.
+    """Largest deviation of F_t/(mu N) from tan(alpha)/mu, over clutches of several angles.
 
     If tan(alpha) exceeds mu, the remaining share of N is judged instead.
     """

@@ -43,7 +43,7 @@ SETTLES = 0.6  # over the limit: lower alternating loads settled for the synthet
 
 
 class LoadPaths(Pulled):
-    """The test rig loads the clutch along three paths.
+    """Roller freewheel that the test rig loads along three paths.
 
     The axial load grows under constant torque, alternates under constant torque, or alternates in
     phase with the torque. The criterion gives the required friction along each path and the time of
@@ -222,11 +222,14 @@ class LoadPaths(Pulled):
         return self.under(self.T_peak)
 
     def in_phase(self, sine: float) -> Self:
-        """The clutch under load case 3 in its last cycle; `sine` is the sine of the phase."""
+        """The clutch under load case 3 in its last cycle, at the phase whose sine is `sine`."""
         return self.at(T=self.T_m + sine * self.T, F_ax=self.F_ax * sine)
 
     def limit_of(self, T: float) -> Interval | None:
-        """Interval of the error of the axial load at slip; None without torque or limit load."""
+        """Interval of the error of the axial load at slip under the torque T; None if not known.
+
+        It is not known if T is zero, or if the interval is too wide.
+        """
         if not T:
             return None
         return friction.limit_load(of_star(self, loaded(self.clutch, T)), self.mu)

@@ -42,7 +42,7 @@ def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
 
 
 def along(context: Context, name: str) -> Pair:
-    """mu_req by Eq. 9 and from both contacts' forces, at their largest difference along a path.
+    """Pair of mu_req by Eq. 9 and by the contact forces, where they differ most along a path.
 
     The uncertainty is the difference between the two finest meshes.
     """
@@ -54,7 +54,7 @@ def along(context: Context, name: str) -> Pair:
 
 
 def torque(context: Context) -> tuple[float, float, str]:
-    """Largest change of the torque up to the limit of the axial load, over the torque at rest."""
+    """Largest relative change of the torque that the axial load causes, up to the limit load."""
     before, now = (
         max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
         for r in context.fem[-2:]
@@ -80,7 +80,7 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """Positive margin if a small load creeps less in its last cycle than in its first.
+    """Positive margin if creep under a small alternating load settles.
 
     The ratio of both must be below `SETTLES`.
     """
@@ -96,7 +96,7 @@ def settles(context: Context) -> tuple[float, float, str]:
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """Positive margin if a large load causes ratcheting.
+    """Positive margin if creep under a large alternating load continues (ratcheting).
 
     The ratio of the creep in the last cycle to that in the cycle before must exceed `GOES_ON`.
     """
@@ -120,7 +120,7 @@ def falls(context: Context) -> tuple[float, float]:
 
 
 def in_time(context: Context, case: int) -> Pair:
-    """Times of slip by formula and finite elements, with the accepted interval.
+    """Pair of the times of slip by the formula and by finite elements, with the accepted interval.
 
     The interval contains the times at loads that differ by up to the fraction `SLIP`. A course
     states its first time beyond slip, so that half a time step is uncertain.
@@ -153,7 +153,7 @@ def agrees(
     q: Quantity, name: str, pair: Callable[[Context], Pair], figure: float, why: str, unit: str,
     symbol: str = "",
 ) -> Comparison:  # fmt: skip
-    """Row that compares formula and finite elements, with a tolerance set by the suite."""
+    """Row that compares formula and finite elements; the suite chose the tolerance `figure`."""
     check = Agreement(name=name, symbol=symbol or q.symbol, unit=unit, pair=pair, accepted=figure,
                       source=suites(why), **demanded(figure))  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
@@ -183,7 +183,7 @@ def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
 
 
 def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
-    """Rows of the case `q`, with quantities of the class `path`."""
+    """Rows of the inputs `q`; the class `path` defines the quantities."""
     yield from _loads(q, path)
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)

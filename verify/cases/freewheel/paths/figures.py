@@ -149,7 +149,7 @@ def _path(course: Course, R: float, name: str, colour: int, drawn: str) -> list[
 
 
 def creeping(context: Context) -> Curves:
-    """Figure of the rotation of the ring in each cycle of constant amplitude."""
+    """Figure of the creep of the ring (rotation times R) in each cycle of constant amplitude."""
     own, others = context.fem[-1].arrays["cycles"], context.fem[-1].arrays["walks"]
     found = [(QUIET, own[0]), (LOUD, own[1]), *zip(OTHERS, others, strict=True)]
     colours = (1, 0, 2, 3)
@@ -171,7 +171,7 @@ def creeping(context: Context) -> Curves:
 
 
 def walked(context: Context) -> Curves:
-    """Figure of the share of F_n on slipping nodes, at the extremes of the axial load."""
+    """Figure of the fraction of F_n that slipping nodes carry, at extremes of the axial load."""
     last = context.fem[-1].arrays
     return plot(
         "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",

@@ -58,7 +58,7 @@ def solve(q: Any, level: int) -> Level:
 
 
 def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
-    """Required friction of load case 3 at the sines of `MU_REQ`."""
+    """Required friction of load case 3 at the phases whose sines are the keys of `MU_REQ`."""
     values = {}
     for share, key in MU_REQ.items():
         there = one_pulled(q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax}))
@@ -71,6 +71,6 @@ def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
 
 
 def critical(q: Any, near: Start, cells: int) -> Drive:
-    """Drive at the torque of load case 3 at which the smallest axial amplitude causes slip."""
+    """Drive at `T_critical`, the torque of load case 3 with the smallest amplitude at slip."""
     there = replace(one_pulled(q), T=q.T_critical)
     return Drive.at(there, under_torque(there, near, q.T, cells), cells)

@@ -150,7 +150,7 @@ class FreewheelTorque(Star):
                    tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
 
     def reference(self, level: int) -> Level:
-        """Finite elements: all states of a pitch, meshes with `level` cells on half a fine zone."""
+        """Finite elements: all states of a pitch; half a fine zone has `level` cells."""
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.sweep import given_angle, sweep
 

@@ -59,7 +59,7 @@ def open_slices(q: ClutchStiffness, key: str) -> int:
 
 
 def open_ends(q: ClutchStiffness, key: str) -> bool:
-    """Whether a sprag is in contact only over a part of its length."""
+    """Whether, in the state `key`, a sprag is in contact only over a part of its length."""
     state = q.in_state[key]
     closed = state.sums.deformation(state.at_T) > 0
     return bool((closed.any(-1) & ~closed.all(-1)).any())

@@ -40,7 +40,7 @@ link = ClutchStiffness
 
 
 def rows(q: ClutchStiffness) -> Iterator[Comparison | Check]:
-    """All rows of a clutch, in the order of the report page."""
+    """All rows of the clutch case, in the order of the report page."""
     yield from _states(q)
     yield from _along_struts(q)
     yield from _held_ends(q)

@@ -139,7 +139,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def uneven(self) -> bool:
-        """Whether the load differs between sprags or along the sprags."""
+        """Whether sprags carry unequal loads, or a sprag is loaded unevenly along its length."""
         return self.with_offset or self.with_crown or self.with_gap
 
     @shared
@@ -160,7 +160,7 @@ class ClutchStiffness(SpragLink):
 
     @shared
     def at_T(self) -> Array:
-        """Displacements of the clutch under T, with the offset of the state."""
+        """Displacements of the clutch under T, with a prescribed offset if the state has one."""
         return under_torque(self.sums, T=self.T, offset=(self._dx, 0, 0, 0))
 
     @shared
@@ -179,7 +179,7 @@ class ClutchStiffness(SpragLink):
         return clutch_inclined.inclined_stiffness(clutch, T=self.T, dx=self._dx)
 
     def inclined(self, entry: str) -> float:
-        """Entry of K with forces along the struts."""
+        """Entry of the stiffness matrix K that is computed with sprag forces along the struts."""
         return float(self._inclined[(ENTRIES | ACROSS)[entry]])
 
     @shared
@@ -189,7 +189,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def coupling(self) -> float:
-        """Coupling K_xz over √(K_xx K_zz)."""
+        """Ratio of the coupling stiffness K_xz to √(K_xx K_zz)."""
         K = self.tangent
         return float(K[0, 4] / math.sqrt(K[0, 0] * K[4, 4]))
 
@@ -213,6 +213,6 @@ class ClutchStiffness(SpragLink):
 
     @property
     def aside(self) -> dict[str, float]:
-        """Offset [m] and tilt [rad] of the clutch in the state with offset and tilt."""
+        """Offset [m] and tilt [rad] of the clutch in the state with both, by name."""
         dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
         return {"dx": dx, "tilt": tilt}

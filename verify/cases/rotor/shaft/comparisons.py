@@ -40,7 +40,7 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
-    """All rows: beams against beams and body, elasticity against the body, limits, orders."""
+    """All rows: beams, elasticity and elastic body compared, limits, orders of convergence."""
     yield from _beams(beam)
     yield from _bodies(beam)
     yield from _neglected(beam)

@@ -114,7 +114,7 @@ def campbell(context: Context) -> Campbell:
 
 
 def refinement(context: Context, order: int) -> Refinement:
-    """Figures of the errors of elements with convergence order `order`, against exact values."""
+    """Figure of the errors of those elements whose order of convergence is `order`."""
     q, first = context.inputs, "whirl_1_forward"
     series = {
         4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),

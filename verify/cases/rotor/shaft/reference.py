@@ -88,7 +88,7 @@ def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> RotatingSolid:
-    """Elastic body, supported transversely at its ends; `half`: with symmetry at L/2."""
+    """Elastic body, supported transversely at its ends; `half`: its half, symmetric at L/2."""
     cells = level * ALONG // (2 if half else 1)
     across = (level + 1) // 2 if half else level
     mesh = section(
@@ -102,7 +102,7 @@ def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> Rotati
 
 
 def of_body(q: TurningShaft, solid: RotatingSolid) -> dict[str, float]:
-    """Whirl frequencies of the body (at the speed, at rest), their splitting, critical speed."""
+    """Whirl frequencies of the body at its speed and at rest, their splitting, critical speed."""
     found = solid.modes(q.n, len(MODES))
     at_rest = solid.modes(0.0, len(MODES)).forward
     return _whirl("solid", found.forward, found.backward) | {

@@ -54,12 +54,12 @@ def base(a: Arrays) -> Array:
 
 
 def outer_peaks(a: Arrays, *orders: int, last: int = OUTER) -> Array:
-    """Peaks (m, orders, nodes) of the outer rotor's nodes up to `last`."""
+    """Peaks (m, orders, nodes) of nodes 1 to `last` of the outer rotor, at critical speeds."""
     return base(a)[:, [ORDERS.index(k) for k in orders], :last]
 
 
 def outer(a: Arrays, node: int, *orders: int, last: int = OUTER) -> Members:
-    """Whether `node` has the highest of all peaks of the outer rotor's nodes up to `last`."""
+    """Whether `node` has the highest peak of nodes 1 to `last`, at each critical speed."""
     of = outer_peaks(a, *orders, last=last)
     return np.asarray((of.argmax(axis=2) == node - 1).all(axis=1))
 
@@ -114,14 +114,14 @@ def anomaly(a: Arrays) -> Members:
 
 
 def inverse_inertia(a: Arrays, order: int) -> Array:
-    """Relative difference (m,) of the torsion ratio of nodes 4 and 19 from -J_in/J_out."""
+    """Relative deviation (m,) of the ratio of torsion at nodes 4 and 19 from -J_in/J_out."""
     turned: Any = a["turned"][:, :, ORDERS.index(order)]
     wanted = -a["inertia"][:, 1] / a["inertia"][:, 0]
     return np.asarray(np.abs(turned[:, 0] / turned[:, 1] / wanted - 1))
 
 
 def torsion(a: Arrays) -> Array:
-    """Torsion at the critical speeds, which is defined even without a peak."""
+    """Torsion amplitudes at the critical speeds, which exist even where a curve has no peak."""
     return a["torsion"]
 
 

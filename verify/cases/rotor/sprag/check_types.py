@@ -22,7 +22,7 @@ FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
 
 def arrays(context: Context) -> Arrays:
-    """Result arrays of the paper's mesh, which include those of the ensemble."""
+    """Arrays of the results on the paper's mesh, including those of the ensemble."""
     return context.fem[0].arrays
 
 
@@ -85,7 +85,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Text that states in how many of the sets with the compared peaks a statement holds."""
+    """Text: in how many of the sets that have the compared peaks a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"

@@ -31,7 +31,7 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """Amount by which the error of 20 elements is below `WITHIN_PRINTED`.
+    """Positive margin if the error of 20 elements is below `WITHIN_PRINTED`.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -40,7 +40,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
 
 
 def coarse(context: Context) -> Pair:
-    """Pair of a frequency by the exact model and by 20 elements, where they differ most."""
+    """Pair of the frequencies by the exact model and by 20 elements that differ most."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])

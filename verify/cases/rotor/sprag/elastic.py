@@ -54,7 +54,7 @@ class Bodies(Claim):
 
 
 def drawn() -> Array:
-    """Mass [kg] and polar and diametral moment about node 1 [kg m^2] (3,) of beams and discs."""
+    """Mass [kg], polar and diametral moment about node 1 [kg m^2] of beams with discs, (3,)."""
     s = layout(CENTRAL)
     nodes = s.z[0]
     ends = np.concatenate([nodes[1:OUTER], nodes[OUTER + 1 :]])

@@ -133,7 +133,7 @@ def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]])
 
 
 def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
-    """Figures of nodes 4 and 19 for the three values of unbalance 2: medians (Fig. 11)."""
+    """Figures of the median response of nodes 4 and 19 under three unbalances 2 (Fig. 11)."""
     x = a["grid"] / RPM
     return tuple(
         plot(
@@ -150,7 +150,7 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Figure of the torsion of node 19 at the critical speeds over the offset, extrapolated."""
+    """Figure of torsion of node 19 over the offset, extrapolated linearly from small offsets."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)

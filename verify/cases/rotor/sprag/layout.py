@@ -96,7 +96,7 @@ HOLLOW = np.where((ACROSS == D) & (np.arange(len(PARTS)) != BOTTOM), BORE, 0.0)
 
 @dataclass(frozen=True)
 class Layout:
-    """Dimensions of m systems: elements (m, 20), discs (m, 2) and springs (m,)."""
+    """Dimensions of m systems: elements (m, 20), discs (m, 2), spring stiffnesses (m,)."""
 
     length: Array
     d_o: Array

@@ -44,7 +44,7 @@ NODES = {
 
 
 def as_drawn(_: Context) -> float:
-    """Positive margin if the model has the printed node numbers and unknowns of a node."""
+    """Positive margin if node numbers and unknowns per node of the model are those printed."""
     unknowns = published("huang2022:commercial-beam-dofs").value
     off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
@@ -73,7 +73,7 @@ def exponents(a: dict[str, Array]) -> Array:
 
 
 def linear(context: Context) -> Pair:
-    """Exponent of the power law of torsion over the offset, and its expected value 1.
+    """Exponent of the power law that relates torsion to the offset, and its expected value 1.
 
     The member with the largest difference is taken.
     """
@@ -102,7 +102,7 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Positive margin if the printed nodes of highest peak and of unbalance 1 differ.
+    """Positive margin if the printed node with the highest peak is not that of unbalance 1.
 
     The text states in how many sets node 11 has the highest peak, with unbalance 1 at node 4
     (figure) and at node 11 (text of the paper). The text of the row is also returned.

@@ -35,7 +35,7 @@ def solve(q: SpragRotorInputs, level: int) -> Level:
 
 
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
-    """Arrays of members, their critical speeds and elasticities, success of the initial values."""
+    """Arrays of members, critical speeds, elasticities, and success of the initial values."""
     starts = {"start met": found.met, "start in range": found.kept}
     slopes = elasticities_fem(found.members)
     return {
@@ -66,7 +66,7 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
 
 
 def critical_fem(members: Array) -> dict[str, Array]:
-    """Critical speeds (m, 3) for both senses of whirl, and without parts of the clutch."""
+    """Critical speeds (m, 3) of both senses of whirl, and without stiffnesses of the clutch."""
     from fem.rotor.critical import critical_speeds
 
     count = len(ORDERS)

@@ -59,7 +59,7 @@ def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
 
 def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array]:
-    """Peak amplitudes (U_2, 3, 22), peak loads (U_2, 3, 2) of bearings 3 and 4, and curves."""
+    """Peak amplitudes (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), curves; by name."""
     from fem.rotor.peaks import above_chord
     from fem.rotor.response import unbalance_responses
 
@@ -104,7 +104,7 @@ def peaks_fem(f: Array) -> Array:
 
 
 def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """Torsion amplitudes (3, 22) at the critical speeds, with and without offset; momenta."""
+    """Torsion amplitudes (3, 22) at the critical speeds, with and without offset, and momenta."""
     from fem.rotor.response import unbalance_response
 
     def offset_by(offset: float) -> Any:
