@@ -21,7 +21,7 @@ def thick(q: Any) -> Any:
 
 
 def long(q: Any) -> Any:
-    """Inputs with sprags four times as long, at the same load and crown load per length."""
+    """Inputs with sprags four times as long; T and Q are scaled in proportion to the length."""
     more = {"l": LONGER * q.l, "T": LONGER * q.T}
     if q.Q is not None:
         more["Q"] = LONGER * q.Q
@@ -29,7 +29,7 @@ def long(q: Any) -> Any:
 
 
 def long_uncrowned(q: Any) -> Any:
-    """Inputs of `long` with a hundredth of the crown: all slices carry equal loads."""
+    """Inputs of `long` with K_1 and z_m a hundredth as large: all slices carry equal loads."""
     more = long(q)
     return more.model_copy(update={"K_1": more.K_1 / FLATTER, "z_m": more.z_m / FLATTER})
 

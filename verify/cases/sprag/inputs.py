@@ -176,6 +176,6 @@ class EngagementInputs(SpragInputs):
 
 
 def named(inputs: Iterable[str]) -> str:
-    """Symbols of the inputs, separated by commas."""
+    """Symbols of the named inputs, separated by commas."""
     fields = EngagementInputs.model_fields
     return ", ".join(str(meta(fields[name])["symbol"] or name) for name in inputs)

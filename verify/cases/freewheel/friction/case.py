@@ -133,7 +133,7 @@ class FreewheelFriction(Pulled):
         return float(tilt.pressure_factor(e=self.e, L=self.L))
 
     def slipped(self) -> tuple[Array, Array]:
-        """Axial slip (m,) [m] of a ring held against rotation, and torque (m,) over T."""
+        """Axial slip [m] of a ring held against rotation, and its torque over T; arrays (m,)."""
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:

@@ -73,7 +73,7 @@ def beam(q: SteppedShaft, refine: int) -> Rotor:
 
 
 def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
-    """Shaft as a weak form; with `cone`, its stiffness follows the 45° rule."""
+    """Beam of the shaft as a weak form; with `cone`, its stiffness follows the 45° rule."""
     return stepped_weak(
         L=q.L, d_1=q.d_1, d_2=q.d_2, step=(q.start, q.end), seats=q.seats, k=q.k,
         reach=q.reach if cone else 0.0, E=q.E, nu=q.nu, rho=q.rho, level=level,
@@ -81,7 +81,7 @@ def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
 
 
 def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
-    """Elastic body; springs act on the mean motion of the seats; `half`: symmetry at L/2."""
+    """Elastic body on springs at the mean motion of the seats; `half`: symmetric at L/2."""
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)

@@ -20,7 +20,7 @@ class Critical(NamedTuple):
 
 
 def criticals(q: TransferRotor) -> list[Critical]:
-    """Critical speeds for the unbalance of every shaft, in ascending order."""
+    """Critical speeds that the unbalance of any shaft excites, in ascending order."""
     return sorted(
         Critical(float(speed), " and ".join(excited.shafts), int(whirl))
         for excited in q.study.excited
@@ -29,7 +29,7 @@ def criticals(q: TransferRotor) -> list[Critical]:
 
 
 def limits(q: TransferRotor) -> tuple[float, float]:
-    """Range of the operating speeds [rad/s], widened by the required margin."""
+    """Bounds [rad/s] of the operating speeds after both are widened by the required margin."""
     return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
 
 
@@ -102,7 +102,7 @@ def _amplitudes(q: TransferRotor) -> list[str]:
 
 
 def summary(q: TransferRotor) -> Mapping[str, Any]:
-    """Verdict and every critical speed with its distance, as JSON."""
+    """Verdict, critical speeds with their distances from operating speeds, and whirl, as JSON."""
     return {
         "verdict": "not clear" if too_near(q) else "clear",
         "critical_speeds": [

@@ -32,7 +32,7 @@ class Present(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Companion(Present):
-    """A row of the companion, judged only together with the default rotor."""
+    """A row on the companion, which exists only for the default rotor."""
 
     paper_only: bool = True
 

@@ -105,7 +105,7 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def speed_axis(self) -> float:
-        """End of the speed axes of figures [rad/s], beyond the next critical speed."""
+        """Upper end [rad/s] of the speed axes, beyond the lowest critical speed above operation."""
         top = max(self.speed_to, self.speed)
         above = [w for excited in self.study.excited for w in excited.speeds if w > top]
         return float(max(1.2 * top, 1.1 * min(above, default=0.0)))

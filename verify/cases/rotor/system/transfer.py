@@ -53,7 +53,7 @@ class DescribedRotor(CoaxialRotor):
 
     @cached_property
     def rotor(self) -> TransferMatrixRotor:
-        """Rotor of the formulas; raises EntryError for invalid entries."""
+        """Rotor for the transfer matrices; raises EntryError for invalid entries."""
         made = (
             SegmentedShaft(
                 ratio=shaft.ratio,
@@ -93,7 +93,7 @@ class DescribedRotor(CoaxialRotor):
         return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
 
     def unbalanced(self) -> dict[float, dict[int, complex]]:
-        """Complex unbalances [kg m] by the shaft's speed ratio and by node, numbered from 0."""
+        """Complex unbalances [kg m], first by speed ratio of the shaft, then by node (from 0)."""
         found: dict[float, dict[int, complex]] = {}
         for u in self.unbalances:
             ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio
@@ -103,7 +103,7 @@ class DescribedRotor(CoaxialRotor):
 
 
 def coefficients(spring: SpringInputs) -> dict[str, Any]:
-    """Coefficients of a bearing, with the names used in the formulas."""
+    """Coefficients of a bearing, by the names that the formulas use."""
     return {
         "kxx": spring.k, "kyy": spring.kyy, "kxy": spring.kxy, "cxx": spring.c, "cyy": spring.cyy,
         "k_tilt": spring.k_tilt, "c_tilt": spring.c_tilt, "k_turn": spring.k_turn,

@@ -98,7 +98,7 @@ def beside(q: ClutchFormulas) -> str:
 
 
 def elastic(q: ClutchFormulas) -> list[str]:
-    """Sentence on sprag rotation and period with elastic bodies; empty without a solution."""
+    """Sentence that compares rotation and oscillation period with those of elastic bodies."""
     if not math.isfinite(q.alpha_elastic + q.theta_elastic):
         return []
     share = q.theta / q.theta_elastic

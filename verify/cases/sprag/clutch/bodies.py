@@ -14,7 +14,7 @@ from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
-    """Deflection of a race under a sprag, without indentation, divided by that of Eq. 6."""
+    """Ratio of the deflection of a race under a sprag (without indentation) to that of Eq. 6."""
     a = sprag_wedge_model.bodies(q).half_widths(np.asarray(N))[loaded == "bore"]
     return over_smeared(parts(q), float(a), loaded)
 
@@ -25,7 +25,7 @@ def centrifugal_force(q: EngagementInputs) -> float:
 
 
 def least_force(q: SpragInputs, contact: int) -> float:
-    """Normal force [N] on the inner race at which the inner (0) or outer (1) race reaches R_p."""
+    """Normal force [N] on the inner race that stresses the inner (0) or outer (1) race to R_p."""
     if q.R_p is None:
         return math.inf
     N_e = 1.0

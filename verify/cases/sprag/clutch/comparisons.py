@@ -73,7 +73,7 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
 
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
-    """Rows on pressures under N/2 by slices against strips; the crown's ends are unloaded."""
+    """Rows that compare pressures under N/2, by slices, with those of strips; unloaded ends."""
     c, half = ClutchFormulas, State(None, "half", "under half of N")
     for k, (race, symbol, mid, peak) in enumerate(
         (("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o))
@@ -91,7 +91,7 @@ def pressures(clutch: Any) -> Iterator[Comparison]:
 
 
 def stated(clutch: Any) -> Iterator[Comparison | Check]:
-    """Rows on the state under torque, on pressures, and on statements of the paper."""
+    """Rows on the state under torque, on pressures and on the statements of the paper."""
     c = ClutchFormulas
     common: dict[str, Any] = {"order": 2, "by": DRAWN, "shares": SAME_LAWS}
     yield identity(c.N, name="normal force under torque", symbol="N(T)", uncertainty=LAW,

@@ -118,7 +118,7 @@ def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
 
 
 def along(q: ClutchFormulas, found: Run) -> Curves:
-    """Figure of the pressure along the sprags: inner race up to N_max, outer race at N_max."""
+    """Figure of the pressure along the sprags: inner race at four forces, outer race at N_max."""
     y = pressures.centres(q) * 1e3
     curves = []
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):

@@ -40,7 +40,7 @@ DECAYS = 5.0  # time constants of a force that creeps
 
 
 def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
-    """The worse of the verdicts at rest and in time, and sentences that state both verdicts."""
+    """The worse of two verdicts (at rest, in time), and two sentences on both."""
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):
@@ -54,7 +54,7 @@ def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
 
 
 def in_time(q: ClutchFormulas, v: Values) -> str:
-    """Verdict of the engagement, in the terms of the verdict at rest."""
+    """Verdict on the engagement, expressed by the words used for the verdict at rest."""
     run = run_fem(q)
     found = run.engagement.verdict
     if found == "over the end":
@@ -86,7 +86,7 @@ def least_time(q: ClutchFormulas) -> float:
 
 
 def outcome(found: Run) -> str:
-    """Sentence on the verdict, or on contacts that become too wide for the formulas."""
+    """Sentence on the verdict of an engagement, or on contacts too wide for the formulas."""
     e = found.engagement
     if e.over and not found.end_of_profile:
         return "the contacts become too wide for the formulas"
@@ -116,7 +116,7 @@ def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
 
 
 def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
-    """Sentences on verdict, force and pressures of an engagement computed up to its peak."""
+    """Sentences on the outcome, the largest force and the pressures of an engagement."""
     e = found.engagement
     factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
     when, reaches = (f" at {e.t[-1] * 1e3:.3g} ms", "has reached") if e.over else ("", "reaches")

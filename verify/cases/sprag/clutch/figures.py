@@ -35,7 +35,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: SpragInputs) -> float:
-    """Largest torque [N m] of the figures, slightly above the first limit beyond T."""
+    """Upper end [N m] of the torque axis: above the first limit beyond T, but at most 6 T."""
     found = as_torque_grows(q)
     ahead = [x.at for x in found if x.at > q.T and x.key != "wide"]
     wide = min((x.at for x in found if x.key == "wide"), default=math.inf)
@@ -137,7 +137,7 @@ def counted(context: Context) -> Curves:
 
 
 def pairs(context: Context) -> Curves:
-    """Figure of computed and printed pressures, with and without crown, over the torque."""
+    """Figure of peak pressures over torque: computed and printed, with and without a crown."""
     found = context.fem[-1].arrays
     T = np.array([25.0, 40.0])
     flat, best = np.array([found["pair 25"], found["pair 40"]]).T / 1e6

@@ -201,7 +201,7 @@ class ClutchFormulas(EngagementInputs, Case):
         return _read(self._pressed, contact, mid=mid)
 
     def half_pressure(self, contact: int, *, mid: bool) -> float:
-        """Pressure [Pa] under half of the normal force: at mid-length if `mid`, or the largest."""
+        """Pressure [Pa] under half of the normal force: the largest or, if `mid`, at mid-length."""
         return _read(self._half_pressed, contact, mid=mid)
 
     @Quantity("p_i(0)", "MPa", "pressure at mid-length, inner race", safe="too high")
@@ -342,7 +342,7 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @property
     def uneven(self) -> tuple[float, float]:
-        """Deflections of inner and outer race under a sprag, divided by those of Eq. 6."""
+        """Ratios of the deflections of both races under a sprag to those of Eq. 6: inner, outer."""
         if self.state is None:
             return 0.0, 0.0
         N_e = self._in_state("N_e")

@@ -34,7 +34,7 @@ class Limit:
 
 @lru_cache(maxsize=16)
 def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
-    """Limits of the torque in ascending order; limits that are not reached are omitted."""
+    """Limits of the torque, the smallest first; limits that no torque reaches are omitted."""
     one = built(q)
     alone = grip(q)
     found = {

@@ -62,7 +62,7 @@ def normal_force(state: Wedged | None) -> float:
 
 @lru_cache(maxsize=16)
 def spring_force(q: EngagementInputs) -> float:
-    """Normal force N_0 [N] by the springs alone; nan if no equilibrium is found."""
+    """Normal force N_0 [N] that the springs alone cause; nan if no equilibrium is found."""
     clutch = built(q).clutch
     if not q.alpha_max > wedged(clutch, 0.0).alpha:
         return 0.0
@@ -75,12 +75,12 @@ def spring_force(q: EngagementInputs) -> float:
 
 @lru_cache(maxsize=16)
 def grip(q: SpragInputs) -> SpragClutchLimits:
-    """Torques [N m] at which the contacts slip and at which the profile ends."""
+    """Limits of the torque [N m]: slip of the contacts, and contact at the end of the profile."""
     return sprag_torque_limits(built(q).clutch, mu=q.mu_s, theta_max=q.alpha_max)
 
 
 def low_friction(q: SpragInputs) -> float:
-    """Friction coefficient with which the contacts slip at about 2 T; nan without a state.
+    """Friction coefficient with which the contacts slip at about 2 T; nan if no state exists.
 
     The excess of this coefficient over tan(nu_0) is twice the excess that T requires. With the
     friction of the paper, no torque makes the contacts slip, because the wedge angle of the spiral

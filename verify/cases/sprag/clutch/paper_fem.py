@@ -45,7 +45,7 @@ def peak_fem(crown: Crown | None, T: float, **more: float) -> float:
 
 
 def ends(run: Run) -> Array:
-    """Pressures [Pa] of an end slice and at mid-length, inner contact, at the largest force."""
+    """Pressures [Pa] of the inner contact under the largest force: end slice and mid-length."""
     inner, _ = run.one.pressed(run.engagement.N_max)
     return np.array([inner.peak_pressure[0], mid(inner)])
 

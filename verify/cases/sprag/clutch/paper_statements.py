@@ -21,14 +21,14 @@ ON_FIT: dict[str, Any] = {"bound": 0.02, "fitted": FITTED}  # for rows of fitted
 
 
 def rectangle(q: EngagementInputs) -> tuple[float, float]:
-    """Width and length [m] of a rectangle between the races with the given mass and inertia."""
+    """Width and length [m] of a rectangular sprag that has the given mass and inertia."""
     h = q.R_e - q.R_i
     w = math.sqrt(12 * q.I_g / q.m_g - h**2)
     return w, q.m_g / (q.density * h * w)
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Distance of the length from the ends of its interval, relative to the length.
+    """Relative distance of the rectangle's length from the nearer end of its interval.
 
     The interval follows from rounding of m_g and I_g. The uncertainty and the text of the row are
     also returned.
@@ -47,7 +47,7 @@ def length(context: Context) -> tuple[float, float, str]:
 
 
 def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Width and length [m] of the shortest and longest rectangle that rounded inputs allow."""
+    """Width and length [m] of the shortest and of the longest rectangle within rounding."""
     found = [
         rectangle(q.model_copy(update={"m_g": q.m_g + a * ROUNDED["m_g"],
                                        "I_g": q.I_g + b * ROUNDED["I_g"]}))
@@ -58,7 +58,7 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """0.5 % minus the change of N_max if b is replaced by the width of the rectangle.
+    """Positive margin if N_max changes by less than 0.5 % with the rectangle's width as b.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -83,7 +83,7 @@ def preload(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(context: Context) -> Pair:
-    """Static force [N] with springs, and final force [N] of a strongly damped engagement."""
+    """Pair of forces [N] with springs: static, and at the end of a strongly damped engagement."""
     found, N = measured(context), context.analytic["N"]
     clutch, damped = wedge(context.inputs), float(found["damped"][0])
     sprung = float(clutch.force()(static_turn(clutch, context.inputs.T)))
@@ -95,7 +95,7 @@ def at_rest(context: Context) -> Pair:
 
 
 def first_is_largest(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the second peak is below the first.
+    """Relative amount by which the second peak of the force is below the first peak.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -133,7 +133,7 @@ def ends_carry(context: Context) -> tuple[float, float, str]:
 
 
 def grows(context: Context) -> tuple[float, float, str]:
-    """Smallest increase of the peak's relative rise from one doubling of slices to the next.
+    """Positive margin if each doubling of slices raises the peak by more than the one before.
 
     The peak is that without a crown. The text states pressures and slope.
     """
@@ -149,7 +149,7 @@ def grows(context: Context) -> tuple[float, float, str]:
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Margin of the computed force ratio within the interval that printed pressures require."""
+    """Margin of the computed ratio of forces within the interval from printed pressures."""
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))

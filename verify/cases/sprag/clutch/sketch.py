@@ -19,7 +19,7 @@ WALL = 0.4  # over the sprag's height: largest drawn wall of a race
 
 
 def drawn(q: SpragInputs) -> LogSprag:
-    """The sprag with an enlarged wedge angle, for the sketch."""
+    """The sprag of the sketch, whose wedge angle is enlarged."""
     most = math.asin(STEEP / (2 * q.R_i / q.r_i + 1))
 
     def over(nu: float) -> float:
@@ -76,7 +76,7 @@ def ring(low: float, high: float, side: float) -> Array:
 
 
 def outline(q: SpragInputs, sprag: LogSprag) -> Array:
-    """Outline [m] of the sprag: spiral below and circle above the pole, flanks at a distance b."""
+    """Outline [m] of the sprag: spiral below the pole, circle above it, and flanks b apart."""
     C, half = np.array([0.0, float(sprag.OC_e)]), q.b / 2
     theta = np.linspace(-1.4, 1.4, 201)
     phi = float(sprag.eta_0) + theta

@@ -19,7 +19,7 @@ FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # over the largest, for comparing both
 
 
 def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:
-    """Largest forces N_max [N] of the crowns (n, 3) under each torque, shape (n, m)."""
+    """Largest forces [N] of engagements, (n, m): n crowns, m torques; by a fit to `engaged`."""
     low, high = box(q)
     known, asked = (trend_terms((x - low) / (high - low)) for x in (engaged.crowns, crowns))
     return np.asarray(asked @ np.linalg.lstsq(known, engaged.N_max, rcond=None)[0])
@@ -42,7 +42,7 @@ def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
 
 
 def box_fem(q: EngagementInputs, engaged: Peaks) -> dict[str, Array]:
-    """Largest forces and pressures under T of crowns of Eq. 19, from 27 engagements `engaged`."""
+    """Arrays of the largest forces and pressures of many crowns of Eq. 19 under T, by name."""
     many = factorial(q, MANY)
     N = forces(q, engaged, many)
     return {

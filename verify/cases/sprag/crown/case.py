@@ -189,7 +189,7 @@ class SpragCrown(EngagementInputs, Case):
         return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 
     def peak_of(self, crown: Crown) -> float:
-        """Largest pressure [Pa] of `crown` under the first peak force of the inputs' crown."""
+        """Largest pressure [Pa] with the crown `crown` under the force `N_max` of the inputs."""
         return _largest(formulas.pressed(self, self.N_max, crown))
 
     @property

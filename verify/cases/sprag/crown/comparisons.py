@@ -51,7 +51,7 @@ MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 
 
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Interval of the relative difference of pressures, if p ~ √N; None for a user's inputs.
+    """Interval of the relative error of pressures proportional to √N; None for user inputs.
 
     The interval contains two differences: slices against strips, and two races on a spring against
     the equations of motion with all sprags. No tolerance is stated for a user's inputs.
@@ -64,7 +64,7 @@ def near(q: Any, _values: Any) -> tuple[float, float] | None:
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaperEstimated(Estimated):
-    """Estimate for the clutch of the paper only."""
+    """Estimated row that exists only for the clutch of the paper."""
 
     paper_only: bool = True
 
@@ -78,7 +78,7 @@ def drops(q: EngagementInputs, crowns: Array) -> Array:
 
 
 def straight_and_ends(context: Context) -> tuple[float, float]:
-    """Smallest of three margins of the drops of the crowns of Eq. 19; uncertainty.
+    """Smallest of three margins on the drops of the crowns of Eq. 19, and its uncertainty.
 
     1. The straight length differs from (1 - K_2) l by less than 2.5 of MEAN_OF points.
     2. The drop does not exceed z_m.
@@ -95,7 +95,7 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """Margin by which the shares of z_m in the mean drop of printed crowns are below 0.5 %."""
+    """Margin by which 1 % more z_m changes the mean drop of printed crowns by less than 0.5 %."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
@@ -114,7 +114,7 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max if the optimal crown of Eq. 19 replaces the given crown.
+    """Relative reduction of p_max by the best crown of Eq. 19, compared with the given crown.
 
     The uncertainty and the text of the row are also returned.
     """

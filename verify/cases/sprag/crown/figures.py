@@ -132,7 +132,7 @@ def by_force(context: Context) -> Curves:
 
 
 def by_torque(found: Mapping[str, Array]) -> Curves:
-    """Figure of p_max over the torque: range over Eq. 19's crowns, and the two of Fig. 14."""
+    """Figure of p_max over torque: its range for crowns of Eq. 19, and both crowns of Fig. 14."""
     T = found["band T"]
     curves = [
         line("lowest of 125 crowns of Eq. 19", T, found["band low"] / MPa, 1),
@@ -149,7 +149,7 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
 
 
 def above(found: Mapping[str, Array]) -> Curves:
-    """Figure of the relative amount by which p_max of printed crowns exceeds the lowest p_max."""
+    """Figure of the ratio of p_max of printed crowns to the lowest p_max, minus 1, in per cent."""
     T, low = found["band T"], found["band low"]
     names = (*FIG_14, EQ_21, EQ_22)
     return plot(
@@ -168,7 +168,7 @@ def above(found: Mapping[str, Array]) -> Curves:
 
 
 def suits(context: Context) -> Curves:
-    """Figure of K_1 of the crown with the lowest pressure over the torque, with printed values."""
+    """Figure over torque of K_1 of the crown with the lowest pressure, with printed values."""
     found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
     return plot(

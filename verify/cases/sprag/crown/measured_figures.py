@@ -35,20 +35,20 @@ def ordered(found: Mapping[str, Array], by: str) -> Array:
 
 
 def window(found: Mapping[str, Array], by: str) -> str:
-    """Range of swept forces in which the crowns have the order of Fig. 12, as text."""
+    """Text on the range of swept forces at which the crowns have the order of Fig. 12."""
     N = found["swept"][ordered(found, by)] / 1e3
     return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"at no force by {by}"
 
 
 def first_peaks(found: Mapping[str, Array]) -> str:
-    """Range of torques at whose first peaks the slices give the order of Fig. 12, as text."""
+    """Text on the range of torques whose first peaks, by slices, have the order of Fig. 12."""
     N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
     T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
     return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
 
 
 def highest_and_lowest(context: Context) -> tuple[float, float, str]:
-    """Smallest margin by which crowns have the order of Fig. 12 under the static load.
+    """Smallest margin of the statement that crowns have the order of Fig. 12 under static load.
 
     The optimal crown must have the lowest pressure of all printed crowns and the worst crown the
     highest, both by slices and by strips. The uncertainty and the text of the row are also
@@ -71,7 +71,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """p_max of Fig. 12's optimal crown divided by that of its worst, minus 1.
+    """Ratio of p_max of the optimal crown of Fig. 12 to p_max of its worst crown, minus 1.
 
     Both are pressures at the first peak at 25 N m. The uncertainty and the text of the row are also
     returned.
@@ -87,7 +87,7 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
 
 
 def first_and_trough(context: Context) -> tuple[float, float, str]:
-    """Smaller of the margins of two statements on the end pressure for K_1 = 1.
+    """Smaller margin of two statements on the pressure at the ends with K_1 = 1.
 
     At the peak, the pressure is higher at the ends than at mid-length; at the trough it is lower.
     The uncertainty and the text of the row are also returned.
@@ -101,19 +101,19 @@ def first_and_trough(context: Context) -> tuple[float, float, str]:
 
 
 def uneven(p: Array) -> float:
-    """Share of load to be redistributed for a uniform line load, which is proportional to p²."""
+    """Fraction of the load above the mean line load; the line load is proportional to p²."""
     return float(np.abs(p**2 / (p**2).mean() - 1).mean() / 2)
 
 
 def more_even(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of the uneven load share from K_1 = 1 to K_1 = 3."""
+    """Relative reduction of the fraction `uneven` of the load from K_1 = 1 to K_1 = 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
     words = f"share of load above the mean: {shallow:.1%} with K_1 = 1, {deep:.1%} with K_1 = 3"
     return 1 - deep / shallow, STEP, words
 
 
 def order_at(which: int) -> Margin:
-    """Function that returns the ratio of the other crown's p_max to that of `which`, minus 1.
+    """Function that computes the ratio of p_max of the other crown to that of `which`, minus 1.
 
     Both are crowns of Fig. 14, at 10 N m (`which` 0) or 30 N m (1).
     """
@@ -129,7 +129,7 @@ def order_at(which: int) -> Margin:
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """Ratio of p_max of Fig. 14's crown `which` to the lowest of Eq. 19, minus 1.
+    """Ratio of p_max of the crown `which` of Fig. 14 to the lowest p_max of Eq. 19, minus 1.
 
     The text of the row is also returned.
     """
@@ -150,7 +150,7 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 
 
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """Ratio of p_max of Fig. 14's crown to the lowest at 30 N m, minus 1.
+    """Ratio of p_max of Fig. 14's crown for 30 N m to the lowest p_max there, minus 1.
 
     The uncertainty and the text of the row are also returned.
     """

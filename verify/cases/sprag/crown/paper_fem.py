@@ -67,7 +67,7 @@ def moments_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def counted(q: EngagementInputs, named: Peaks) -> dict[str, Array]:
-    """Largest pressures [Pa] with increasing numbers of slices and strips, (3 crowns, counts).
+    """Largest pressures [Pa], (3 crowns, counts), for growing numbers of slices and of strips.
 
     They apply at the first peak under 25 N m; without a crown, also under 40 N m by slices.
     """

@@ -13,7 +13,7 @@ WITHIN = 5e-3
 
 
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
-    """Amount by which the relative spread of p_max by slices is below WITHIN.
+    """Positive margin if p_max depends little on the number of slices: its spread is below WITHIN.
 
     The text also states the pressures by strips. The uncertainty and the text of the row are also
     returned.

@@ -35,7 +35,7 @@ def relative_error(row: int) -> float:
 
 
 def standardised(row: int) -> float:
-    """Ratio of the printed difference to the root of the printed MSE [MPa²]; nan if MSE is 0.
+    """Ratio of |actual - predicted| [MPa] to the root of the MSE [MPa²] of a row; nan if MSE is 0.
 
     >>> round(standardised(1), 1)
     11.6
@@ -66,7 +66,7 @@ class Recomputed(PrintedClaim):
 
 
 def cut_off(_context: Context) -> tuple[float, float, str]:
-    """Amount by which the last row's error exceeds all values that round to its printed error."""
+    """Amount by which the error from the last row's values exceeds the printed, rounded error."""
     entry = published(f"huang2018:table2-row{CUT}-error")
     v = relative_error(CUT)
     rounds = (entry.value + half_last_digit(entry.printed)) / 100
@@ -74,7 +74,7 @@ def cut_off(_context: Context) -> tuple[float, float, str]:
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Mean square of the differences minus SURE² times the mean MSE [Pa²].
+    """Mean square of the kriging errors minus SURE² times the mean printed MSE [Pa²].
 
     The uncertainty and the text of the row are also returned.
     """
@@ -90,7 +90,7 @@ def too_small(_context: Context) -> tuple[float, float, str]:
 
 
 def is_a_sample(_context: Context) -> tuple[float, float, str]:
-    """Positive margin [Pa²] if error and MSE of row 4 are zero, otherwise negative.
+    """Positive margin [Pa²] if both error and MSE of row 4 are zero, otherwise negative.
 
     The magnitude of the margin is the smallest MSE of the other rows. The uncertainty and the text
     of the row are also returned.
@@ -105,7 +105,7 @@ def is_a_sample(_context: Context) -> tuple[float, float, str]:
 
 
 def between(column: str) -> Margin:
-    """Function that returns the margin [Pa] by which a column lies within the ranges of Eq. 19.
+    """Function that computes the margin [Pa] by which a column lies in the ranges of Eq. 19.
 
     All values must lie inside the range at 25 N m and below the range at 40 N m.
     """
@@ -132,7 +132,7 @@ MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
 
 def demanded(row: int) -> dict[str, Any]:
-    """Required sensitivity, if the digits of a row's printed error do not permit the default."""
+    """Keyword arguments that lower the required sensitivity if a printed error has few digits."""
     entry = published(f"huang2018:table2-row{row}-error")
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:

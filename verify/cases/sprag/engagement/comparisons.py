@@ -42,7 +42,7 @@ class Partnered(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class AtPeak(Approximation):
-    """Row on the work stored by forces on deflections up to the peak, against the input work."""
+    """Row that compares the work stored up to the peak (force times deflection) with the input."""
 
     def rows(self, context: Context) -> list[Row]:
         N = context.fem[-1].values["N_1 strut"]
@@ -74,7 +74,7 @@ def expected(
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Largest difference of N(t) from LSODA, relative to N_max.
+    """Largest difference between N(t) by steps and by LSODA, divided by N_max.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -93,7 +93,7 @@ def halving(context: Context) -> Pair:
 
 
 def order(context: Context) -> tuple[float, float, str]:
-    """Margin by which the convergence order of N(t) differs from 4 by less than NEAR.
+    """Positive margin if the convergence order of N(t) differs from 4 by less than NEAR.
 
     The cubics of the force table have a discontinuous curvature, which changes the order. The
     uncertainty and the text of the row are also returned.
@@ -103,7 +103,7 @@ def order(context: Context) -> tuple[float, float, str]:
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
-    """Margin by which the paper's crowns change the largest force by less than CROWN.
+    """Positive margin if the paper's crowns change the largest force by less than CROWN.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -114,7 +114,7 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """Margin by which other centroids change the largest force by less than CENTROID.
+    """Positive margin if other centroids change the largest force by less than CENTROID.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -161,7 +161,7 @@ def liu(context: Context) -> tuple[float, float, str]:
 
 
 def first(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the highest later peak is below the first.
+    """Relative amount by which the highest later peak of the force is below the first peak.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -171,7 +171,7 @@ def first(context: Context) -> tuple[float, float, str]:
 
 
 def inner(context: Context) -> tuple[float, float]:
-    """Smallest ratio of inner to outer largest pressure over all forces, minus 1; uncertainty."""
+    """Smallest ratio of the largest inner to the largest outer pressure, minus 1; uncertainty."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
     both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]

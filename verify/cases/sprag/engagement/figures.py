@@ -128,7 +128,7 @@ def apart(context: Context) -> Figure:
 
 
 def energies(context: Context) -> Figure:
-    """Figure of the energies into which the work is converted, stacked."""
+    """Figure of the energies into which the input work is converted, stacked over time."""
     last = context.fem[-1].arrays
     t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
     for colour, (key, words) in enumerate(ENERGIES.items()):

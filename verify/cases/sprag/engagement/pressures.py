@@ -16,7 +16,7 @@ ms, MPa, mm = 1e-3, 1e6, 1e-3
 
 
 def pressures(context: Context) -> Sequence[Figure]:
-    """Figures of each drawn crown: pressures at three instants, and p(y, t) on both races."""
+    """Figures for each crown to be drawn: pressures at three instants, p(y, t) on both races."""
     found: list[Figure] = []
     last = context.fem[-1].arrays
     planes = {

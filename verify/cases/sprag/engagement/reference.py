@@ -71,7 +71,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
-    """Uncertainties of all values that depend on the force, caused by the table of the force."""
+    """Uncertainties, by name, of values that depend on the interpolated table of the force."""
     other = engaged_fem(q, wedge(q), main.dt, intervals=COARSER)
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)
@@ -118,7 +118,7 @@ def about_rest(q: EngagementInputs) -> Oscillation:
 
 
 def history(found: "Engagement", name: str) -> dict[str, Array]:
-    """Force, sliding and energies over time at SHOWN samples; `name` precedes the keys."""
+    """Arrays of force, sliding and energies at SHOWN times; `name` is the prefix of their keys."""
     return {name + key: column for key, column in sampled(found, SHOWN).items()}
 
 
@@ -141,7 +141,7 @@ def partner_fem(
 
 
 def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
-    """Largest N [N] and its time [s] for each engagement by LSODA, until after the first peak.
+    """Largest N [N] of each engagement by LSODA and its time [s], computed past the first peak.
 
     The residual is the relative change with half of the states and a hundredfold tolerance.
     """
@@ -185,7 +185,7 @@ def order_fem(q: EngagementInputs) -> Array:
 
 
 def designs_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N] without a crown, with each crown of the paper, and with other centroids."""
+    """Largest N [N]: without a crown, with each crown of the paper, with two other centroids."""
     crowns = [q.model_copy(update={"z_m": 0.0})] + [
         q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m}) for K_1, K_2, z_m in DESIGNS
     ]
@@ -214,7 +214,7 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
-    """Inputs whose pressures are drawn: those of Fig. 13 for the paper's clutch, else `q`."""
+    """Inputs by prefix whose pressures are drawn: crowns of Fig. 13 by default, otherwise `q`."""
     if q != type(q)():
         return {"": q}
     return {

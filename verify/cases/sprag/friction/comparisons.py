@@ -33,7 +33,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """Row on a time whose uncertainty is a time step; for user inputs three steps are accepted.
+    """Row on a time, uncertain by one time step; for user inputs three steps are accepted.
 
     If no contact slides, the status is SHOWN.
     """
@@ -51,7 +51,7 @@ class Ended(Partnered):
 
 
 def at_tan(context: Context) -> Pair:
-    """Ratio of the smallest friction for locking to tan(nu), and its expected value 1.
+    """Pair: smallest friction coefficient that locks, divided by tan(nu), and its expected value 1.
 
     The ratio is taken at the one of three torques where it differs most from 1.
     """
@@ -62,7 +62,7 @@ def at_tan(context: Context) -> Pair:
 
 
 def refused(context: Context) -> tuple[float, float, str]:
-    """Margin +1 if the guard rejects the narrow band, otherwise -1.
+    """Margin: +1 if the guard rejects the narrow speed band, otherwise -1.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -71,7 +71,7 @@ def refused(context: Context) -> tuple[float, float, str]:
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """Amount by which the spread of N_max without the guard exceeds SPREAD.
+    """Positive margin if the spread of N_max without the guard exceeds SPREAD.
 
     The spread is that over nearly equal torques, as a share of the correct force. The uncertainty
     and the text of the row are also returned.
@@ -83,7 +83,7 @@ def unguarded(context: Context) -> tuple[float, float, str]:
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
-    """Largest relative error of N_max over all runs that the guard accepts.
+    """Largest relative error of N_max over all pairs of band and step that the guard accepts.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -94,7 +94,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Amount by which the smallest median error of rejected runs exceeds GUARDED.
+    """Positive margin if the median error of every rejected pair exceeds GUARDED.
 
     The amount is positive if the guard rejects no correct result. The uncertainty and the text of
     the row are also returned.
@@ -107,7 +107,7 @@ def never_idle(context: Context) -> tuple[float, float, str]:
 
 
 def by_default(context: Context) -> Pair:
-    """N_max [N] with automatic bands and by LSODA, for the torque and friction that differ most."""
+    """Pair of N_max [N], automatic bands and LSODA, for the run in which they differ most."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)

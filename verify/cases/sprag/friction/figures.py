@@ -98,7 +98,7 @@ def slides(context: Context) -> Figure:
 
 
 def zones(context: Context) -> Figure:
-    """Figure of stick and slip over torque and friction, with weak springs."""
+    """Figure of the regions of stick and slip in a plane of torque and friction, weak springs."""
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
@@ -120,7 +120,7 @@ def zones(context: Context) -> Figure:
 
 
 def wrong(context: Context) -> Figure:
-    """Figure of N(t) with and without the guard, which rejects bands too narrow for the step."""
+    """Figure of N(t) by an automatic band, and by a band too narrow for the time step, no guard."""
     last = context.fem[-1].arrays
     return plot(
         "Force with a band too narrow for the time step, without guard", "t [ms]", "N [kN]",
@@ -147,7 +147,7 @@ def speeds(context: Context) -> Figure:
 
 
 def guarded(context: Context, factor: float) -> Figure:
-    """Map of the error of N_max without the guard over bands and time steps, with rejections."""
+    """Map of the error of N_max without the guard, over bands and steps; rejections are marked."""
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(

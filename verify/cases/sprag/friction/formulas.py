@@ -20,7 +20,7 @@ BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """Required friction T_i/N and tan(nu) at rest under `factor` times T; nan if no rest exists."""
+    """Required friction T_i/N, and tan(nu), at rest under `factor` times T; nan without a rest."""
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)
@@ -49,7 +49,7 @@ class FrictionFormulas(EngagementInputs, Case):
 
     @shared
     def wedge(self) -> RaceSpring:
-        """The clutch over the wind-up of its races."""
+        """The clutch as a spring over the wind-up of its races."""
         return wedge(self)
 
     @shared
@@ -88,7 +88,7 @@ class FrictionFormulas(EngagementInputs, Case):
         return float(np.tan(np.interp(swing(self).peak[1], now.N, now.nu)))
 
     def at_turn(self, values: Array) -> float:
-        """Value at rest, interpolated from `values` over the wind-up."""
+        """Value at rest, interpolated; `values` are given at the wind-up angles of `wedge`."""
         return float(np.interp(self.rest, self.wedge.theta, values))
 
     @Quantity("μ_b", "1", "friction coefficient above which the clutch locks",

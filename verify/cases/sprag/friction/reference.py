@@ -84,7 +84,7 @@ def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
 
 
 def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
-    """Smallest friction coefficient for locking, and half the width of its bracket."""
+    """Smallest friction coefficient that locks, and its uncertainty (half the search interval)."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
     duration = settled(q)
@@ -97,7 +97,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Torques [N m], smallest friction for locking over tan(nu), half widths of brackets."""
+    """Array of torque [N m], ratio of locking friction to tan(nu), and its uncertainty, per row."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -131,7 +131,7 @@ def slipped_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float
 
 
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
-    """Results by LSODA with events of the engagements that slip."""
+    """Results, by LSODA with events, for the engagements in which contacts slip."""
     values: dict[str, float] = {}
     for name, p in (("", weak(q)), (" more", weak(q, MORE))):
         found = partner_fem(p, wedge(p), until)
@@ -171,12 +171,12 @@ def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def nearby(p: EngagementInputs) -> list[EngagementInputs]:
-    """Inputs of the clutch under 16 torques that differ only by round-off."""
+    """Inputs of the clutch under 16 torques that differ only in their last digits."""
     return [p.model_copy(update={"T": p.T * (1 + NEARLY * k)}) for k in range(16)]
 
 
 def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | None = None) -> bool:
-    """Whether the guard rejects the band D_V [m/s] at the time step dt [s]."""
+    """Whether the guard rejects the speed band D_V [m/s] at the time step dt [s]."""
     from analytic.sprag.transient import NarrowBandError
 
     try:
@@ -198,7 +198,7 @@ def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """Rejection by the guard and error of N_max without the guard, over bands and time steps.
+    """Array: rejection by the guard, and error of N_max without guard, for bands and steps.
 
     The correct value is computed with one fifth of the time step and an automatic band. If the
     guard rejects a run, its force depends on the last digits; the error is then the median over
@@ -223,7 +223,7 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Smallest friction for locking, and for locking without slip, over the torque.
+    """Array over torque: smallest friction that locks, and the friction that prevents all slip.
 
     Both are given with the springs of the inputs and with weak springs.
     """
@@ -237,7 +237,7 @@ def map_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def most_asked_fem(q: EngagementInputs) -> float:
-    """Largest ratio T/N of both contacts if they always stick."""
+    """Largest ratio T/N of tangential to normal force of both contacts if they always stick."""
     found = engaged_fem(q, wedge(q), q.dt, motion(rough(q, 0.999)), D_V=None)
     pressed = found.N > 0
     most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed] / found.N[pressed]

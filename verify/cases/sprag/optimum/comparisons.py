@@ -26,7 +26,7 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """NEAR minus the relative excess of the printed crown's p_max over the lowest.
+    """Positive margin if p_max of the printed crown exceeds the lowest p_max by less than NEAR.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -44,7 +44,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Range of each parameter in which the pressure can be nearly the lowest.
+    """Interval of each parameter, by name, in which nearly the lowest pressure is possible.
 
     For each value in the range, the other parameters can be chosen so that the pressure is at most
     the fraction `within` above the lowest.
@@ -84,7 +84,7 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """FLAT minus the relative difference of the p_max of Lundberg's crown from the lowest.
+    """Positive margin if p_max of Lundberg's crown differs by less than FLAT from the lowest.
 
     Lundberg's crown is that for N_max (K_1 = N_max/Q). The uncertainty and the text of the row are
     also returned.
@@ -100,7 +100,7 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """Smaller of the changes of each line before and after its minimum, relative to it, (n,)."""
+    """Relative rise of each line from its minimum to the lower of its two ends, shape (n,)."""
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
@@ -113,7 +113,7 @@ def factorial(context: Context) -> Array:
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Smallest change of p_max before or after the minimum along K_1.
+    """Smallest relative rise from a minimum along K_1 to the lower end of its line.
 
     The lines are those of both maps. The line of the lowest z_m is left out. The uncertainty and
     the text of the row are also returned.
@@ -137,7 +137,7 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """Text with the number of lines of constant K_1 that have a minimum.
+    """Text: how many lines of constant K_1 have a minimum within the range.
 
     The text also states the shape of the line near the optimum.
     """
@@ -152,14 +152,14 @@ def counted(context: Context, lines: Array) -> str:
 
 
 def course(line: Array) -> str:
-    """Text on the shape of a line; reversals of SURE or less are ignored."""
+    """Text: whether a line falls, rises, or has a minimum; rises of SURE or less are ignored."""
     if (turn := float(turns(line[None])[0])) > SURE:
         return f"falls, then rises by {turn:.2%}"
     return f"only {'falls' if line[-1] < line[0] else 'rises'} (changes up to {SURE:.1%} ignored)"
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Excess of p_max with the optimal K_1 of the smaller torque, relative to the lowest p_max.
+    """Relative amount by which the other torque's optimal K_1 raises p_max above the lowest.
 
     K_2 and z_m are optimal for this K_1. The excess is given a negative sign if the optimal K_1 of
     the smaller torque exceeds that of this torque.
@@ -177,13 +177,13 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
 
 
 def band(K_1: Array, over: Array) -> str:
-    """Text: range of K_1 in which the pressure is within FLAT of its lowest value."""
+    """Text: interval of K_1 in which the pressure exceeds its lowest value by at most FLAT."""
     near = K_1[over <= over.min() * (1 + FLAT)]
     return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """Mean relative change of p_max over z_m, minus that at the smaller torque."""
+    """Mean relative variation of p_max with z_m, minus the mean at the smaller torque."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
@@ -192,7 +192,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """Relative reductions of the pressure by the optimal crowns, one for each torque."""
+    """Relative reductions of p_max by the optimal crowns, from no crown, one for each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -200,7 +200,7 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max at the larger torque minus that at the smaller torque.
+    """Relative reduction of p_max by the optimal crown, minus that at the smaller torque.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -213,7 +213,7 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Relative excess of p_max with the other torque's optimal crown over the lowest.
+    """Ratio of p_max with the optimal crown of the other torque to the lowest p_max, minus 1.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -222,7 +222,7 @@ def made_for(context: Context) -> tuple[float, float, str]:
 
 
 def taken_off(context: Context) -> str:
-    """Text on the pressure reduction by the optimal crown for several numbers of slices."""
+    """Text: reductions of the pressure by the optimal crown, for several numbers of slices."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} with {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"

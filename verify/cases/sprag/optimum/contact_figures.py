@@ -58,7 +58,7 @@ def contact(context: Context) -> Sequence[Figure]:
 
 
 def cut(top: float, *highest: float) -> str:
-    """Remark on pressures above the upper end `top` [MPa] of the axis; empty if there are none."""
+    """Remark that pressures exceed the end `top` [MPa] of the axis; empty if none exceeds it."""
     above = max(highest)
     return f" Pressures up to {above:.0f} MPa are beyond the axis." if above > top else ""
 
@@ -95,7 +95,7 @@ def at_counts(context: Context) -> Curves:
 
 
 def apart(context: Context) -> Curves:
-    """Figure of the drops of the crowns from mid-length to the end of the sprag."""
+    """Figure of the drops of several crowns, from mid-length to the end of the sprag."""
     q = context.inputs
     y = np.linspace(0, q.l / 2, 121)
     curves = []

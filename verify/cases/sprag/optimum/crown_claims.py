@@ -78,7 +78,7 @@ class AtCrown(Estimated):
 
 
 def within(share: float) -> Any:
-    """Function that returns the interval ±`share` at the inputs of the paper, otherwise None."""
+    """Function of inputs: the interval ±`share` for the paper's inputs, otherwise None."""
 
     def interval(q: Any, _values: Any) -> tuple[float, float] | None:
         return (-share, share) if q == type(q)() else None
@@ -102,7 +102,7 @@ def refined(context: Context, crown: str) -> tuple[float, float]:
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """Ratio of half-space pressure to pressure by slices of the printed crown, minus 1."""
+    """Ratio of the printed crown's largest pressure on a half-space to that by slices, minus 1."""
     p, U = refined(context, "at hand")
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
@@ -114,7 +114,7 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """Smallest relative increase of p_max per refinement, minus GROWS.
+    """Positive margin if every refinement raises p_max by more than the fraction GROWS.
 
     The crown is the optimal crown by slices. The uncertainty and the text of the row are also
     returned.
@@ -146,7 +146,7 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of half-space pressure by the crown with unloaded ends.
+    """Relative reduction of the largest half-space pressure by the crown with unloaded ends.
 
     The reduction is relative to the printed crown. The uncertainty and the text of the row are also
     returned.
@@ -164,7 +164,7 @@ def lower(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(q: Any, name: str) -> Comparison:
-    """Row on a pressure of the given crown at rest: slices against strips."""
+    """Row that compares a pressure of the given crown at rest by slices with that by strips."""
     check = Estimated(
         name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,

@@ -32,7 +32,7 @@ def deep_fem(q: OptimumInputs, level: int) -> Level:
 
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Relative errors of both surrogates at new designs, and true pressures [Pa] there."""
+    """Relative errors of both surrogates at new designs, and pressures [Pa] by engagements."""
     from analytic.surrogate.kriging import fit
 
     x = full_factorial(q.box, q.levels)
@@ -45,14 +45,14 @@ def validated_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Crowns and pressures [Pa] in the order of evaluation by DIRECT, shape (n, 4)."""
+    """Array (n, 4): crowns that DIRECT evaluated, in this order, and their pressures [Pa]."""
     pressure, seen = recorded(lambda crown: largest_fem(q, crown), q.box)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}
 
 
 def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Smallest values [Pa] of a surrogate by both searches, for several random seeds."""
+    """Minima [Pa] of a surrogate that both searches find, for several random seeds."""
     x = full_factorial(q.box, q.levels)
     surrogate = fit_regimes(x, answers(peaks_fem(q, x, [q.T])), q.box)
     ga = [

@@ -37,7 +37,7 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The optimal crown by strips, which has unloaded ends, and the infill of its surrogate.
+    """Optimal crown by strips, whose ends are unloaded, and designs added to its surrogate.
 
     Kriging, infill and search are those used for slices. N (n,) are the known forces [N] of the
     crowns x (n, 3). The result is empty if surrogate and strips give different optima.
@@ -60,7 +60,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
 
 
 def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
-    """Largest force of a crown, and its pressures under this force by slices, strips and cells.
+    """Largest force of a crown, and pressures under this force by slices, strips and cells.
 
     The numbers of strips and cells are refined.
     """

@@ -51,7 +51,7 @@ def crowns(context: Context) -> Table:
 
 
 def extra(context: Context) -> Table:
-    """Table of the extra designs in the form of the paper's Table 2."""
+    """Table of errors of the surrogates at the extra designs, in the form of Table 2."""
     found = measured(context)
     true, one, two = found["extra largest"][:, 0], found["extra single"], found["extra two"]
     rows = tuple(

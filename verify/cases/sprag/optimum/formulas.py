@@ -27,7 +27,7 @@ MOST_STEPS = 50_000  # largest number of steps of an engagement; a study has hun
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """The given crown at rest, and the optimal crown at both torques."""
+    """The given crown at rest; by the reference, also the optimal crown at both torques."""
 
     source = "huang2018"
     method = BY_SEARCHES
@@ -134,7 +134,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         )
 
     def advice(self) -> Iterator[str]:
-        """Statements of the formulas on the given crown; only `--fem` finds the optimal crown."""
+        """Statements on the given crown by formulas; the optimal crown is found only by `--fem`."""
         yield (
             f"the given crown gives a uniform load under {self.K_1_Q:.4g} N; it is straight over "
             f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"

@@ -16,7 +16,7 @@ ABOVE = 4.0  # % above the lowest pressure, upper end of the axis of the figure 
 
 
 def figure(context: Context) -> str:
-    """Number of the paper's corresponding figure, as a format string; empty for other inputs."""
+    """Number of the paper's figure as a format string; empty if inputs are not the paper's."""
     if not context.is_paper:
         return ""
     return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"

@@ -35,7 +35,7 @@ def solve(q: OptimumInputs, level: int) -> Level:
 
 
 def maps_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Pressures [Pa] by engagements at the K_2 of Figs. 15 and 17, shape (torques, K_1, z_m)."""
+    """Array (torques, K_1, z_m) of pressures [Pa] by engagements, at the K_2 of Figs. 15, 17."""
     low, high = np.array(q.box.low), np.array(q.box.high)
     K_1, z_m = (np.linspace(low[k], high[k], q.levels) for k in (0, 2))
     grid = np.array([(a, held(q.box, 1), b) for a in K_1 for b in z_m])
@@ -44,7 +44,7 @@ def maps_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def lundberg_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Lundberg's crown for N_max (K_1 = N_max/Q), with optimal K_2 and z_m, and its pressure."""
+    """Lundberg's crown for N_max (K_1 = N_max/Q; optimal K_2 and z_m), and its pressure."""
     K_1 = float(np.clip(found["best true"][3] / crowned_for(q), q.K_1_low, q.K_1_high))
     row = int(np.argmin(np.abs(found["K_1"] - K_1)))
     K_2, z_m = np.unravel_index(np.argmin(found["whole"][row]), found["whole"][row].shape)
@@ -64,7 +64,7 @@ def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
 
 
 def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Fitted wedge angle [rad], and largest pressures [Pa] without and with the optimal crown.
+    """Fitted wedge angle [rad] and, with this angle, p_max [Pa] without and with optimal crown.
 
     The wedge angle is fitted to the pressure printed at 25 N m. The result is empty for inputs
     other than those of the paper.

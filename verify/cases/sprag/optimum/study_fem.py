@@ -43,12 +43,12 @@ def study_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def largest_fem(q: OptimumInputs, crowns: Array) -> float:
-    """Largest pressure [Pa] of the first crown of `crowns` under T."""
+    """Largest pressure [Pa] with the first of `crowns` in an engagement under T."""
     return float(peaks_fem(q, crowns, [q.T]).largest[0, 0])
 
 
 def less_fem(q: OptimumInputs, x: Array, known: list[Answer]) -> dict[str, Array]:
-    """Optimal crown by the surrogate of the second torque, with its pressures at both torques."""
+    """Optimal crown for the second torque by its surrogate, and pressures at both torques."""
     assert q.T_less is not None
     surrogate = best_crown.fit_regimes(x, known, q.box)
     crown = evolve(surrogate.predict, q.box).x
