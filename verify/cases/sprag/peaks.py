@@ -78,7 +78,7 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 
 
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
-    """N_max [N] and pressures [Pa] of a task's crowns, or the reason why the clutch fails to lock.
+    """Pairs (N_max [N], pressures [Pa]) of a task's crowns, or a text why the clutch does not lock.
 
     Raises another error if an engagement cannot be solved, which does not mean that it slips.
     """

@@ -30,7 +30,7 @@ Measured = Mapping[str, Array]
 
 
 def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Accepted relative differences of slices from strips; None for a user's inputs."""
+    """Accepted interval of (slices - strips)/strips; None for a user's inputs."""
     return (-SLICED - STRIPS, SLICED + STRIPS) if q == type(q)() else None
 
 
@@ -41,7 +41,7 @@ def measured(context: Context) -> Measured:
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaper(Accepted):
-    """Statement about the clutch of the paper only."""
+    """Accepted statement that is evaluated for the paper's clutch only."""
 
     paper_only: bool = True
 

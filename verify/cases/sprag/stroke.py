@@ -22,7 +22,7 @@ def races(q: WedgeInputs) -> Races:
 
 
 def struts(q: WedgeInputs) -> Struts:
-    """Sprags as input of the finite elements."""
+    """Geometry and material of the sprags, as input of the finite elements."""
     return Struts(z=q.z, b=q.b, E=q.E, nu=q.nu)
 
 

@@ -39,12 +39,12 @@ def many(q: Any) -> Any:
 
 
 def long_leaf(q: Any) -> Any:
-    """Inputs with leaves and width twice as large, and unchanged arcs."""
+    """Inputs with leaves twice as long, a strip twice as wide, and unchanged arcs."""
     return q.model_copy(update={"L1": 2 * q.L1, "h": 2 * q.h})
 
 
 def fem_small(q: MapInputs, level: int) -> FemResult:
-    """Forces of the guided spring, extrapolated in proportion from a very small displacement."""
+    """Forces of the guided spring, as multiples of the force at a very small displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -53,7 +53,7 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
-    """Forces of the spring with a free head, by its stiffness at small displacement."""
+    """Forces of the spring with a free head: initial stiffness times each displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -71,7 +71,7 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 
 def proportional(level: int, force: float, share: float) -> FemResult:
-    """Forces at the displacements of the case, in proportion to the force at another displacement.
+    """Forces at the displacements of the case, proportional to `force` at the displacement `share`.
 
     Displacements are given as shares of the length.
     """
@@ -80,7 +80,7 @@ def proportional(level: int, force: float, share: float) -> FemResult:
 
 
 def fem_firmer(q: CurveInputs, level: int) -> FemResult:
-    """Initial stiffness of the spring, evaluated as in the case, with tenfold contact stiffness."""
+    """Initial stiffness of the spring, computed as in the case, but with stiffer contacts."""
     from verify.cases.spring.curve.fem import fem_compress
     from verify.cases.spring.curve.reference import FIRST, spring_of
 

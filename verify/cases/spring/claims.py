@@ -12,7 +12,7 @@ OTHER_WIDTH = 0.005  # tolerance between the given factor and a leaf's factor
 
 
 def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:
-    """Warning if the width factor of a leaf h [m] wide and `leaf` [m] long differs from `given`."""
+    """Warning if `given` differs from the width factor of a leaf h [m] wide and `leaf` [m] long."""
     wide = float(width_factor(h, leaf, nu=nu))
     if abs(wide / given - 1) > OTHER_WIDTH:
         yield (
@@ -30,7 +30,7 @@ def left_open(q: Any) -> Iterator[tuple[frame.Tail, frame.Head, str, dict[str, A
 
 
 def stored(context: Context, name: str) -> Any:
-    """The array `name` of the level that has it; None if no level has it."""
+    """Array `name`, from the first level that contains it; None if none does."""
     return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
 
 

@@ -114,7 +114,7 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max by the best crown of Eq. 19, compared with the given crown.
+    """Relative reduction of p_max from the given crown to the optimal crown of Eq. 19.
 
     The uncertainty and the text of the row are also returned.
     """

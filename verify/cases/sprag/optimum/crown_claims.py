@@ -36,7 +36,7 @@ NONE_FREE = "no crown with unloaded ends was found: surrogate and strips give di
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:
-    """Largest pressures ("peak") or pressures at mid-length ("mid") [Pa], coarse to fine."""
+    """Pressures [Pa] of a crown, coarse to fine meshes: largest ("peak") or mid-length ("mid")."""
     found = measured(context)
     counts = STRIPPED if by == "strips" else CELLS
     if what == "mid":
@@ -133,7 +133,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """Text on the half-space pressures of the crown with unloaded ends and the given crown."""
+    """Text on half-space pressures of two crowns: that with unloaded ends, and the given crown."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]

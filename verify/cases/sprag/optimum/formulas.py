@@ -110,7 +110,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     sketch = sketched.sketch
 
     def reference(self, level: int) -> Level:
-        """Reference: strips at the given crown, the optimisation, end pressures of the optimum."""
+        """Reference: strips for the given crown, the optimisation, end pressures of the optimum."""
         from verify.cases.sprag.optimum.reference import solve
 
         return solve(self, level)

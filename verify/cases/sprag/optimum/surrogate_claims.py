@@ -29,7 +29,7 @@ Pairs = tuple[Array, Array, float]  # values of both sides, and their scale
 def agrees(
     name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
 ) -> Agreement:
-    """Claim that two largest pressures agree within `accepted`, for any clutch."""
+    """Claim on any clutch: two values of the largest pressure agree within `accepted`."""
     return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
                      source=source,
                      everywhere=True)  # fmt: skip
@@ -76,7 +76,7 @@ class Repeated(Claim):
 
 
 def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
-    """Arrays by name, bordered system and extra designs of each kriging regime."""
+    """Tuples for each kriging regime: its arrays by name, bordered system, and extra designs."""
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
         if f"{name} designs" in found:
@@ -88,7 +88,7 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
 
 
 def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
-    """Function that returns kriging's predictions or deviations at the extra designs.
+    """Function that returns pairs of a kriging result at the extra designs, by two methods.
 
     They are given by kriging and by the bordered system; `name` is "predicted" or "deviation".
     """
@@ -100,7 +100,7 @@ def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
 
 
 def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
-    """Leave-one-out predictions of some designs by kriging and by the bordered system.
+    """Pairs of leave-one-out predictions of some designs, by kriging and by the bordered system.
 
     The length scales are constant.
     """
@@ -110,7 +110,7 @@ def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
 
 
 def missed(found: Measured, which: str) -> Array:
-    """Relative errors of a surrogate, "single" or "two", at the extra designs."""
+    """Relative errors at the extra designs of a surrogate: of one kriging ("single") or of two."""
     return np.asarray(found[f"extra {which}"] / found["extra largest"][:, 0] - 1)
 
 
@@ -120,7 +120,7 @@ def spread(errors: Array) -> str:
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """Mean relative error at new designs, or the scaled largest error if this is larger.
+    """Mean relative error at new designs or, if larger, the scaled largest error.
 
     The largest error is scaled by MEAN/LARGEST, so that the limit MEAN applies to both.
     """
@@ -142,7 +142,7 @@ def at_best(context: Context) -> Pair:
 
 
 def searched(context: Context) -> Pair:
-    """Minima [Pa] by genetic algorithm and differential evolution on the same surrogate."""
+    """Pair of minima [Pa] of one surrogate: by genetic algorithm, by differential evolution."""
     found = measured(context)
     ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
     words = (
@@ -153,7 +153,7 @@ def searched(context: Context) -> Pair:
 
 
 def directly(context: Context) -> Pair:
-    """Pressures [Pa] of the optimal crown, and of a search on engagements from the given crown."""
+    """Pair of pressures [Pa]: optimal crown; lowest in a search with engagements, no surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
@@ -165,7 +165,7 @@ def directly(context: Context) -> Pair:
 
 
 def asked(context: Context) -> str:
-    """Text on the numbers of engagements that searches with and without surrogate need."""
+    """Text: numbers of engagements that a search needs, with and without a surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     near = tried <= best * (1 + NEAR)
@@ -195,8 +195,9 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """BLIND minus the ratio of leave-one-out estimate to true error of a single kriging.
+    """Positive margin if leave-one-out underestimates the error of a single kriging enough.
 
+    The ratio of the estimated to the true mean error must be below BLIND.
     The uncertainty and the text of the row are also returned.
     """
     found = measured(context)
@@ -206,7 +207,7 @@ def blind(context: Context) -> tuple[float, float, str]:
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """One half minus the ratio of the errors of separate kriging and single kriging.
+    """Positive margin if separate kriging has less than half of the error of a single kriging.
 
     The uncertainty and the text of the row are also returned.
     """

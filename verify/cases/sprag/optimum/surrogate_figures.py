@@ -21,7 +21,7 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """Stored results of the long studies (`deep`) of the paper's clutch; None for other inputs."""
+    """Results of the long studies (`deep`), stored for the paper's clutch; otherwise None."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
@@ -89,7 +89,7 @@ def errors(context: Context) -> Sequence[Figure]:
 
 
 def bars(context: Context) -> Bars:
-    """Bars of the errors of the surrogates, and of the estimates of these errors."""
+    """Bar chart of the errors of the surrogates, and of the leave-out estimates of these errors."""
     found = measured(context)
     items = []
     for key, name in (("single", "single kriging"), ("two", "separate kriging")):

@@ -17,7 +17,7 @@ LIGHT, SLIDES = 1e-4, 1e-3  # accepted without load, and of the friction that ju
 
 
 def no_load(context: Context) -> Pair:
-    """Ratio of tan(nu) by Eq. 10 to T_i/N_i under the lowest load, and its expected value 1."""
+    """Pair: ratio of tan(nu) by Eq. 10 to T_i/N_i at the lowest load, and its expected value 1."""
     clutch, found = context.inputs.clutch, []
     for result in context.fem[-2:]:
         N, _, share, *_ = result.arrays["loads"][:, 0]
@@ -27,7 +27,7 @@ def no_load(context: Context) -> Pair:
 
 
 def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function:
-    """Function that returns the ratio of formula to finite elements, and its expected value 1.
+    """Function that returns a pair: ratio of formula to reference, and its expected value 1.
 
     The value `key` of the reference is this ratio minus 1, or the inverse ratio minus 1 if
     `of_fem`. The uncertainty is twice the difference between the last two meshes.
@@ -42,7 +42,7 @@ def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function
 
 
 def force_ratio(key: str) -> Function:
-    """Function that returns `key` by formula and finite elements in the state of largest error.
+    """Function that returns a pair: `key` by formula and reference where they differ most.
 
     Only states up to N_0 are compared.
     """
@@ -61,7 +61,7 @@ def force_ratio(key: str) -> Function:
 
 
 def force_ratio_bent(key: str) -> Function:
-    """Function that returns `key` at 1.8 N_0 by the formula with bending and by finite elements."""
+    """Function that returns a pair: `key` at 1.8 N_0 by the formula with bending, by reference."""
     name = f"{key}_most"
 
     def pair(context: Context) -> Pair:
@@ -77,7 +77,7 @@ def force_ratio_bent(key: str) -> Function:
 
 
 def keeps_its_angle(context: Context) -> tuple[float, float, str]:
-    """1 % minus the relative change of T_i/N_i over the stroke.
+    """Positive margin if T_i/N_i changes by less than 1 % over the stroke.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -99,7 +99,7 @@ def inner_above_outer(context: Context) -> tuple[float, float]:
 
 
 def onset(context: Context) -> Pair:
-    """tan(nu) by the formula, and the mean of the friction coefficients for holding and slip."""
+    """Pair: tan(nu) by the formula, and the friction coefficient midway between hold and slip."""
     v = context.fem[0].values
     tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
     between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2

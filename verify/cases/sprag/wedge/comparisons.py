@@ -41,7 +41,7 @@ COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
 def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
-    """Interval of the expected error; None for a user's clutch if the interval is too wide."""
+    """Expected error, as an interval computed by `bound`; None if too wide for a user's clutch."""
 
     def interval() -> Interval | None:
         low, high = bound(bounds(q.part, q.N))
@@ -56,7 +56,7 @@ def through(
     reference: str = "", points: tuple[str, ...] = tuple(STROKE), order: float = 2,
     own: tuple[float, str] = (DEMAND, ""), shares: str = COLUMN,
 ) -> Iterator[Comparison]:  # fmt: skip
-    """Rows that compare `formula` with its reference at each of the normal forces `points`."""
+    """Rows that compare `formula` with its reference under each of the normal forces `points`."""
     compared = partial(approximation, own=own) if own[1] else approximation
     for point in points:
         state = q.stroke[point]

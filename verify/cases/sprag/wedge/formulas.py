@@ -44,7 +44,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def part(self) -> WedgeInputs:
-        """The inputs without the load, so that `model` builds the clutches once for all states."""
+        """The inputs without the state, so that all states share the clutches built by `model`."""
         return WedgeInputs(**{name: getattr(self, name) for name in WedgeInputs.model_fields})
 
     @shared
@@ -86,7 +86,7 @@ class WedgeFormulas(WedgeInputs, Case):
         return wedged(clutch, self.N)
 
     def printed_state_of(self, clutch: SpragClutch) -> Wedged:
-        """Equilibrium state of `clutch` under this load, with Eqs. 9 and 10 as printed."""
+        """State of `clutch` under the load of this case, with Eqs. 9 and 10 as printed."""
         if self.share is None:
             return printed.at_torque(clutch, self.T)
         return printed.wedged(clutch, self.N)

@@ -29,7 +29,7 @@ AT_FORCE = {"mu_i": "tan nu", "mu_e": "tan omega", "T": "T", "alpha": "alpha", "
 
 
 def solve(q: WedgeInputs, level: int) -> FemResult:
-    """Results of one level: values at T and over the stroke, balances, curves over N."""
+    """Results of a mesh: values under T and over the stroke, balances, curves over N."""
     sweep, N_0 = Sweep(q, level), rigid_force(q)
     values = {name: sweep.at(name, q.T, "T") for name in ("N", "alpha")}
     for name, share in STROKE.items():
@@ -67,7 +67,7 @@ def doubt(key: str) -> float:
 
 
 def statics(sweep: Sweep) -> dict[str, float]:
-    """Relative residuals of the balances of forces, torques and work at the state near N_0."""
+    """Relative residuals, by name, of the balances of forces, torques and work near N_0."""
     k = len(sweep.states) - 2
     state, at = sweep.states[k], {name: v[k] for name, v in sweep.at_states.items()}
     force = np.add(*(np.array(touch.force) for touch in state.solution.touches))
@@ -81,7 +81,7 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Friction coefficients slightly above and below T_i/N_i with which the sprag holds and slips.
+    """Friction coefficients: above T_i/N_i, if the sprag holds; below it, if the sprag slips.
 
     A coefficient is nan if the sprag does not behave so.
     """

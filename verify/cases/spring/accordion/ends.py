@@ -12,7 +12,7 @@ HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
 
 
 class Ends(NamedTuple):
-    """End conditions of head and tail; with `inner`, arcs have the inner radius (Eqs. 1-9).
+    """End conditions of head and tail; if `inner`, arcs have the inner radius, as in Eqs. 1-9.
 
     `key` is the suffix of names of values, `words` is the suffix of names of rows.
     """

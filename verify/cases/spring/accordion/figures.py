@@ -18,7 +18,7 @@ PRINTED = ("k1-theory", "k1-fea", "k1-test")
 
 
 class Combination(NamedTuple):
-    """Reading that the paper leaves open, and its stiffness [N/m]."""
+    """One combination of readings that the paper leaves open, with its stiffness [N/m]."""
 
     tail: frame.Tail
     head: frame.Head
@@ -28,7 +28,7 @@ class Combination(NamedTuple):
 
 
 def combinations(q: Any) -> list[Combination]:
-    """All combinations of tail, head, arc radius and strip that the paper's text allows."""
+    """Combinations of all readings of tail, head, arc radius and strip that the paper permits."""
     return [
         Combination(tail, head, radius, wide, frame.stiffness(
             **path, **strip_of(q), head=head, tail=tail, plane_strain=wide))
@@ -95,7 +95,7 @@ def sensitivity(q: Any) -> Table:
 
 
 def bending_stress(q: Any) -> Picture:
-    """Picture of the paper's spring with its bending stress."""
+    """Picture of the bending stress in the spring of the paper."""
     return Picture(
         field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa,
         width=q.h, caption="Bending stress 6 M/(h b²) under 1 N; positive: tension in the left "

@@ -69,7 +69,7 @@ def curved_frame(q: Any, line: "LineMesh") -> "FrameSolution":
 
 
 def sections(q: SpringInputs) -> tuple["Section", "Section"]:
-    """Section of the strip without shear flexibility, and with it."""
+    """Two sections of the strip: rigid in shear, and with shear flexibility."""
     from fem.beam.section import Section
 
     A, I = q.b * q.h, q.h * q.b**3 / 12  # noqa: E741
@@ -78,14 +78,14 @@ def sections(q: SpringInputs) -> tuple["Section", "Section"]:
 
 
 def held_and_pulled(q: Any, line: "LineMesh") -> dict[str, Any]:
-    """Supports and the force of 1 N at the nodes of `line`, as arguments."""
+    """Keyword arguments: supports at head and tail of `line`, and 1 N on the head."""
     tail, head = line.nodes["tail"], line.nodes["head"]
     supports = {tail: TAIL_SUPPORTS[q.ends.hold], head: HEAD_SUPPORTS[q.ends.head]}
     return {"supports": supports, "loads": {head: (1.0, 0.0, 0.0)}}
 
 
 def apexes(q: Any) -> list[tuple[float, float]]:
-    """Coordinates [m] of the ends of leaves and arcs of the centre line."""
+    """End points [m] of all pieces (leaves and arcs) of the centre line."""
     from meshes.spring.path import accordion
 
     return [piece.end for piece in accordion(**q.lengths, tail=q.ends.tail)]

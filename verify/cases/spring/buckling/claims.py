@@ -14,7 +14,7 @@ NOISE = 1e-5  # rounding of finite elements of slender springs, with a factor
 
 
 def spread(context: Context) -> Pair:
-    """Largest and smallest U_cr [m] of springs with one centre line and different thicknesses."""
+    """Pair: largest and smallest U_cr [m] of springs that differ only in thickness."""
     b, U, _ = stored(context, "by_b").T
     spread = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
@@ -23,7 +23,7 @@ def spread(context: Context) -> Pair:
 
 
 def by_cube(context: Context) -> Pair:
-    """Exponent of b in F_cr that differs most from 3, and its expected value 3."""
+    """Pair: the exponent of b in F_cr that differs most from 3, and the expected exponent 3."""
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
@@ -31,7 +31,7 @@ def by_cube(context: Context) -> Pair:
 
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
-    """Ratio of largest to smallest U_cr/L_0 of springs with equal L_0/b, minus 5.
+    """Positive margin if U_cr/L_0 of springs with equal L_0/b differs by a factor of more than 5.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -41,7 +41,7 @@ def one_ratio(context: Context) -> tuple[float, float, str]:
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant while a free head is compressed.
+    """Function for a margin: smallest determinant while a free head is compressed.
 
     The determinant is relative to that of the unloaded spring and vanishes at a critical point. The
     uncertainty and the text of the row are also returned.
@@ -70,7 +70,7 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Shortenings at buckling, errors of Haringx's column and uncertainties, for many units.
+    """Points of a limit: shortenings at buckling, errors of Haringx's column, uncertainties.
 
     The ends of the spring, which are not units, are 1/n of its length. The shortening is
     proportional to 1/n^2.

@@ -33,7 +33,7 @@ def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
 
 @lru_cache(maxsize=8)
 def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
-    """Critical point of the elastica with a free head, and drift of the head before it, by name.
+    """Critical point with a free head, by the elastica, and drift of the head before it, by name.
 
     The result is empty if the determinant does not change its sign on the path. The first steps
     are small, because slender springs buckle at a small displacement.

@@ -37,7 +37,7 @@ class BucklingInputs(SpringInputs):
 
     @property
     def P(self) -> float:
-        """Euler load [N] of a column that bends like the unfolded strip, as a scale of loads."""
+        """Scale of loads [N]: Euler load of a column that bends like the unfolded strip."""
         unfolded = (self.n - 2) * (self.leaf + 2 * self.R * self.alpha)
         EI = self.E * self.h * self.b**3 / 12
         return math.pi**2 / 4 * EI / (unfolded * self.length)

@@ -74,7 +74,7 @@ def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "Pr
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
-    """Critical displacements and shortenings of further springs, as arrays by name.
+    """Arrays by name: critical displacements and relative shortenings of further springs.
 
     The varied inputs are b on one centre line, n at a given L_0/b, n, and both n and L_1.
     """
@@ -110,7 +110,7 @@ def shortening(one: "PressedFrame", length: float) -> float:
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
-    """Stiffnesses of a middle unit about its centre, with one end clamped, by name."""
+    """Stiffnesses, by name, of a middle unit clamped at one end, with respect to its centre."""
     from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 

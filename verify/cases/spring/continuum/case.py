@@ -73,7 +73,7 @@ class PlaneSpring(FreeStage):
         return plane_body.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows of the thin and the thick frame against the plane body."""
+        """Rows that compare the thin and the thick frame with the plane body."""
         spring = PlaneSpring
         frames = {False: (spring.k, spring.k_thick), True: (spring.k_wide, spring.k_thick_wide)}
         for strip, wide in STRIPS:

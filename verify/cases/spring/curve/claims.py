@@ -43,7 +43,7 @@ def lines(context: Context, level: int = FINE) -> FittedLines:
 
 
 def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
-    """Name, width factor, fitted lines, and U and F (2, k) for each reading and width factor."""
+    """List over readings and width factors: name, factor, fitted lines, and U and F (2, k)."""
     q: CurveInputs = context.inputs
     found = []
     for name, _ in readings(q):
@@ -55,7 +55,7 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
 
 
 def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
-    """Fitted lines of the coarse curve of the inputs and of the curve `other` (3, k).
+    """Fitted lines of two curves: of the inputs (coarse mesh), and of `other` (3, k).
 
     Both curves are evaluated at common states.
     """
@@ -65,7 +65,7 @@ def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
 
 
 def apart(context: Context, other: Array) -> float:
-    """Largest relative difference of the slopes of the inputs' curve and of `other`."""
+    """Largest relative difference between slopes of the curve of the inputs and of `other`."""
     own, other_lines = beside(context, other)
     return own.apart(other_lines)
 
@@ -76,7 +76,7 @@ def without(context: Context) -> str:
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """Function that returns the relative difference of a fitted number between the two meshes."""
+    """Function: relative difference between a fitted number on both meshes."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -112,7 +112,7 @@ def balance(context: Context) -> tuple[float, float, str]:
 
 
 def retraced(context: Context) -> tuple[float, float, str]:
-    """Largest relative difference of unloading and loading forces without friction.
+    """Largest relative difference between unloading and loading forces, without friction.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -133,7 +133,7 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Ratio of the final slope to k_2, minus STIFFER; nan if the curve ends early.
+    """Positive margin if the final slope exceeds STIFFER k_2; nan if the curve ends early.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -148,7 +148,7 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """Function that returns `figure` minus the relative difference of `key` from Eq. 10."""
+    """Function for a margin: positive if `key` differs from Eq. 10 by less than `figure`."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:
@@ -161,7 +161,7 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
 
 
 def nearest(context: Context) -> tuple[float, float, str]:
-    """Smallest error of k_1 by another reading, minus that by the inputs' reading.
+    """Positive margin if no other reading gives a smaller error of k_1 than the given reading.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -180,7 +180,7 @@ def nearest(context: Context) -> tuple[float, float, str]:
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """FORCE minus the largest relative difference of F(U) from Eq. 10 at 1 to 17 mm.
+    """Positive margin if F(U) differs from Eq. 10 by less than FORCE for U = 1 to 17 mm.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -199,7 +199,7 @@ def deviations(context: Context, level: int) -> tuple[Array, Array]:
 
 
 def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:
-    """Function that returns the error of U_A, F_A or k_2 for increasingly slender leaves.
+    """Function that returns points of a limit: errors of U_A, F_A or k_2 for slender leaves.
 
     The reference is the nonlinear beam. The function returns sizes, errors and uncertainties.
     """

@@ -20,7 +20,7 @@ LIMIT = "linear theory is exact for vanishing rotation; 0.2 % is sufficient for 
 
 
 def slender(k: int, symbol: str, words: str) -> Limit:
-    """Row on U_A, F_A or k_2: the closed form is the limit for slender leaves."""
+    """Row on U_A, F_A or k_2: its closed form is the limit of beams for slender leaves."""
     return Limit(
         name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
         unit="1", points=claims.parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT,

@@ -101,7 +101,7 @@ def _slope(context: Context) -> Curves:
 
 
 def points(context: Context) -> dict[str, int]:
-    """Indices of states by name: O (unloaded), A (first contact), B (half of pairs), E (end)."""
+    """Indices of states: O unloaded, A first contact, B half of the pairs in contact, E end."""
     press, F = (stored(context, f"curve {FINE} {key}") for key in ("press", "F"))
     found = {"O": -1}
     touching = press.sum(axis=1) > TOUCH * F

@@ -26,7 +26,7 @@ THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # displacements over the radius of the loo
 
 
 def spring_of(q: CurveInputs, **changed: Any) -> Spring:
-    """Model of the spring of the inputs, with changes for a reading."""
+    """Model of the spring of the inputs; keyword arguments replace values for a reading."""
     own: dict[str, Any] = {
         "line": q.path, "b": q.b, "h": q.h, "E": q.E, "nu": q.nu, "factor": q.width_factor,
         "head": q.head, "tail": q.tail, "mu": q.mu,
@@ -94,7 +94,7 @@ def _read(q: CurveInputs) -> dict[str, Any]:
 
 
 def thin(q: CurveInputs, share: float) -> Spring:
-    """Guided spring whose loops have the radius `share` L_1, with leaf slopes of the order `share`.
+    """Guided spring with loops of radius `share` L_1 and leaf slopes proportional to `share`.
 
     For small `share` all angles are of this order, and linear theory becomes exact.
     """
@@ -105,7 +105,7 @@ def thin(q: CurveInputs, share: float) -> Spring:
 
 
 def thin_fem(q: CurveInputs, share: float, cells: int) -> tuple[float, float, float]:
-    """Displacement [m] and force [N] at first contact of the tips, and the stiffness after it."""
+    """First contact of the tips: displacement [m], force [N], and the stiffness beyond it [N/m]."""
     from fem.beam.two_lines import onset
 
     spring = thin(q, share)
