@@ -96,5 +96,5 @@ def length_of(n: int, L1: float, R: float, alpha: float) -> float:
 
 
 def strip_of(q: SpringInputs) -> dict[str, Any]:
-    """Section and material of the strip, as arguments."""
+    """Section and material of the strip, as keyword arguments."""
     return {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}

@@ -11,7 +11,7 @@ from verify.papers.ledger import published
 
 
 def search(q: Any) -> list[Reading]:
-    """All readings of Eqs. 3 and 5, evaluated for the inputs `q`."""
+    """Results of Eqs. 3 and 5 in all readings, for the inputs `q`."""
     return readings(n=q.n, b=q.b, h=q.h, r=q.r, L1=q.L1, alpha=q.alpha, E=q.E)
 
 

@@ -76,7 +76,7 @@ def ring(low: float, high: float, side: float) -> Array:
 
 
 def outline(q: SpragInputs, sprag: LogSprag) -> Array:
-    """Outline [m] of the sprag: spiral below the pole, circle above it, flanks at x = -b/2 and b/2."""
+    """Outline [m] of the sprag: spiral below the pole, circle above it, flanks at x = ±b/2."""
     C, half = np.array([0.0, float(sprag.OC_e)]), q.b / 2
     theta = np.linspace(-1.4, 1.4, 201)
     phi = float(sprag.eta_0) + theta

@@ -109,7 +109,7 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
 
 
 def inner_above(context: Context) -> tuple[float, float]:
-    """Smallest ratio of largest inner to largest outer pressure of all crowns, minus 1."""
+    """Smallest ratio, over all crowns, of the largest inner to the largest outer p, minus 1."""
     return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
 
 

@@ -69,7 +69,7 @@ def half(values: Array) -> Array:
 
 
 def outer(q: OptimumInputs, n: int) -> Array:
-    """Centres [m] of the n slices, strips or cells, from mid-length to one end."""
+    """Centres [m] of slices, strips or cells (n on the full length), from mid-length to an end."""
     return half(places(q, n))
 
 

@@ -39,7 +39,7 @@ class WedgeFormulas(WedgeInputs, Case):
     share: ClassVar[float | None] = None  # load of the quantities over N_0; None means the torque T
 
     def at_share(self, share: float) -> Self:
-        """The clutch under the normal force `share` N_0 instead of the torque T."""
+        """The clutch with the normal force `share` N_0 as its load, in place of the torque T."""
         return self.variant(share=share)
 
     @shared
@@ -57,7 +57,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def bodies(self) -> ElasticSpragClutch:
-        """The parts of the clutch, and one clutch for each deflection law."""
+        """The parts of the clutch as elastic bodies, and a clutch for each law of deflections."""
         return model.bodies(self.part)
 
     @shared

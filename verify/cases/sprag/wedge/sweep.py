@@ -59,7 +59,7 @@ class Sweep(Stroke):
 
 
 def read(q: WedgeInputs, state: State[Place]) -> dict[str, float]:
-    """Results of a state by name: torque [N m], forces [N], lengths, angles, pressures, energy [J].
+    """Results of a state, by name: torque [N m], forces [N], lengths, angles, pressures, U [J].
 
     Forces act on one sprag; the energy is that of one pitch.
     """

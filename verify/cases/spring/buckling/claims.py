@@ -60,7 +60,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant of a hinged head on a guided head's path."""
+    """Function for a margin: smallest determinant of a hinged head, on a guided head's path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]

@@ -121,7 +121,7 @@ class PlaneSpring(FreeStage):
         )
 
     def pictures(self) -> Iterator[Picture]:
-        """Pictures of the von Mises stress of the narrow spring and of its first loop."""
+        """Pictures of the von Mises stress in plane stress: whole spring, and its first loop."""
         R, top = self.R, self.L1 / 2
         yield picture("plane stress", "von_mises",
                       "Von Mises stress under 1 N, plane stress, cell means")  # fmt: skip

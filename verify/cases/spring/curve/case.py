@@ -88,7 +88,7 @@ class CurveSpring(CurveInputs, Case):
 
     @shared
     def linear(self) -> Stages:
-        """Closed form of linear theory: straight lines before and after contact."""
+        """Linear theory in closed form: F over U is straight before and after contact."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail}
         factor = self.width_factor
         return stages(**self.path, **strip_of(self), **ends, width_factor=factor, theory="shear")

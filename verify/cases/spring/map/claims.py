@@ -24,7 +24,7 @@ def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
 
 
 def within_claim(context: Context) -> tuple[float, float, str]:
-    """10 % minus the largest error at small displacement for L_0/b of at least 240.
+    """Positive margin if the largest error for L_0/b of at least 240 is below 10 %.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -37,7 +37,7 @@ def within_claim(context: Context) -> tuple[float, float, str]:
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Smallest decrease of the error at small displacement if b decreases on one centre line."""
+    """Smallest decrease of the error between springs of one centre line with decreasing b."""
     q = context.inputs
     b, z, k = stored(context, "on_line").T
     k1 = np.array([
@@ -50,7 +50,7 @@ def falls(context: Context) -> tuple[float, float, str]:
 
 
 def free_head(context: Context) -> tuple[float, float, str]:
-    """One third minus the ratio of the force with a free head to that by Eq. 9.
+    """Positive margin if the force with a free head is below a third of that by Eq. 9.
 
     The forces are those at a displacement of 0.3 of the length. The uncertainty and the text of the
     row are also returned.
@@ -62,7 +62,7 @@ def free_head(context: Context) -> tuple[float, float, str]:
 
 
 def travel(context: Context) -> Pair:
-    """Axial forces [N] at the end of the straight and of the slanted path."""
+    """Pair of axial forces [N] at the end of the straight and of the slanted path of the roller."""
     v = context.fem[-1].values
     m = v["F_x_straight"] / v["F_x"] - 1
     words = f"difference {m:+.2%}; transverse over axial force {v['F_y'] / v['F_x']:+.1%}"

@@ -49,7 +49,7 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> "PressedFra
 
 
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
-    """Stiffness with a free head at small displacement, and secant stiffnesses with a guided head.
+    """Initial stiffness with a free head, and secant stiffnesses with a guided head.
 
     All values are zero if b >= r. The secant stiffnesses are zero if the guided spring becomes
     unstable before the largest displacement.
@@ -69,7 +69,7 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
 
 
 def on_line(q: MapInputs, b: float) -> tuple[float, float, float]:
-    """Thickness b, L_0/b, and stiffness of a spring with the centre line of the inputs."""
+    """Thickness b, ratio L_0/b and initial stiffness of a spring with the inputs' centre line."""
     R = q.r + q.b / 2
     cell = Cell(q.n, b, R - b / 2, q.L1, q.alpha)
     return b, cell.length / b, spring(q, cell, PER_ARC, PER_LEAF).stiffness

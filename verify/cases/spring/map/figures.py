@@ -29,7 +29,7 @@ WHAT = (
 
 
 def maps(name: str, m: Array, date: str) -> list[Map]:
-    """Maps of the error: one for small displacement and one for each share of the length.
+    """Maps of the error: for small displacement, and for each displacement in `SHARES`.
 
     `date` is the date of the long study; it is empty if the maps are those of the present run.
     """
@@ -57,7 +57,7 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
 
 
 def radius(over: list[tuple[Array, Array]]) -> Curves:
-    """Figure of the errors at small displacement of all springs of both maps, over b/R."""
+    """Figure over b/R of the errors at small displacement, for all springs of both maps."""
     curves = [
         dots(name, x[np.isfinite(m)], 100 * m[np.isfinite(m)], k)
         for k, (name, (x, m)) in enumerate(

@@ -22,7 +22,7 @@ EXACT = "exact elastica"
 
 @lru_cache(maxsize=4)
 def pressed(q: MapInputs) -> Mapping[str, float]:
-    """Exact axial and lateral forces [N] on a guided head at the shares of its length, by name.
+    """Exact axial and lateral forces [N] on a guided head, by name, for several displacements.
 
     The result is empty if Newton's method finds no state on the path. The reason of refusal and a
     warning then state this.
@@ -106,7 +106,7 @@ class MapFormulas(MapInputs, Case):
 
     @property
     def cell(self) -> Cell:
-        """The spring of the inputs as a cell of the maps."""
+        """The spring of the inputs, described like a cell of the maps."""
         return Cell(self.n, self.b, self.r, self.L1, self.alpha)
 
     @shared

@@ -96,7 +96,7 @@ def slender(q: MapInputs, n: int, ratio: float) -> Cell:
 
 
 def points(q: MapInputs, deep: bool) -> dict[str, list[list[Cell]]]:
-    """Cells of both maps, row by row: n over L_0/b, and alpha over L_1/r."""
+    """Cells of both maps, row by row: n (rows) and L_0/b, then alpha (rows) and L_1/r."""
     columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
     leaves, angles = (DEEP_LEAVES, DEEP_ANGLES) if deep else (LEAVES, ANGLES)
     return {

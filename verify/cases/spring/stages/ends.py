@@ -8,7 +8,7 @@ from analytic.spring.stages import Head
 
 
 class Ends(NamedTuple):
-    """End conditions of head and tail, and direction of the contact force of the tips.
+    """End conditions of head and tail, and the normal along which tips transmit contact forces.
 
     `key` is the suffix of names of values, `words` is the suffix of names of rows.
     """

@@ -32,7 +32,7 @@ def judged(q: StagesInputs) -> AlongLine:
 
 
 def beside(context: Context) -> Iterator[Curves]:
-    """Figures with Eq. 10 for the paper's spring, or with all end conditions for other inputs."""
+    """Figures of the paper's spring with Eq. 10; for other inputs, of all end conditions."""
     yield from _beside_eq_10(context.inputs) if context.is_paper else (_bounds(context.inputs),)
 
 

@@ -122,7 +122,7 @@ class StageFormulas(StagesInputs, Case):
 
     @property
     def tilt(self) -> float:
-        """Remaining angle [rad] at A between the touching tip and its leaf."""
+        """Angle [rad] at point A between the touching tip and the leaf that it touches."""
         return float(self._bent.tilt)
 
     @shared

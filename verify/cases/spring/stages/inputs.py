@@ -44,6 +44,6 @@ class StagesInputs(AccordionInputs):
         return 1.0 if self.width_factor is None else self.width_factor
 
     def held(self, **other: Any) -> Stages:
-        """Stages of the spring with the end conditions of the inputs, or with `other` ends."""
+        """Stages of the spring with the inputs' ends; `other` replaces arguments of `stages`."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail, "width_factor": self.factor}
         return stages(**self.path, **strip_of(self), **(ends | other))

@@ -33,7 +33,7 @@ N_PER_MM, mm = 1e3, 1e-3
 
 @dataclass(frozen=True)
 class Reading:
-    """Reading of the paper's spring, and its stages [SI]."""
+    """One reading of the paper's spring, with the stages [SI] that it gives."""
 
     tail: Tail
     head: Head
@@ -79,7 +79,7 @@ def uncertainties() -> dict[str, float]:
 
 
 def readings(q: StagesInputs) -> list[Reading]:
-    """Sixteen readings of tail, head, radius and strip; eight more with a given width factor."""
+    """Sixteen readings of tail, head, radius and strip; 24 if a width factor is given."""
     strips = [("E I", 1.0), ("E I/(1 − ν²)", q.widest)]
     if q.width_factor is not None:
         strips.append((f"{q.width_factor:.5g} E I", q.width_factor))
@@ -92,7 +92,7 @@ def readings(q: StagesInputs) -> list[Reading]:
 
 
 def meeting(q: StagesInputs) -> list[Reading]:
-    """Readings with k_1 within 1 % of the printed value, sorted by the size of the difference."""
+    """Readings whose k_1 differs by at most 1 % from the printed k_1; the nearest first."""
     near = sorted(readings(q), key=lambda x: abs(x.off))
     return [x for x in near if abs(x.off) <= MET]
 
@@ -103,7 +103,7 @@ def chosen(q: StagesInputs) -> Reading:
 
 
 def keeps(key: str, figure: float) -> Margin:
-    """Function that returns the margin by which a difference from Eq. 10 is below `figure`.
+    """Function for a margin: positive if a value differs from Eq. 10 by less than `figure`.
 
     The difference is that of k1, k2, U or F (`key`) of the reading with the nearest k_1.
     """
@@ -148,7 +148,7 @@ NOTE = (
 
 
 def predictions(q: StagesInputs) -> str:
-    """Text with all readings that give the printed k_1, and their deviations from Eq. 10."""
+    """Text: all readings that give the printed k_1, with deviations of other values from Eq. 10."""
     found = meeting(q)
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."

@@ -47,14 +47,14 @@ def solve(q: StagesInputs, level: int) -> Level:
 
 
 def force_over_displacement(found: dict[str, float], length: float) -> Any:
-    """Forces [N], (m,), at SHARES times `length` as displacements; linear between contacts."""
+    """Forces [N], (m,), at the displacements SHARES times `length`; linear between contacts."""
     U, A, B = SHARES * length, found["U_A"], found["U_B"]
     second = np.where(U > A, found["F_A"] + found["k2"] * (U - A), found["k1"] * U)
     return np.where(U > B, found["F_B"] + found["k3"] * (U - B), second)
 
 
 def linked(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "LinkedFrame":
-    """Frame of the spring, with nodes at the future contacts of its tips."""
+    """Frame of the spring, with nodes where its tips will touch the leaves."""
     from fem.beam.linked_stages import LinkedFrame, opposite
     from fem.beam.links import Link, divide
 

@@ -41,7 +41,7 @@ def relative_uncertainty(context: Context, key: str, formal: float | None = None
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Relative standard uncertainty of the factors on the sweep's mesh, from the finest mesh.
+    """Relative uncertainty of factors on the sweep's mesh, from differences to other meshes.
 
     The difference is taken at the width of the inputs and at the narrowest width.
     """
@@ -50,33 +50,33 @@ def sweep_uncertainty(context: Context) -> float:
 
 
 def sweep(context: Context) -> Array:
-    """Widths [m] and factors, shape (m, 2), in order of increasing width."""
+    """Widths [m] and width factors f, shape (m, 2), in order of increasing width."""
     names = ("narrow", "medium", "wide")
     found: Any = [row for name in names for row in stored(context, f"sweep_{name}")]
     return np.array(sorted(map(tuple, found)))
 
 
 def limits(context: Context) -> tuple[float, float]:
-    """Factors of an infinitely narrow and of an infinitely wide spring."""
+    """Width factors of an infinitely narrow and of an infinitely wide spring."""
     return 1.0, context.analytic["k_wide"] / context.analytic["k_narrow"]
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Width over thickness, relative difference of plane stress from the shell, uncertainty."""
+    """Points of a limit: width/thickness, (plane stress)/shell - 1, uncertainty."""
     h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Leaf length over width, relative difference of plane strain from the shell, uncertainty."""
+    """Points of a limit: (leaf length)/width, (plane strain)/shell - 1, uncertainty."""
     h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
 def at_end(which: int) -> OfContext:
-    """Function that returns limit and factor at the sweep's narrow (0) or wide (-1) end."""
+    """Function for a pair: limit and factor at the narrow (0) or the wide (-1) end of the sweep."""
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
@@ -88,7 +88,7 @@ def at_end(which: int) -> OfContext:
 
 
 def taken(context: Context) -> Pair:
-    """Width factor that case spring-curve uses, and factor by the shell."""
+    """Pair of width factors: that of case spring-curve, and that by the shell."""
     default = CurveInputs.model_fields["width_factor"].default
     f = context.series("f")[1][-1]
     U = judge.expanded(relative_uncertainty(context, "f")) * f
@@ -96,19 +96,19 @@ def taken(context: Context) -> Pair:
 
 
 def estimate(context: Context) -> Pair:
-    """Factor of a leaf and factor of the spring at the width of the inputs."""
+    """Pair of width factors at the inputs' width: of a leaf, and of the spring by the shell."""
     f, leaf = context.series("f")[1][-1], context.analytic["f"]
     U = judge.expanded(relative_uncertainty(context, "f")) * f
     return Pair(leaf, f, U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}")
 
 
 def leaf_factor(q: WidthInputs, h: Any) -> Array:
-    """Factors of a middle leaf of the widths h [m], shape (m,)."""
+    """Width factors of a middle leaf for the widths h [m], shape (m,)."""
     return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
 
 
 def estimates(context: Context) -> Pair:
-    """Factors of a leaf and of the spring at the width with their largest difference."""
+    """Pair of width factors (leaf, spring) at the width where they differ most."""
     h, f = sweep(context).T
     leaves = leaf_factor(context.inputs, h)
     off = leaves / f - 1
@@ -119,7 +119,7 @@ def estimates(context: Context) -> Pair:
 
 
 def solids(name: str) -> OfContext:
-    """Function that returns the stiffness of a loop by shell and by solid.
+    """Function for a pair: relative stiffness of a loop by shell and by solid.
 
     Each stiffness is relative to the value of its model in plane strain.
     """
@@ -137,20 +137,20 @@ def solids(name: str) -> OfContext:
 
 
 def ends(context: Context) -> Pair:
-    """The largest and the smallest factor of all end conditions, on a common mesh."""
+    """Pair of the largest and the smallest width factor of all end conditions, on one mesh."""
     f = stored(context, "ends")
     return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
 
 def uniform(context: Context) -> Pair:
-    """Factors with a straight head and with a uniform force on the head, on a common mesh."""
+    """Pair of width factors on one mesh: with a straight head, with a uniform force on it."""
     line, force = map(float, stored(context, "uniform"))
     words = f"relative increase of the displacement by a uniform force: {1 - force / line:+.1e}"
     return Pair(line, force, 0.0, words)
 
 
 def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
-    """Factor and stiffness [N/m] by the shell for all end conditions."""
+    """Width factor and stiffness [N/m] by the shell, for each pair of end conditions."""
     found: dict[tuple[Tail, Head], tuple[float, float]] = {}
     for (tail, head), f in zip(ENDS, stored(context, "ends"), strict=True):
         found[tail, head] = float(f), float(f * context.inputs.held(tail, head).k_narrow)

@@ -65,7 +65,7 @@ def key_of(tail: Tail, head: Head) -> str:
 
 
 def thread(q: WidthInputs) -> float:
-    """Unit [m] for widths of narrow springs: b, or THREAD times the leaf length if larger."""
+    """Unit [m] of widths of narrow springs: the larger of b and THREAD times the leaf length."""
     return max(q.b, THREAD * q.leaf)
 
 
@@ -75,7 +75,7 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
-    """Arrays of factors over the width, for all end conditions, and under a uniform force."""
+    """Arrays by name: width factors over width, for all end conditions, under a uniform force."""
     swept = {
         "narrow": [ratio * thread(q) for ratio in NARROW],
         "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
@@ -155,7 +155,7 @@ def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
-    """Solution under a force of 1 N along x on the head of half the width (2 N in total)."""
+    """Solution for half of the width under 1 N along x on its head (2 N on the whole width)."""
     from fem.shell.solve import solve_shell
 
     supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
@@ -169,7 +169,7 @@ def fem_pulled(
 
 
 def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
-    """Factor of a leaf thin enough for Kirchhoff's plate theory, and its transverse deflection.
+    """Width factor of a leaf so thin that Kirchhoff's plate theory applies, and its deflection.
 
     The second result (k, 2) contains positions relative to the length of the leaf, and deflections
     of the edge against the middle, relative to the displacement of the head.
@@ -210,7 +210,7 @@ def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
 
 
 def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
-    """Ratio of a loop's stiffness to that in plane strain, with its mesh and solution."""
+    """Ratio of a loop's stiffness to that in plane strain, with the loop's mesh and solution."""
     path = fem_loop(q)
     mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
     solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
