@@ -46,7 +46,7 @@ def straight(q: Any) -> Any:
 
 
 def fem_narrow_disc(q: Any, level: int) -> FemResult:
-    """Values for the widest contact, scaled from a contact with a tenth of its width."""
+    """Values of the disc with the widest contact, scaled from a contact a tenth as wide."""
     from verify.cases.contact.line.flat import WIDEST, key
     from verify.cases.contact.line.reference import disc_fem
 
@@ -60,7 +60,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
-    """Values for rollers of different materials, scaled from a contact of a tenth of the width."""
+    """Values for different materials, scaled from a contact about a tenth as wide (Hertz)."""
     from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()
@@ -91,13 +91,13 @@ HALF_SPACE = (
 
 
 def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
-    """Cause of error contact width: rerun `fem` of a contact a tenth as wide, values scaled."""
+    """Rerun that shows the error due to contact width: `fem` solves a contact a tenth as wide."""
     return Rerun(cause=Cause.GEOMETRY, what="contact width / 10, values scaled in proportion",
                  rows=(rows,), fem=fem)  # fmt: skip
 
 
 def line_contact(more: Rerun) -> Statement:
-    """Causes common to all line contacts, and the additional cause `more`."""
+    """Causes of error of a line contact: two that all line contacts have, and `more`."""
     return Statement(reruns=(NARROW, PLANE, more), finer=8)
 
 

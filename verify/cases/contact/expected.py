@@ -12,7 +12,7 @@ SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 def expected(
     known: Estimate, source: str, *, least: float = FLOOR, sharp: float = SHARP
 ) -> Expected:
-    """Interval of the error estimate `known`; its half-width is at least `least`.
+    """Expected error of a formula: the interval around `known`, at least ±`least` wide.
 
     If the half-width exceeds `sharp`, the estimate is too wide for the required sensitivity (the
     bodies are too small for it), and the error of the formula is measured without judgement.

@@ -16,7 +16,7 @@ SYMBOLS = {"p_0": "p_0", "a": "a", "approach": "δ"}
 
 
 def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: str) -> AlongLine:
-    """Figure of the pressure along the contact: `formula` as a line, finite elements as dots."""
+    """Figure of contact pressure over x: `formula` as a line, finite elements as dots."""
     return AlongLine(
         title=f"Pressure in the contact and by {name}", x=("x", "µm"), y=("p", "MPa"),
         curve=formula, reference="profile", at=STATIONS * q.a,
@@ -31,7 +31,7 @@ def extrapolated(h: Sequence[float], v: Sequence[float]) -> float:
 
 
 def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> Drawn:
-    """Figure: convergence of p_0, a and δ to their `limits`, each with a line of order 2."""
+    """Figure: convergence of p_0, a and δ to the values `limits`, with lines of order 2."""
 
     @converged
     def drawn(context: Context) -> Refinement:
@@ -53,7 +53,7 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
 def neglected(
     symbol: str, theory: float, words: str, deviations: Callable[[Sequence[Level]], Points]
 ) -> Drawn:
-    """Figure: error of Hertz's theory in `symbol` over a/R, with the derived parabola."""
+    """Figure: error of Hertz's value of `symbol` over a/R, with the parabola that was derived."""
 
     @converged
     def drawn(context: Context) -> Profile:

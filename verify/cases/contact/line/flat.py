@@ -49,7 +49,7 @@ DERIVED = 0.2, "detects if a part of the derived coefficient, a third of it or m
 
 
 def key(ratio: float) -> str:
-    """Suffix of keys of results at a given ratio a/R, in thousandths: "r150" for 0.15."""
+    """Suffix of the keys of results at the contact width a/R = `ratio`: "r150" for 0.15."""
     return f"r{round(1000 * ratio)}"
 
 
@@ -62,7 +62,7 @@ def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
 
 
 class RollerOnFlat(FlatInputs):
-    """Hertz's theory replaces the roller by a half-plane and its circle by a parabola.
+    """Hertz's theory of a roller: the body becomes a half-plane, its circle a parabola.
 
     Finite elements must agree with the elastic disc, a solution without these simplifications. A
     sweep over a/R measures the error of Hertz's simplifications. It confirms the derived error of
@@ -188,7 +188,7 @@ class RollerOnFlat(FlatInputs):
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
 
     def depth_margin(self, context: Context) -> tuple[float, float]:
-        """Accepted minus computed deviation of the depth of the largest shear stress; uncertainty.
+        """Positive margin if the depth of the largest shear stress is accurate; its uncertainty.
 
         Stresses jump between cells, so that the depth converges without an order. The uncertainty
         is therefore three times the spread of the last three levels.
@@ -197,7 +197,7 @@ class RollerOnFlat(FlatInputs):
         return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
 
     def deviations(self, q: Quantity) -> Callable[[Sequence[Level]], Points]:
-        """Function of the levels: a/R, Hertz/FE - 1 on the finest mesh, and its uncertainty."""
+        """Function of the levels that returns, over a/R: Hertz/FE - 1 and its uncertainty."""
 
         def points(levels: Sequence[Level]) -> Points:
             d, u = [], []

@@ -117,7 +117,7 @@ class LineContact(Case):
         return hertz_line.pressure(x, a=self.a, p_0=self.p_0)
 
     def near_hertz(self, pressure: Callable[[Any], Array]) -> Comparison:
-        """Row: the pressure profile of the reference agrees with `pressure` within `PROFILE`."""
+        """Row: the pressure profile by finite elements agrees with `pressure` within `PROFILE`."""
 
         def margin(context: Context) -> tuple[float, float]:
             errors = l2_errors(pressure)(context)
@@ -176,13 +176,13 @@ class LineContact(Case):
 
 
 def at(q: Quantity, where: str) -> str:
-    """Name of the row of `q` in the state `where`: "half-width, a/R = 0.15, Hertz"."""
+    """Name of the row on `q` in the state `where`, for example "half-width, a/R = 0.15, Hertz"."""
     name, theory = q.what.rsplit(", ", 1)
     return f"{name}, {where}, {theory}" if where else q.what
 
 
 def l2_errors(pressure: Callable[[Array], Array]) -> Callable[[Context], list[float]]:
-    """Function that returns the relative L2 error of the FE pressure on each level."""
+    """Function that returns, for each level, the relative L2 error of the contact pressure."""
 
     def errors(context: Context) -> list[float]:
         found = []

@@ -107,7 +107,7 @@ class TwoRollers(TwoBodies):
 
     @shared
     def known(self) -> OfDiscs:
-        """Derived errors of Hertz's theory for two discs, from `pair_series`."""
+        """Errors of Hertz's theory for two discs, which `pair_series` derives."""
         return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property
@@ -127,7 +127,7 @@ class TwoRollers(TwoBodies):
         return "the upper roller's radius" if self.R_1 <= self.R_2 else "the lower roller's radius"
 
     def unlike(self) -> Self:
-        """The rollers with a softer lower roller, under the load for which a/R equals `RATIO`."""
+        """The rollers with a softer lower roller, under a load for which a/R is `RATIO`."""
         soft = self.model_copy(update={"E_2": SOFT * self.E_1, "nu_2": NU})
         P = math.pi / 4 * (RATIO * self.smallest) ** 2 * self.curvature / soft.softness
         return soft.model_copy(update={"F": P * self.L})

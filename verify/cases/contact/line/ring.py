@@ -116,7 +116,7 @@ class RollerInRace(TwoBodies):
 
     @property
     def race(self) -> dict[str, float]:
-        """Radii and Poisson's ratio of the race, as arguments of the formulas."""
+        """Radii and Poisson's ratio of the race, as keyword arguments of the formulas."""
         return {"r_i": self.r_i, "r_o": self.r_o, "nu": self.nu_2}
 
     @property

@@ -20,7 +20,7 @@ def arc(y: float, r: float, start: float, turn: float) -> Array:
 
 
 def sector(y: float, r: float, *, below: bool = False) -> Shape:
-    """Closed outline of the quarter x >= 0, next to the origin, of a disc about (0, y)."""
+    """Closed outline of the part x >= 0 of a disc about (0, y): its quarter next to the origin."""
     edge = arc(y, r, 0.0, 90.0) if below else arc(y, r, -90.0, 90.0)
     return shape("modelled", np.vstack([edge, [[0.0, y]]]))
 

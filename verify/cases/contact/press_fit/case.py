@@ -31,7 +31,7 @@ THINNEST = 0.04  # wall over r_f: cells along the circumference must be shorter
 
 
 class PressFit(FitFormulas):
-    """Two walls touch along a whole circle, where their meshes do not match.
+    """Two walls in contact along a whole circle; the meshes of both walls do not match.
 
     The contact must transmit a uniform pressure. The interference is given as a number and, in
     another fit, by overlapping meshes. In a further fit, a solid shaft replaces the race.

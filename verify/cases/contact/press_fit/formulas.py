@@ -99,7 +99,7 @@ class FitFormulas(FitInputs):
 
     @property
     def pair(self) -> tuple[Wall, Wall]:
-        """The inner wall (or the shaft) and the outer wall."""
+        """Both walls of the fit: the inner wall (or the shaft), then the outer wall."""
         rim, bore = self.surfaces
         return (
             Wall(r_i=self.bore, r_o=rim, E=self.E_i, nu=self.nu_i),
@@ -119,7 +119,7 @@ class FitFormulas(FitInputs):
 
     @property
     def hoops(self) -> tuple[float, float, float, float]:
-        """Hoop stresses [Pa] of both walls at bore and rim, from the inner bore outwards."""
+        """Hoop stresses [Pa] in order of the radius: inner wall bore, rim; outer wall bore, rim."""
         inner, outer = self.loaded
         return inner.hoop_bore, inner.hoop_rim, outer.hoop_bore, outer.hoop_rim
 

@@ -11,7 +11,7 @@ Walls = Literal["rings", "overlapping rings", "shaft"]
 
 
 class Fit(NamedTuple):
-    """A computed fit: suffix of its keys, walls, plane assumption, and name in texts."""
+    """A fit to be computed: suffix of its keys, walls, plane assumption, and its name."""
 
     key: str
     walls: Walls
@@ -20,7 +20,7 @@ class Fit(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Name of the fit in the scales of its rows."""
+        """Name of the fit, used to state the scale of errors in its rows."""
         return f"{self.walls}, {self.ends}"
 
 

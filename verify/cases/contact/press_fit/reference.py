@@ -44,7 +44,7 @@ def solve(q: FitInputs, level: int) -> Level:
 
 
 def sizes(found: dict[str, float]) -> dict[str, float]:
-    """Scales of the round-off of the values `found`: the largest value of the same kind.
+    """Scale of the round-off of each value of `found`: the largest value of its kind.
 
     Positions are rounded to EPS r_f, and the interference is a difference of positions.
     """
@@ -56,7 +56,7 @@ def sizes(found: dict[str, float]) -> dict[str, float]:
 
 
 def jitter(q: FitInputs, around: int) -> float:
-    """Scatter [Pa] of the pressure due to rounded positions of `around` nodes on a quarter.
+    """Scatter [Pa] of the pressure because positions of nodes (`around` per quarter) are rounded.
 
     Positions of neighbouring nodes of the inner wall, whose cells are shorter, differ by EPS r_f.
     """

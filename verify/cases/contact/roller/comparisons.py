@@ -44,7 +44,7 @@ Interval = roller.Interval | None
 
 
 def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
-    """Interval of strips/half-space - 1, derived from the strips of `q` only."""
+    """Interval of strips/half-space - 1; only results by strips are used to derive it."""
     return roller.of_strips(
         q.neglected[key], value=getattr(q.strips, key), twice=getattr(q.twice, key), b=q.b,
         length=q.L, loaded=q.loaded_ends > 0, user_inputs=own,
@@ -52,7 +52,7 @@ def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
 
 
 def of_disc(q: StripRoller, key: str) -> Interval:
-    """Interval of the error of Hertz's theory for a disc; `key` is "pressure" or "width"."""
+    """Interval of the error of Hertz's theory for a disc; None if it is too wide."""
     found = expected(getattr(OnFlat(q.b_mid / q.R), key), "")
     return (found.low, found.high) if found.sharp else None
 
@@ -61,7 +61,7 @@ def estimated(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """Row of an approximation; at user inputs, an inaccurate reference may leave it unjudged."""
+    """Row of an approximation; for user inputs it is not judged if the reference is inaccurate."""
     one = approximation(q, reference, expected=expected, **options)
     stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
     return replace(one, check=Estimated(**stated))
@@ -100,20 +100,20 @@ def sliced_rows(
 
 
 def balanced(q: StripRoller) -> Comparison:
-    """Row: the half-space carries the given load."""
+    """Row: the pressures on the half-space are in balance with the given load."""
     return balance("balance", "balance of forces, half-space", "ΣF", "N", of={"F": q.F},
                    bound=1e-10, because="every iteration satisfies the load")  # fmt: skip
 
 
 def loaded_ends(q: StripRoller) -> Comparison:
-    """Row: load near both ends by strips, within the accepted error."""
+    """Row: the load near both ends by strips agrees with that of the half-space."""
     check = Accepted(name=f"load within d of the ends: strips agree within {ENDS:.0%}",
                      symbol="F_d", unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.F_d, shares=SHARED)
 
 
 def end_pressure(q: StripRoller) -> Comparison:
-    """Row: Hertz's pressure of the mean line load near the more loaded end, by strips."""
+    """Row: the pressure by strips near the more loaded end (Hertz, mean line load) agrees."""
     check = Accepted(name="Hertz's pressure of the mean line load in the more loaded end zone: "
                      f"strips agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
@@ -151,7 +151,7 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
 
 
 def within(key: str, bound: float, scale: Scale) -> Margin:
-    """Function that returns `bound` minus the relative error of strips in `key`.
+    """Function for a margin: positive if the relative error of `key` by strips is below `bound`.
 
     The error is relative to `scale` if the value of the half-space is nearly zero.
     """
@@ -166,12 +166,12 @@ def within(key: str, bound: float, scale: Scale) -> Margin:
 
 
 def size(value: float, scale: Scale) -> float:
-    """Denominator of relative errors: `value`, at least LEAST times `scale`."""
+    """Denominator of a relative error: the absolute `value`, but at least LEAST times `scale`."""
     return max(abs(value), LEAST * (scale() if callable(scale) else scale))
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Accepted minus computed load share that slices misplace, and the uncertainty of the share."""
+    """Positive margin if slices misplace less than the accepted fraction of the load."""
     share, U, error = misplaced_load(context, "slices")
     return (
         SHARE - share,
@@ -181,7 +181,7 @@ def misplaced(context: Context) -> tuple[float, float, str]:
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """Load share misplaced by independent slices minus that by coupled slices; uncertainty."""
+    """Load fraction that independent slices misplace, minus that of coupled slices."""
     share, U, _ = misplaced_load(context, "slices")
     alone, U_alone, _ = misplaced_load(context, "independent")
     return (
@@ -192,7 +192,7 @@ def nearer(context: Context) -> tuple[float, float, str]:
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Load share that a model misplaces, uncertainty of the share, L2 error of the line load."""
+    """Load fraction that `model` misplaces, its uncertainty, and the L2 error of the line load."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

@@ -21,7 +21,7 @@ BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-b
 
 
 def uneven(key: str, crown: str, far: float) -> Accepted:
-    """Row: the pressure on the half-space is uniform up to `far` half-widths from the ends."""
+    """Row: the half-space pressure is uniform except within `far` half-widths of the ends."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(key)[1]
@@ -57,7 +57,7 @@ def deviations() -> Iterator[Check]:
 
 
 def extreme(design: int, *, most: bool) -> Margin:
-    """Function that returns how far `design` is more (or less) uniform than the next design.
+    """Function for a margin: `design` is the most (or the least) uniform of the designs.
 
     The measure is the share of the load that must be moved for a uniform line load. The function
     returns the larger over the smaller share, minus 1.
@@ -96,7 +96,7 @@ def _spread(found: Array) -> float:
 
 
 def straight(context: Context) -> tuple[float, float, str]:
-    """Shift of the start of the crown by z_m, plus distances of the start from (1 - K_2) l/2.
+    """Sum of two errors of the start of the crown: shift due to z_m, distance from (1 - K_2) l/2.
 
     The sum is relative to l/2. The function also returns its uncertainty and a text.
     """
@@ -114,7 +114,7 @@ def straight(context: Context) -> tuple[float, float, str]:
 
 
 def first_contact(context: Context) -> tuple[float, float]:
-    """Limit of the end of contact minus the end, both over l/2, and the uncertainty.
+    """Positive margin if contact under a light load ends within a limit; its uncertainty.
 
     The limit is the end of the straight middle plus NEXT l/2. The contact is computed by strips,
     for the crown of Fig. 13a and the load FIRST F.

@@ -75,13 +75,13 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
 
     @shared
     def with_best_crown(self) -> Self:
-        """The roller with the optimal crown for F."""
+        """The roller with the crown that is optimal for F."""
         best = self._best
         sizes = {"K_1": best.K_1, "K_2": best.K_2, "z_m": best.z_m}
         return self.model_copy(update=sizes | {"Q": self.F})
 
     def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
-        """The optimal crown for `load` times F and the tilts 0 and ±`tilt` [rad]."""
+        """The crown that is optimal for `load` times F at the tilts 0 and ±`tilt` [rad]."""
         tilts = (0.0, self.lean if tilt is None else tilt)
         return _best_crown(load * self.F, self.L, self.R, self.E_star, tilts)
 
@@ -97,7 +97,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return 0.0
 
     def even_pressure(self, share: float = 1.0) -> float:
-        """Hertz's pressure [Pa] of `share` times F, distributed uniformly."""
+        """Hertz's pressure [Pa] under `share` times F, if the load is uniformly distributed."""
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
@@ -128,7 +128,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Figure: peak pressures over Hertz's pressures, for `gaps` under `loads` times F.
+        """Figure: ratios of peak pressures to Hertz's pressures, for `gaps` under `loads` times F.
 
         They are drawn over the abscissae `x`. A dashed curve has the peaks of optimal crowns from
         the reference, at the abscissae best[1].

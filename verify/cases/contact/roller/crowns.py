@@ -78,7 +78,7 @@ class ComparedCrowns(Divided, StripRoller):
         return self.designed(design).p_max
 
     def gap(self, y: Array) -> Array:
-        """Gap [m] at y [m] between race and roller with a crown for uniform pressure under F."""
+        """Gap [m], at y [m], between race and roller; the crown gives uniform pressure under F."""
         return self._even(self.crown)(y)
 
     def _even(self, crown: str) -> Callable[[Array], Array]:

@@ -43,7 +43,7 @@ TERMS = "estimated: terms of the order of the distances, 0.001 and 0.002 of the 
 
 
 class EndFace(Crown):
-    """Slices, strips and boundary elements assume that the half-space continues beyond the end.
+    """Error at an end face of models (slices, strips, boundary elements) on a half-space.
 
     Finite elements of whole bodies, with Fourier series around the axes, give the error of this
     assumption at a free end face. In a control model, both bodies continue beyond the ends. The

@@ -59,7 +59,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
 
 
 def stations_fem(q: "EndFace", level: int) -> Array:
-    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one at l/2 - d."""
+    """Coordinates [m] of nodes from mid-length to the end, finest there; a node is at l/2 - d."""
     from meshes.revolution.section import stations
 
     found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
@@ -68,7 +68,7 @@ def stations_fem(q: "EndFace", level: int) -> Array:
 
 
 def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
-    """Compliance of the race or of the roller, each loaded at opposite positions."""
+    """Surface compliance of the race or of the roller, loaded on two opposite sides."""
     from fem.fourier.compliance import harmonics, surface_compliance
     from fem.fourier.solid import FourierSolid
     from fem.plane.material import Elastic
@@ -83,7 +83,7 @@ def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> 
 
 
 def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
-    """Contact of the half y >= 0 of the roller on the race; `more`: additional cells across."""
+    """Contact of the half y >= 0 of the roller with the race; `more` is a number of cells."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like
@@ -109,7 +109,7 @@ def read(q: "EndFace", found: "PatchContact") -> dict[str, float]:
 
 
 def edge_fem(level: int) -> tuple[Array, Array]:
-    """Distances from the edge and pressures of a ring on a longer shaft of equal material."""
+    """Pressures of a ring on a longer shaft, and their distances from the edge of the ring."""
     from skfem import MeshQuad1
 
     from fem.fourier.shrunk import shrink_pressure

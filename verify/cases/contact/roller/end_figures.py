@@ -49,7 +49,7 @@ def line_loads(context: Context, state: State) -> Figure:
 
 
 def edge(context: Context) -> Figure:
-    """Figure: pressure of a ring on a longer shaft near its edge, with Williams' slope."""
+    """Figure: pressure near the edge of a ring on a longer shaft, and slope by Williams."""
     arrays = context.fem[-1].arrays
     d, p = arrays["edge_distance"], arrays["edge_pressure"]
     near = (d > EDGE / 20) & (d < 0.1)

@@ -52,7 +52,7 @@ def sketch(q: Roller) -> Sketch:
 
 
 def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]]]:
-    """Name, values along the roller and style of the curve of each model."""
+    """For each model: its name, its values along the roller, and the style of its curve."""
     for name, words in NAMES.items():
         style, colour = STYLES[name]
         along = q.strips if name == "strips" else q.sliced(name)
@@ -60,7 +60,7 @@ def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]
 
 
 def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
-    """Figure of p(y) by all models and the half-space, for the roller `of`.
+    """Figure of p(y) of the roller `of` (by default of the inputs), by all models.
 
     `key` is the suffix of the names of the arrays of this roller.
     """
@@ -78,7 +78,7 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
 
 
 def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> Curve:
-    """Curve of some pressures of the half-space on the finest grid, for the solution `key`."""
+    """Dots: some of the pressures along the roller on the half-space; finest grid."""
     arrays = context.fem[-1].arrays
     y, p = arrays[f"y{key}"], arrays[f"p{key}"]
     some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))
@@ -86,7 +86,7 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Curves of the ratio of peak pressure to `even` pressure over x.
+    """Curves of the ratio of peak pressure to `even` pressure; the abscissae are `x`.
 
     The curve is a line where both ends are unloaded, and dots where an end is loaded.
     """

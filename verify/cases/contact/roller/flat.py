@@ -58,7 +58,7 @@ class FlatRoller(OnHalfSpace):
         return half_space.result(found, level, {})
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: converging results in the middle and at the ends; slope of the singular peak."""
+        """Rows: converging results at mid-length and ends, and the slope of the unbounded peak."""
         q = FlatRoller
         yield comparisons.agreeing(f"{MIDDLE}, {WITHIN}", q.p_mid, FLAT, lambda: self.p_0)
         yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)

@@ -33,7 +33,7 @@ def roller(q: Roller, n: int) -> dict[str, Any]:
 
 
 def parts(q: Roller, p: Array, line: Array, approach: Any) -> RollerParts:
-    """Pressures `p`, line loads `line` and approach of a model, as values along the roller."""
+    """Values of a model along the roller: pressures `p`, line loads `line`, approach."""
     y = slice_centres(length=q.L, slices=len(p))
     return RollerParts(y=y, p=p, line=line, delta=float(approach), length=q.L, d=q.d)
 

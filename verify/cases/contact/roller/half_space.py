@@ -47,7 +47,7 @@ def too_short(q: Roller) -> str:
 
 
 def grid_scatter(q: Roller, found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
-    """Largest change of each value of `found` on the next coarser and the next finer grid.
+    """Largest change of each value of `found` on grids one step coarser and one step finer.
 
     Each cell is completely in or out of contact, so that the edge of the contact follows the cells.
     """
@@ -59,7 +59,7 @@ def result(
     found: "Ridge", level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None,
     arrays: Mapping[str, Array] | None = None,
 ) -> FemResult:  # fmt: skip
-    """Result of `level` with iteration errors; `more` values and `arrays` are added."""
+    """Result of `level`, with errors of iteration; `more` are further values of the result."""
     residual, values = found.contact.contact.residual, found.values
     least = {key: 10 * residual * abs(value) for key, value in values.items()}
     return FemResult(
@@ -86,7 +86,7 @@ def solve_crowns(
 
 
 def along(found: "Ridge") -> dict[str, Array]:
-    """Coordinates y [m], pressures at x = 0 [Pa] and line loads [N/m] along the roller."""
+    """Arrays along the roller: coordinates y [m], pressures at x = 0 [Pa], line loads [N/m]."""
     return {"y": found.contact.y, "p": found.pressure, "q": found.contact.line_load}
 
 

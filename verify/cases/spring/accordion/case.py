@@ -146,7 +146,7 @@ class AccordionSpring(FreeStage):
 
     @property
     def lengths(self) -> dict[str, Any]:
-        """Arguments of the true centre line, or of the centre line of Eqs. 1-9."""
+        """Arguments of the centre line: that of Eqs. 1-9 if `ends.inner`, or else the true one."""
         return self.paper_path if self.ends.inner else self.path
 
     def held(self, ends: Ends) -> Self:

@@ -16,7 +16,7 @@ NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Relative errors of Eqs. 1-9, shape (rows, columns, 3); nan without a reference value."""
+    """Relative errors of Eqs. 1-9 against `k`, (rows, columns, 3); nan where `k` is not above 0."""
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):

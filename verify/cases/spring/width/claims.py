@@ -158,7 +158,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Function that returns MET minus the relative difference of k_1 from the paper's shell."""
+    """Function for a margin: positive if k_1 is within MET of that of the paper's shell."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM
