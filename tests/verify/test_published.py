@@ -152,7 +152,7 @@ def test_a_value_that_differs_from_its_printed_text_is_refused():
     assert Value(**VALUE).standard_uncertainty == pytest.approx(0.0005 / math.sqrt(3), rel=1e-15)
     assert Value(**VALUE, approximate=True).standard_uncertainty is None
     for change, message in (
-        ({"value": 0.602}, "must be the printed"), ({"kind": "guess"}, "kind"),
+        ({"value": 0.602}, "must equal the printed number"), ({"kind": "guess"}, "kind"),
         ({"place": " "}, "place"), ({"id": "a:b"}, "id"), ({"colour": "red"}, "colour"),
     ):  # fmt: skip
         with pytest.raises(ValidationError, match=message):

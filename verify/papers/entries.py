@@ -42,7 +42,7 @@ class Value(Entry):
     def _value_is_what_is_printed(self) -> Self:
         if not math.isclose(number(self.printed), self.value, rel_tol=1e-12, abs_tol=0.0):
             raise ValueError(
-                f"{self.id}: value {self.value!r} must be the printed {self.printed!r}"
+                f"{self.id}: value {self.value!r} must equal the printed number {self.printed!r}"
             )
         return self
 

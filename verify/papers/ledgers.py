@@ -30,7 +30,7 @@ def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) 
 
 
 def sources(results: Sequence[CaseResult]) -> dict[str, Any]:
-    """Sources for a report that contains only cases outside the suite; there are no papers."""
+    """Sources for a report that contains only cases outside the suite; its tables are empty."""
     found = tuple(_other_sources(results))
     return {"papers": found} | dict.fromkeys(("equations", "errata", "published", "tables"), ())
 

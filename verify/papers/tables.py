@@ -57,7 +57,7 @@ def referred(cell: str) -> str | None:
 
 
 def named_tables(place: str) -> set[str]:
-    """Tables that a place names, except those with "before" or "after".
+    """Tables that the text `place` names, except tables preceded by "before" or "after".
 
     >>> sorted(named_tables("Table 1 and Table 2, row 3")), named_tables("Sec. 4, before Table 1")
     (['Table 1', 'Table 2'], set())

@@ -31,7 +31,7 @@ class DeepCases(Study):
             if unknown := [name for name in names if name in registry.ids(registry.CASES)]:
                 one = unknown[0]
                 raise ValueError(
-                    f"{one}: the study is missing, give validity:{one} or budget:{one}"
+                    f"{one} is a case: give its study too, as validity:{one} or budget:{one}"
                 ) from None
             raise ValueError(f"{error}, validity[:CASE], budget[:CASE]") from None
 

@@ -25,7 +25,7 @@ class Placed:
 
     @property
     def line(self) -> tuple[str, ...]:
-        """Cells with the equation, its verdict, the first clause, and the place of the inputs."""
+        """Cells with the equation, its verdict, a short text, and the position of the inputs."""
         one = self.verdict
         return f"{one.source}, {_short(one)}", one.verdict.value, _brief(one), self.place.words
 
@@ -39,7 +39,7 @@ class Placed:
 
 
 def named(words: str) -> tuple[FormulaVerdict, ...]:
-    """Verdicts on all forms of an equation named as "Belcin Eq. 20"; empty for an unknown name."""
+    """Verdicts on all forms of the equation that a text such as "Belcin Eq. 20" names, or empty."""
     match = _NAMED.fullmatch(" ".join(words.lower().split()))
     if match is None:
         return ()

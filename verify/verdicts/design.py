@@ -56,7 +56,7 @@ def declared() -> tuple[Declared, ...]:
 
 
 def design(cases: Sequence[str], studies: Sequence[Study]) -> tuple[DesignRange, ...]:
-    """Design ranges of `cases`, and whether the solved points of `studies` span them."""
+    """Design ranges of `cases`; each states whether the solved points of `studies` cover it."""
     return tuple(_one(entry, studies) for entry in declared() if entry.case in cases)
 
 
@@ -85,7 +85,7 @@ def axis_of(entry: Declared) -> Axis:
 
 
 def side(case: str, of: Axis, low: float, high: float) -> Side:
-    """A range [SI] of an input, with dimensionless ends if a ratio is declared."""
+    """A range [SI] of an input in its unit and, if a ratio is declared, also as a ratio."""
     scale = ratio_of(case, of.name)
     found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.in_unit(low),
                  high=of.in_unit(high))  # fmt: skip

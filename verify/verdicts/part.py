@@ -20,7 +20,7 @@ class Part:
 
     @classmethod
     def of(cls, inputs: Inputs, free: frozenset[str]) -> Self:
-        """Values of the inputs, without those in `free`, on which no error depends."""
+        """Values of the inputs, except those in `free`, on which no error depends."""
         mine, default = (
             {one.name: one.value for one in given.display() if one.name not in free}
             for given in (inputs, type(inputs)())

@@ -42,7 +42,7 @@ def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
 
 
 def interpolation(plan: Plan, course: Course) -> float | None:
-    """Largest deviation of an error from linear interpolation between its neighbours on an axis.
+    """Largest deviation of the error at a point from interpolation between its neighbours.
 
     At the points of a study, this overestimates the error of interpolation between the points, by a
     factor of about four where the error is smooth. The result is None if no point has two solved

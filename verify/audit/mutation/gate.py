@@ -47,7 +47,7 @@ def held(row: Row) -> bool:
 
 
 def share(rows: Sequence[Tried], p: float) -> float:
-    """Share of the rows that fail at the perturbation `p` of the reference; 1 without any rows."""
+    """Fraction of `rows` that fail at the relative change `p` of their references; 1 if empty."""
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 

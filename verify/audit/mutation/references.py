@@ -45,7 +45,7 @@ class Both:
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes of changes at which a changed reference, but no changed formula, fails the row."""
+        """Sizes of changes that the row detects in its reference but not in its formula."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:
@@ -108,7 +108,7 @@ def of_its_own(both: Both) -> str:
 
 
 def score(rows: Sequence[Both]) -> dict[str, Any]:
-    """Score of the checked rows; key "gate" contains the part for the requirement."""
+    """Score of the checked rows; key "gate" contains the score of the rows that must fail."""
     moved = [both.moved for both in rows]
     held = [one for one in moved if gate.held(one.row)]
     convergence = sum(is_convergence(one.row) for one in moved)

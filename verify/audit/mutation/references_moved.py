@@ -34,7 +34,7 @@ Red = frozenset[float]  # the perturbations that turn a row red
 
 @dataclass(frozen=True)
 class Tried:
-    """A row, and the perturbations of its reference and of its scale at which it fails."""
+    """A row, the changes of its reference at which it fails (`red`), and those by its scale."""
 
     row: Row
     red: Red = frozenset()

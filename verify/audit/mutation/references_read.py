@@ -42,7 +42,7 @@ class Read:
     red: Mapping[str, Mapping[float, set[str]]]
 
     def of(self, quantity: str, key: str = "") -> Red:
-        """Perturbations of `key`, or of any key, at which the row fails."""
+        """Changes of the value `key` (if empty: of any value) at which the row `quantity` fails."""
         keys = [key] if key else list(self.red)
         return frozenset(
             p for k in keys for p, names in self.red.get(k, {}).items() if quantity in names
@@ -50,7 +50,7 @@ class Read:
 
 
 def read(check: Check, context: Context) -> Read:
-    """Failing rows of a check for a change of each value that the check reads, one at a time."""
+    """Rows of a check that fail if a formula value that the check reads is changed, by value."""
     noted = Noted(context.analytic)
     check.rows(replace(context, analytic=noted))
     found = {}

@@ -1,4 +1,4 @@
-"""Cases whose finite-element levels use formulas: a mutant of a formula also changes levels.
+"""Cases whose finite elements use formulas: they must be solved again with a mutant of a formula.
 
 Stored levels of unchanged code are not valid for such a mutant: the statuses of rows could differ
 from those of a new run. The key of stored levels contains the formulas that they use.

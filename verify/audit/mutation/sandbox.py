@@ -77,7 +77,7 @@ class _Child:
 
 
 class Forks(Executor):
-    """Executor whose futures get the results of child processes in `wait`.
+    """Executor of child processes; the method `wait` sets the results of its futures.
 
     It has no thread, because a thread would be forked, too.
     """

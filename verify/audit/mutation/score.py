@@ -107,7 +107,7 @@ def _readable(name: str, record: Record) -> Record:
 
 
 def caught(found: Mapping[str, Any]) -> Caught:
-    """Scores of groups as data for reports, from the stored scores by group."""
+    """Data for reports (counts, undetected mutants, references) from the stored scores by group."""
     reasons = argued()
     return Caught(
         groups=tuple(group_of(name, found[name]) for name in NAMES if name in found),

@@ -28,7 +28,7 @@ TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 @dataclass(frozen=True)
 class Place:
-    """Position of a node in the syntax tree: a field of `owner`, or an entry of this field."""
+    """Position of a node in the syntax tree: a field of `owner`, or entry `index` of this field."""
 
     node: ast.AST
     owner: ast.AST

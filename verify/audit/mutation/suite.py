@@ -95,7 +95,7 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Time [s] and called functions of each test in a file or folder, until they take PER_FILE [s].
+    """Time [s] and called functions of each test of a file or folder; it stops after PER_FILE [s].
 
     Raises RuntimeError if the tests cannot be run. Otherwise, such a file would count as a file
     that detects nothing.

@@ -95,7 +95,7 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
 
 @dataclass(frozen=True)
 class Shift:
-    """Differences of values and arrays that a mutant causes on one level; `of` adds them to others.
+    """Changes of one level's results by a mutant; `of` adds them to a stored level.
 
     Arrays are changed only if their shapes are equal.
     """

@@ -29,7 +29,7 @@ class Reason(BaseModel):
     kind: RowKind | None = None
 
     def covers(self, difference: Difference) -> bool:
-        """Whether the entry applies to a difference, which must be a difference of values."""
+        """Whether the entry explains `difference`; only differences of values are explained."""
         pattern = ".*".join(map(re.escape, self.rows.split("*")))
         return (
             difference.kind is Kind.VALUE

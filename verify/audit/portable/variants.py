@@ -71,7 +71,7 @@ def machines(
     flags: frozenset[str],
     environment: Mapping[str, str] | None = None,
 ) -> Machines:
-    """Machines that can be emulated here, by the settings that `probe` finds in effect.
+    """Machines that can be emulated here, selected by the settings that `probe` finds in effect.
 
     `variants` begins with the baseline. `flags` are the instruction sets of the processor. A
     machine with the same settings in effect as an earlier one is not run again.

@@ -1,4 +1,4 @@
-"""Changes since a release: any for stated numbers, beyond numerical errors for computed ones.
+"""Changes since a release: every change of a stated number, large changes of a computed number.
 
 Kinds, statuses, requirements, stated bands and figures are reported if they differ at all. Computed
 numbers are reported if they change by more than the numerical error of the row and 10 % of its band

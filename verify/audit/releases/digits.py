@@ -1,4 +1,4 @@
-"""Distinction between stated and computed stored numbers by their digits.
+"""Whether a stored number was stated by a person or computed, determined from its digits.
 
 Stated figures have one or two significant digits; computed figures have all nine digits that are
 stored. A number with up to four digits is considered stated, and must be repeated exactly. One in
@@ -28,7 +28,7 @@ def is_stated(value: float | None, rounding: float = 0.0) -> bool:
 
 
 def is_literal(value: float | None) -> bool:
-    """Whether a number stored directly, not as a quotient, is stated; zero counts as stated.
+    """Whether a number that is not a quotient is stated by a person; zero counts as stated.
 
     >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
     (True, True, False)
@@ -39,5 +39,5 @@ def is_literal(value: float | None) -> bool:
 
 
 def is_printed(u: float | None) -> bool:
-    """Whether a standard uncertainty is stated, or is d/(2 √3) of a last printed digit d."""
+    """Whether an uncertainty is stated, or follows from the last printed digit d: d/(2 √3)."""
     return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))

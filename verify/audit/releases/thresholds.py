@@ -29,7 +29,7 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 
 @dataclass(frozen=True)
 class Figure:
-    """A number in both runs, relative to the scale of the row; a row accepts more if it is larger.
+    """A quantity of a row, such as its requirement, before and now; a larger value is looser.
 
     A difference is reported if it exceeds `limit`. A figure that no longer exists is considered
     loosened. A `stated` figure is printed with all digits that differ.
@@ -79,7 +79,7 @@ def _figure(
 def is_wider(
     old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
 ) -> bool:
-    """Whether an interval extends further at either end, or has a larger stated width.
+    """Whether an interval extends further at either end; or is wider, if its width is stated.
 
     `error` is the numerical error of the row, with the same scale as the interval. The centre of an
     interval with a stated width may be computed.
@@ -105,7 +105,7 @@ def _either_literal(was: float | None, now: float | None) -> bool:
 
 
 def numerical_error(was: Kept, now: Kept) -> float:
-    """Expanded numerical error of both runs [unit]; for a balance, its bound.
+    """Expanded numerical error of both runs together [unit]; for exact rows, from tolerances.
 
     The tolerance of a fact is the uncertainty of its margin; the tolerance of a limit is its band.
     """
@@ -144,7 +144,7 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of the scale [unit]: numerical error of both runs, or 10 %."""
+    """Permissible change of the scale [unit]: numerical error of both runs or 10 %, if larger."""
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 

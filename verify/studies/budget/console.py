@@ -61,7 +61,7 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 
 
 def apart(known: balance.Balance) -> bool:
-    """Whether the total error is at most LARGE, or the remainder is small.
+    """Whether the budget is complete: the total error is at most LARGE, or the remainder is small.
 
     The remainder is small if it is within LEFT of the total error, or within its expanded
     uncertainty.

@@ -36,7 +36,7 @@ def asked(
 
 
 def refined(rotor: Rotor, node: int) -> int:
-    """Number of a given node among the nodes of the divided pieces."""
+    """Number that the node `node` has after each piece is divided into `rotor.refine` elements."""
     shaft = int(rotor.shaft_of[node])
     inside = node - int(rotor.first_nodes[shaft])
     before = sum(rotor.refine * len(s.elements) + 1 for s in rotor.shafts[:shaft])

@@ -19,7 +19,7 @@ OBJECTIVES = ("stress", "L_0", "room to A", "error of the stiffness")
 
 @dataclass(frozen=True)
 class Search:
-    """Results of a design task. Indices are numbers of candidates."""
+    """Results of a design task. Indices are positions of candidates in the arrays of `springs`."""
 
     task: Task
     springs: Springs

@@ -77,12 +77,12 @@ class Outcome:
 
     @property
     def relative(self) -> bool:
-        """Whether the objective is the largest excess over the optima, not the largest pressure."""
+        """Whether the aim is the smallest excess of pressure over the optima of single torques."""
         return self.task.wishes.aim == "excess" and len(self.task.torques) > 1
 
     @property
     def excess(self) -> Array:
-        """Relative excess of the chosen crown's pressure over the optimum of each torque, (m,)."""
+        """Relative excess (m,) of the chosen crown's pressure over the optimum of each torque."""
         return np.asarray(self.worst / self.best - 1)
 
     @property
@@ -97,7 +97,7 @@ class Outcome:
 
     @property
     def exceeded(self) -> Sequence[float]:
-        """Torques [N m] at which the chosen crown exceeds p_lim within its tolerance."""
+        """Torques [N m] at which the chosen crown, with its tolerance, exceeds p_lim."""
         limit = self.task.wishes.p_lim
         p = np.maximum(self.pressures, self.largest(self.chosen).max(axis=0))
         return [T for T, x in zip(self.task.torques, p, strict=True) if limit and x > limit]
@@ -188,7 +188,7 @@ def _worth(task: Task, best: Array) -> Worth:
 
 
 def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[Array, Array]:
-    """Ranges (3, 2) of equivalent crowns by kriging: each parameter alone, and all together."""
+    """Ranges (3, 2) of parameters with almost equal objective: one varied, and all varied."""
     most = (1 + FLAT) * max(worth(worst[None])[0], worth(search.worst(crown[None]))[0])
     scattered = crowns_of(random_designs(search.box, SCATTERED, search.task.wishes.seed))
     good = scattered[worth(search.worst(scattered)) <= most]
@@ -214,7 +214,7 @@ def _around(values: Array, mask: Array, at: float) -> Array:
 
 
 def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[Bound]:
-    """Bounds that the crown reaches, with the gain beyond each bound by the true model."""
+    """Bounds of the ranges that the crown reaches, with the gain beyond each (true model)."""
     task, found = search.task, []
     for j in range(3):
         low, high = task.low[j], task.high[j]

@@ -1,4 +1,4 @@
-"""Outcome of a crown design for programs and machines: JSON, the profile to grind, all crowns."""
+"""Outcome of a crown design for other programs: JSON, the profile to grind, all crowns."""
 
 import csv
 import io
@@ -22,7 +22,7 @@ MPa, mm, um = 1e6, 1e-3, 1e-6
 
 
 def record(outcome: Outcome) -> dict[str, Any]:
-    """Outcome as a dictionary for JSON: pressures in MPa, forces in N, lengths as in the keys."""
+    """Outcome as a dictionary for JSON: pressures in MPa, forces in N, other units in the keys."""
     task, model = outcome.task, outcome.search.model
     near, whole = outcome.search.judged[-1]
     q = task.clutch

@@ -52,7 +52,7 @@ class Search:
         return not (self.task.wishes.t_z or self.task.wishes.t_y)
 
     def fit(self, like: Surrogates | None = None) -> Surrogates:
-        """Kriging model of all evaluated crowns; length scales of `like`, if given."""
+        """Kriging model of all evaluated crowns; with the length scales of `like`, if given."""
         return fitted_fem(self.model.known, self.task.wishes.contacts, self.wide, like)
 
     def worst(self, crowns: Array) -> Array:

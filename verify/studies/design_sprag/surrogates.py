@@ -72,7 +72,7 @@ def fitted_fem(
 def regimes(
     along: Array, contacts: Contacts, u: Array
 ) -> tuple[list[Array], list[NDArray[np.bool_]]]:
-    """Largest pressures (n,) of each regime, and masks of the crowns that are loaded there.
+    """For each regime: largest pressures (n,), and a mask of the crowns with load in this regime.
 
     `along` (n, strips) are pressures along the sprag. A regime is fitted to the crowns with which
     it carries load. If these crowns are too few or too similar for kriging, it is fitted to all

@@ -70,7 +70,7 @@ class Check:
 
     @property
     def agrees(self) -> bool:
-        """Whether the ends are unloaded and the contact model of the search is within the limit.
+        """Whether the ends are unloaded and the searched pressure is within LIMIT of the peak.
 
         If the ends are loaded, the pressure increases with finer cells. An agreement of the largest
         pressures is then accidental and no evidence.

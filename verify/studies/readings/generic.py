@@ -43,7 +43,7 @@ def readings(inputs: Inputs) -> tuple[Reading, ...]:
 
 
 def value_of(case: Case, inputs: Inputs, changed: Mapping[str, Any], key: str) -> float:
-    """Value [SI] of formula `key` if the inputs `changed` have other values.
+    """Value [SI] of the formula `key`, evaluated with `inputs` after replacing those in `changed`.
 
     Raises ValueError if the changed inputs are invalid.
     """

@@ -42,7 +42,7 @@ def _half_angle_readings() -> tuple[Reading, ...]:
 
 
 def loaded_angle(q: Mapping[str, Any]) -> float:
-    """Angle α_1 of Eq. 5 [deg] without load, with the given signs in its fraction."""
+    """Angle α_1 of Eq. 5 [deg] without load; `above`, `below`: signs of r in the fraction."""
     x = (q["X"] + q["above"] * q["r"]) / (q["ring"] + q["below"] * q["r"])
     return float(0.5 * math.degrees(math.acos(x)) * q["share"])
 

@@ -23,13 +23,13 @@ def half(name: str) -> float:
 
 
 def error(q: Mapping[str, Any]) -> float:
-    """Difference of two values over one of them or their mean, raised to a power [%]."""
+    """(|difference| of two values, divided by one value or their mean), raised to a power [%]."""
     base = q["actual"] + q["of"] * (q["predicted"] - q["actual"])
     return float(100 * (abs(q["actual"] - q["predicted"]) / base) ** q["power"])
 
 
 def squared(q: Mapping[str, Any]) -> float:
-    """Difference to a power (2 or another reading), divided by a number of points [MPa^2]."""
+    """Difference raised to `power`, divided by the number of points [MPa^2 if squared]."""
     return float((q["actual"] - q["predicted"]) ** q["power"] / q["points"])
 
 

@@ -118,7 +118,7 @@ def _stage_readings() -> tuple[Reading, ...]:
 
 
 def force_error(q: Mapping[str, Any]) -> float:
-    """Difference [%] of k U from the force of Eq. 10: mean or root mean square over the forces."""
+    """Mean (or RMS) relative difference [%] between F and k U, with U at F by Eq. 10."""
     apart = []
     for F in q["forces"]:
         second = q["F_A"] < F
@@ -152,7 +152,7 @@ def _error_readings() -> tuple[Reading, ...]:
 
 
 def small_error(q: Mapping[str, Any]) -> float:
-    """Relative difference [%] of Eq. 10 from the test force, at the displacement of the test."""
+    """Relative difference [%] of Eq. 10 from the test force at the same displacement."""
     U = (q["F"] - q["c_test"]) / q["k_test"]
     by_fe = float(q["k"] * U + q["c"])
     return float(100 * abs(by_fe - q["F"]) / (by_fe if q["of_fe"] else q["F"]))

@@ -49,7 +49,7 @@ class Reading:
 
 @dataclass(frozen=True, kw_only=True)
 class Tried:
-    """A combination of readings with its result; `off` is the effect of rounded inputs."""
+    """A combination of readings and its result `value`; `off` is its change by rounded inputs."""
 
     readings: tuple[str, ...]
     value: float
@@ -90,7 +90,7 @@ class Outcome:
 
     @property
     def accidental(self) -> float:
-        """Expected chance matches among all combinations with no more changes than the best one.
+        """Expected number of chance matches among combinations with at most the changes of `best`.
 
         If there is no matching combination, all combinations are counted.
         """

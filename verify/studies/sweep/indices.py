@@ -87,7 +87,7 @@ class Scatter:
 
 @dataclass(frozen=True)
 class Within:
-    """Numbers of sample points inside a limit, outside, undecided and unsolved."""
+    """Numbers of sample points inside `limit`, outside it, undecided, and unsolved."""
 
     limit: float
     inside: int

@@ -78,7 +78,7 @@ def pairs(case: Case) -> tuple[Pair, ...]:
 
 
 def signature(pair: Pair) -> list[Any]:
-    """Data, besides the solutions, on which the numbers of a pair depend.
+    """Data on which the numbers of a pair depend, in addition to the solutions.
 
     This includes the code of the row if the row derives the compared values.
     """
@@ -137,7 +137,7 @@ def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
 
 @dataclass(frozen=True)
 class Known:
-    """Values of a point [SI]: of the formulas by key, and of all finite-element levels by key.
+    """Values [SI] at one point: formulas by key, and finite elements of all levels by key.
 
     A value that a level does not have is NaN. `h` are the mesh sizes, from coarse to fine. `u_it`
     is the largest iteration uncertainty of all levels.

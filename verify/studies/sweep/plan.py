@@ -105,7 +105,7 @@ def _base(count: str) -> int:
 def _centre(one: Axis) -> float:
     if one.nominal is None:
         raise InputError(
-            f"{one.name}: the file must give its value, at which the other inputs are varied"
+            f"{one.name}: give its value in the file; it is constant while other inputs vary"
         )
     return one.nominal
 

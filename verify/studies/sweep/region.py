@@ -61,7 +61,7 @@ class Break:
 
 @dataclass(frozen=True)
 class Region:
-    """Points of a sweep at which one formula is within one `limit`.
+    """Region of a sweep in which one formula is within one `limit`.
 
     `box` is the largest box, with `held` points; it is empty if no point is inside. For a star, it
     contains the longest range on each axis. `base` [SI] is the point from which `breaks` is

@@ -153,7 +153,7 @@ def _of_indices(tolerances: Sequence[Tolerance], one: Indices) -> Iterator[list[
 
 
 def quantities(one: Indices) -> tuple[tuple[str, Scatter, str], ...]:
-    """Quantities that scatter, with units: formula, finite elements (or substitute), and error."""
+    """Names, scatters and units of the formula, the reference and the error of a pair."""
     return (
         ("formula", one.formula, one.pair.unit), (_reference(one.pair), one.fe, one.pair.unit),
         ("error", one.error, "%"),

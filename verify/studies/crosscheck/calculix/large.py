@@ -24,7 +24,7 @@ RIGHT, END, LEFT, START = 1, 2, 3, 4  # sides of a cell, seen along the line
 
 
 def faces(cells: Iterable[int], side: int) -> list[Side]:
-    """Sides as (cell, `side`) of `cells`, which count from 0."""
+    """Side number `side` of each of the `cells`, as pairs (cell, side); cells count from 0."""
     return [(cell, side) for cell in cells]
 
 
@@ -138,7 +138,7 @@ def write_deck(problem: Problem, path: Path) -> Path:
 
 
 def moved_by(problem: Problem) -> list[int]:
-    """Nodes that the first step moves and whose forces are read."""
+    """Nodes with prescribed components in the first step; their forces are read."""
     held = [own for own in problem.steps[0] if isinstance(own, Held)]
     return sorted({int(node) for own in held for node in own.nodes})
 

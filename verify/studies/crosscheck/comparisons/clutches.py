@@ -86,7 +86,7 @@ def sprag() -> Posed:
 
 
 def both(forces: Points, moments: list[float], times: float) -> Numbers:
-    """Magnitudes of the force per length on each race, and of the torque of all its contacts."""
+    """Magnitudes of the force per length on both parts, and of the torques on them, by name."""
     (inner, outer), (on_inner, on_outer) = forces, moments
     return {
         "force on the inner part": float(np.hypot(*inner)),
@@ -112,7 +112,7 @@ DRAWN: Any = {
 def quantities(
     normal: tuple[str, str], torque: tuple[str, str], within: Any = HERE
 ) -> tuple[Quantity, ...]:
-    """The four quantities of `both`, with the rows to which they belong."""
+    """Definitions of the four quantities of `both`, each with the row to which it belongs."""
     return (
         Quantity(name="force on the inner part", row=normal[0], symbol="F", unit="N/mm",
                  beside=True, **within),

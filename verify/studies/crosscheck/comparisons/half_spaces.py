@@ -33,7 +33,7 @@ GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 
 def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) -> Posed:
-    """The roller of the case on the half-space, with the crown of the case or with `crown`."""
+    """Problem of a roller on the half-space; `crown` is by default the crown of the case."""
     q: Any = case.inputs()
     found, _ = timed(lambda: pressed(q, LEVEL, crown=crown(q)))
     own = found.contact.contact

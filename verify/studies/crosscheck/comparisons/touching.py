@@ -87,7 +87,7 @@ def posed(
     deck: "ContactDeck", ours: Numbers, seconds: float, read: Callable[[Touched], Numbers],
     name: str = "deck",
 ) -> Posed:  # fmt: skip
-    """Problem of `deck` for comparison; `read` gives the same numbers from calculix."""
+    """Comparison of `deck`: `ours` are the project's numbers, `read` gets those of calculix."""
     return Posed(
         ours=ours, seconds=seconds, unknowns=deck.unknowns,
         write=lambda folder: deck.write(folder / f"{name}.inp"),
