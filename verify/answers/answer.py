@@ -100,7 +100,7 @@ class Answer:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Reasons for a verdict other than "holds", without the criteria that are not met."""
+        """Reasons for a verdict other than "holds"; criteria that are not met are not included."""
         if self.verdict is Verdict.FAILS:
             return self.failures
         if self.criteria or self.unknowns:

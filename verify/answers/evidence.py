@@ -43,7 +43,7 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 
 
 def why_not_solved(rows: Sequence[Row]) -> str:
-    """Reason ("not converged ...") for which the failed rows have no reference value.
+    """Reason, such as "not converged ...", why the failed rows have no reference value.
 
     It is empty if no row failed, if a failed row has a reference value, or for any other reason.
     """

@@ -33,7 +33,7 @@ class Reached:
 def criteria_under(
     q: Any, analytic: Callable[[Any], Values], assess: Callable[[Any, Values, Assessment], None]
 ) -> Callable[[float], Answer]:
-    """Function that gives the answer for the part `q` at another torque [N m]."""
+    """Function of a torque [N m] that returns the answer for the part `q` under this torque."""
 
     def under(T: float) -> Answer:
         other = q.model_copy(update={"T": T})

@@ -165,7 +165,7 @@ def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
 
 
 def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
-    """The result with `refused`, the reason for which finite elements cannot solve its inputs.
+    """Result with the reason, as `refused`, why finite elements cannot solve its inputs.
 
     If finite elements can solve the inputs, the result is unchanged.
     """

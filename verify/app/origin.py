@@ -1,4 +1,4 @@
-"""Origin of the stored numbers of a case, and which of them a change of a module invalidates."""
+"""Origin of the stored numbers of a case; cases whose stored numbers depend on a module."""
 
 import inspect
 import os

@@ -28,13 +28,13 @@ class Parts:
     def of_cases(
         self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of `make` by name of the case; `module` is the module of its code."""
+        """Results of `make` by name of the case; `module` contains the code of `make`."""
         return self.by_group(name, module, {case: [case] for case in cases}, make)
 
     def by_group(
         self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of `make` by name of the group of cases; `module` is the module of its code."""
+        """Results of `make` by name of the group of cases; `module` contains the code of `make`."""
         keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
         found = dict(self._stored(keys))
         new: dict[str, bytes] = {}
@@ -49,7 +49,7 @@ class Parts:
         return {group: found[group] for group in groups}
 
     def of_all(self, name: str, module: str, cases: Sequence[str], make: Callable[[], T]) -> T:
-        """Result of `make` for all cases together; `module` is the module of its code."""
+        """Result of `make` for all cases together; `module` contains the code of `make`."""
         return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
 
     def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:

@@ -12,7 +12,7 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def verdict_lines(report: Report) -> list[str]:
-    """Lines with the numbers of rows by case and status, and with rows of any status but PASS.
+    """Table of the numbers of rows by case and status, and reasons of rows not passed.
 
     Each reason is stated once for a case.
     """

@@ -47,7 +47,7 @@ def shown_rows(rows: Sequence[Row]) -> list[Row]:
 
 
 def causes(rows: Sequence[Row]) -> Causes:
-    """Rows with any status but PASS, by status, case and reason."""
+    """Rows with any status but PASS, grouped by status, case and reason."""
     found: dict[tuple[Status, str, str], list[Row]] = {}
     for row in rows:
         if row.status in LISTED:

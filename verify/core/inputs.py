@@ -162,7 +162,7 @@ def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> 
 
 
 def word(default: str, what: str) -> Any:
-    """Declaration of an input whose value is one of several words; if omitted, the default."""
+    """Declaration of an input whose value is one of several words; omitted, it is the default."""
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
 
 

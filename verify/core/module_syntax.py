@@ -91,7 +91,7 @@ def attributes(module: str, owner: str) -> frozenset[str]:
 
 
 def for_types(among: Iterable[ast.AST]) -> set[ast.AST]:
-    """Nodes among the given ones that only type checkers execute."""
+    """All nodes in the blocks `if TYPE_CHECKING:` of `among`, which only type checkers execute."""
     guarded = (n for n in among if isinstance(n, ast.If) and last_name(n.test) == "TYPE_CHECKING")
     return {item for guard in guarded for part in guard.body for item in ast.walk(part)}
 

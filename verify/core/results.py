@@ -344,7 +344,7 @@ class Validity:
 
 @dataclass(frozen=True, kw_only=True)
 class ScaleInput:
-    """An input by which a ratio is divided, to the power `power`; `own` is its value in `unit`."""
+    """One factor of the divisor of a ratio: an input with value `own` [`unit`], to `power`."""
 
     name: str
     symbol: str
@@ -496,7 +496,7 @@ class Drift:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingsTried:
-    """A printed number, the value of its formula as first read, and a search for other readings.
+    """A printed number, the formula's value by the first reading, and a search for others.
 
     `hits` combinations of readings give the number; `readings` is the best combination, with its
     `value`, and is empty if there is none. `chance` is the expected number of combinations that
@@ -592,9 +592,10 @@ class CaseBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class MutantGroup:
-    """Mutants of one group: detected by `rows` or `tests`, or crashed or timed out (`apart`).
+    """Numbers of mutants of one group: detected by `rows` or `tests`, `survived`, or `apart`.
 
-    `all` is their number; `tried` excludes the mutants in `apart`.
+    `all` counts all mutants of the group, `tried` the mutants that were tested without those
+    `apart`, which crashed or timed out.
     """
 
     name: str
@@ -613,7 +614,7 @@ class MutantGroup:
 
 @dataclass(frozen=True, kw_only=True)
 class Survivor:
-    """A mutant that was not detected; `reason` states why no check can detect it, if so."""
+    """A mutant that was not detected; `reason` states why no check can detect it, or is empty."""
 
     group: str
     where: str

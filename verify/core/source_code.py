@@ -43,7 +43,7 @@ def _source_of(function: Any) -> str:
 
 @cache
 def whole_source_of(function: Any) -> str:
-    """Hash of a function, of names of its module that it uses, and of modules with formulas."""
+    """Hash of a function, of names that it uses, and of all modules it reaches, also formulas."""
     return remembered("formulas", function, lambda: _hash(*whole_parts_of(function), whole=True))
 
 
@@ -73,7 +73,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 
 
 def group_hash(modules: Collection[str]) -> str:
-    """Hash of the code of modules; names imported from each other are replaced by their code."""
+    """Hash of the code of modules; a name imported from another of them becomes its code."""
     group = frozenset(modules)
     name = f"group of {' '.join(sorted(group))}"
     return remembered(name, group_hash, lambda: _group_hash(group), group)
@@ -248,7 +248,7 @@ def _is_formula(name: str) -> bool:
 
 
 def include(folder: Path) -> None:
-    """Include modules of a folder outside the suite in hashes, like those of the suite's cases."""
+    """Treat modules of `folder`, outside the suite, like modules of the suite in hashes."""
     _outside.add(folder)
 
 

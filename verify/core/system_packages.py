@@ -66,7 +66,7 @@ def venv_package(prefix: str, version: Sequence[int]) -> str:
 
 
 def packages_for(libraries: Collection[str], venv: str = "") -> list[str]:
-    """Debian packages to install: `venv`, unless it is empty, then those with `libraries`."""
+    """Debian packages to install: `venv`, if not empty, then packages that contain `libraries`."""
     found = [package for library, package, _ in LIBRARIES if library in libraries]
     return [venv, *found] if venv else found
 

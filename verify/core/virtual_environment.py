@@ -80,7 +80,7 @@ def remove_incomplete(site: Path) -> list[str]:
 
 
 def usable(folder: Path) -> bool:
-    """Whether `folder` contains an environment with pip that this version of Python made there."""
+    """Whether `folder` contains an environment with pip, made there for this Python version."""
     pip = folder / "bin" / "pip"
     try:
         made_here = f"{folder}/bin/python" in pip.read_text("utf-8", "replace")

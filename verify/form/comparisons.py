@@ -186,7 +186,7 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """Check that a formula is exact at zero of a parameter and that its error grows as a power.
+    """Check that a formula is exact if a parameter is zero, with an error that grows as its power.
 
     `points` returns parameter, signed error and the standard uncertainty of the error, from all
     levels.
@@ -201,7 +201,7 @@ def over_family(
     q: Quantity, reference: str, *, at: Sequence[float], family: Callable[[float], object],
     order: float | None = None,
 ) -> Callable[[Sequence[FemResult]], Points]:  # fmt: skip
-    """Function for the argument `points` of `limit`.
+    """Function of the solved levels that returns the points (parameter, error, u) for `limit`.
 
     `family` returns the case for a value of the parameter; the array `reference` contains the
     results for all values `at`.

@@ -47,7 +47,7 @@ def stated(case: Case) -> tuple[Equation, ...]:
 
 
 def declared(case: Case) -> Iterator[Symbol]:
-    """Symbols of inputs, of quantities, and of compared states with a separate symbol."""
+    """Symbols of inputs, of quantities, and of comparisons at a state with a separate symbol."""
     as_tex = equations.symbol_tex
     for name, field in type(case).model_fields.items():
         symbol, unit = meta(field)["symbol"], meta(field)["unit"]

@@ -116,7 +116,7 @@ def converged(draw: Callable[[Context], Figure]) -> Drawn:
 def drawn_by(
     *draw: Callable[[Context], Iterable[Figure]],
 ) -> Callable[[Case], tuple[Drawn, ...]]:
-    """Method `figures` of a case all of whose figures are made by the functions `draw`."""
+    """Method `figures` of a case; the functions `draw` make all of its figures."""
     return lambda _case: tuple(map(Drawn, draw))
 
 

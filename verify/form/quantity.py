@@ -76,7 +76,7 @@ class Quantity:
         return Declared(self)
 
     def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declaration of a number that other code computes; the assigned attribute is its name.
+        """Declaration of a number that other code computes; the attribute's name is its name.
 
         For example: `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
         """
@@ -84,7 +84,7 @@ class Quantity:
         return Declared(self)
 
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
-        """Decorator of a method with arguments: one quantity for each index, such as a mode.
+        """Decorator of a method of indices: declares one quantity for each combination of them.
 
         In symbol and meaning, `{0}` is the first index and `{1}` the second; `when` also receives
         the indices.
@@ -124,7 +124,7 @@ def finite(number: SupportsFloat) -> float | None:
 
 @dataclass(frozen=True)
 class Declared:
-    """Attribute for a quantity: on the class its declaration, on an instance its value [SI]."""
+    """Attribute of a quantity: the class returns its declaration, an instance its value [SI]."""
 
     quantity: Quantity
 
@@ -151,7 +151,7 @@ class Declared:
 
 @dataclass(frozen=True)
 class Family:
-    """Attribute for an indexed quantity: on the class its declarations, on an instance its values.
+    """Attribute of an indexed quantity: the class returns declarations, an instance values.
 
     `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")`,
     which has the name whirl_1_forward.
@@ -224,7 +224,7 @@ def forget() -> None:
 
 @contextmanager
 def changed(q: "Quantity | shared[Any] | None") -> Iterator[None]:
-    """Context in which a quantity is increased by CHANGE, with all values that depend on it.
+    """Context in which `q` is increased by CHANGE; values that depend on it change as well.
 
     Afterwards, all values are restored. A shared value is only changed if it is a number or an
     array.

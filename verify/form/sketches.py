@@ -17,7 +17,7 @@ def sketch(title: str, *parts: Shape | Iterable[Shape]) -> Sketch:
 
 
 def room(left: float, right: float) -> list[Shape]:
-    """Invisible shapes that keep space for labels on both sides of the middle."""
+    """Invisible points at x = -`left` and x = `right` that keep space for labels."""
     return [Shape(style="text", points=np.array([[x, 0.0]])) for x in (-left, right)]
 
 

@@ -29,7 +29,7 @@ class DynamicResult:
     first: tuple[str, ...] = ()  # findings in the place of the formulas' first
 
     def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
-        """All findings. `findings` are the findings of the formulas."""
+        """All findings. `findings` are those of the formulas; `first` replaces the first one."""
         return (self.first + findings[1:] if self.first else findings) + self.findings
 
     @property

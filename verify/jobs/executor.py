@@ -74,7 +74,7 @@ class Where:
             )
 
     def entered(self) -> AbstractContextManager[Engine]:
-        """Context of the engine, entered when tasks are solved.
+        """Context manager that provides the engine.
 
         Raises GoneError if the engine is not available.
         """

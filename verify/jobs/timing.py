@@ -69,7 +69,7 @@ def remaining_seconds(
 
 
 def usual() -> dict[Level, float]:
-    """Durations of levels on another machine."""
+    """Durations [s] of levels, measured on another machine."""
     return {
         (case, int(level)): seconds
         for case, levels in json.loads(USUAL.read_text("utf-8")).items()

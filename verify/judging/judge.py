@@ -42,7 +42,7 @@ def numerical_uncertainty(convergence: GridConvergence, u_it: float = 0.0) -> fl
 def difference(
     value: float, reference: float, *, U: float, scale: float, demand: float = DEMAND
 ) -> Verdict:
-    """Verdict on a difference: it passes if |value - reference| <= U and detects <= demand.
+    """Verdict on a difference: PASS if |value - reference| <= U and detection limit <= demand.
 
     This test is used for identities, orders and printed numbers.
     """

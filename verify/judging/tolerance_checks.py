@@ -127,7 +127,7 @@ class Deviation(Stated):
 
 
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
-    """Pair with the largest difference in two arrays of equal size.
+    """Pair of entries with the largest relative difference, from arrays of equal size.
 
     The relative expanded uncertainty of the reference is `u`. If several differences are equal
     except for round-off, the first pair is returned, on any processor.
@@ -143,7 +143,7 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
 
 
 def suites(reason: str) -> str:
-    """Text for the source of an acceptance figure that only this suite requires for a reason."""
+    """Text that gives `reason` as the source of a figure that only this suite requires."""
     return f"requirement of the suite: {reason}"
 
 

@@ -63,7 +63,7 @@ WALL, FILLET, HUB = 0.05, 0.2, 0.53  # over d_e, d and half a flat
 
 
 def ring_diameter(g: Given, clearance: float = CLEARANCE) -> float:
-    """Outer diameter [m] of the ring that leaves a clearance of `clearance` times D_i."""
+    """Outer diameter [m] of the ring with a diametral clearance of `clearance` times D_i."""
     return float((1 - clearance) * g.D_i - 2 * g.d)
 
 

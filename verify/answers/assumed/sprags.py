@@ -29,7 +29,7 @@ def gap(g: Given) -> float:
 
 
 def number(g: Given) -> int:
-    """Number of sprags on the mean circumference of the gap, at the spacing of the paper."""
+    """Number of sprags on the mean circle of the gap, with the pitch-to-gap ratio of the paper."""
     z: int = math.floor(math.pi * (g.R_i + g.R_e) / (PITCH_OVER_GAP * gap(g)))
     return min(max(z, FEWEST), MOST)
 
@@ -45,7 +45,7 @@ def inertia(g: Given) -> float:
 
 
 def race_inertia(g: Given) -> float:
-    """Moment of inertia [kg m^2] of a race: that of the paper, scaled to R_i and l."""
+    """Moment of inertia [kg m^2] of a race: the paper's value, scaled in proportion to R_i^4 l."""
     return float(INERTIA * (g.R_i / R_I) ** 4 * g.l / SPRAG_LENGTH)
 
 

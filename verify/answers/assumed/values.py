@@ -81,7 +81,7 @@ def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
 
 
 def placeholder(model: type[Inputs], one: Assumption) -> Any:
-    """TOML value in place of an assumption that cannot be evaluated, as another input is wrong."""
+    """TOML value that is used if a wrong input prevents the evaluation of the assumption `one`."""
     if not callable(one.value):
         return one.value
     field = model.model_fields.get(one.name)

@@ -50,7 +50,7 @@ def ratio(values: Values, assumed: str, part: str) -> float | None:
 
 
 def only_at_paper(inputs: Any, effect: float) -> float | None:
-    """Effect that was determined for the paper's inputs; None for other inputs."""
+    """`effect`, which is only valid for the paper's inputs; None for other inputs."""
     return effect if inputs == type(inputs)() else None
 
 

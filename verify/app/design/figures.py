@@ -48,7 +48,7 @@ def reasons(s: Search) -> Bars:
 
 
 def region(s: Search, i: int, name: str) -> Region:
-    """Map over L1 and r of the candidates that have the same n, b and alpha as candidate `i`."""
+    """Map of the number of violated limits over L1 and r, for n, b and alpha of candidate `i`."""
     g = s.springs
     same = (g.n == g.n[i]) & (g.b == g.b[i]) & (g.alpha == g.alpha[i])
     r, L1 = _thinned(g.r, i, MOST_CELLS["r"]), _thinned(g.L1, i, MOST_CELLS["L1"])

@@ -1,4 +1,4 @@
-"""Loads and saves parameter files in the folder, and displays the link of the session."""
+"""Section of a screen that lists, loads and saves parameter files and displays a link."""
 
 from dataclasses import replace
 from typing import Any
@@ -12,7 +12,7 @@ from verify.core.inputs import InputError
 
 
 class FileView:
-    """List of files of one screen."""
+    """Section "File" of one screen, with the list of files and the fields for saving."""
 
     def __init__(self, screen: Any) -> None:
         self.screen = screen

@@ -31,14 +31,14 @@ class Folder:
         """
         parts = name.replace("\\", "/").split("/")
         if not name.strip() or len(name) > LONGEST or not name.isprintable():
-            raise InputError(f"a file name has 1 to {LONGEST} printable characters")
+            raise InputError(f"a file name must have 1 to {LONGEST} printable characters")
         if any(not part or part.startswith(".") or ":" in part for part in parts):
             raise InputError(f"{name}: only files in the folder {self.root} can be used")
         path = self.root.joinpath(*parts)
         if suffixes and path.suffix not in suffixes:
             raise InputError(f"{name}: the name must end with {' or '.join(suffixes)}")
         if not path.resolve().is_relative_to(self.root):
-            raise InputError(f"{name}: leads out of the folder {self.root} by a link")
+            raise InputError(f"{name}: leads, by a link, to a file outside the folder {self.root}")
         return path
 
     def names_of(self, suffix: str, *, below: bool = False) -> list[str]:

@@ -63,7 +63,7 @@ def bound(port: int) -> socket.socket:
     Raises InputError if the port is invalid or in use.
     """
     if not 0 <= port <= LAST_PORT:
-        raise InputError(f"--port is 0 to {LAST_PORT}, got {port}")
+        raise InputError(f"--port must be 0 to {LAST_PORT}, got {port}")
     found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

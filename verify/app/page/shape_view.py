@@ -1,4 +1,4 @@
-"""The tool that displays fields and deformed shapes in space, which the user can turn."""
+"""Tool that displays fields and deformed shapes in space; the user can rotate the view."""
 
 from collections.abc import Callable, Mapping
 from typing import Any

@@ -44,7 +44,7 @@ class Shape:
 
 
 def shapes(fields: Sequence[Field], pictures: Sequence[Picture]) -> tuple[Shape, ...]:
-    """Bodies of all pictures of fields that the solution contains, in the order of `pictures`."""
+    """One body for each picture whose field is in `fields`, in the order of `pictures`."""
     by_name = {field.name: field for field in fields}
     return tuple(
         _shape(by_name[picture.field], picture)

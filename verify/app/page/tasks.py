@@ -105,7 +105,7 @@ def sweep(
     lines = [(None,)] if len(found) == 1 else [(v,) for v in found[1].values]
     count = len(lines) * len(found[0].values)
     if count > MOST_POINTS:
-        raise InputError(f"a sweep has at most {MOST_POINTS} points, got {count}")
+        raise InputError(f"a sweep must have at most {MOST_POINTS} points, got {count}")
     point = _Point(file, found, result)
     values: list[tuple[float | None, ...]] = []
     for second in (line[0] for line in lines):

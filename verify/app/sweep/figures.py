@@ -63,7 +63,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
 
 
 def panels(plan: Plan, course: Course) -> Sequence[Panels]:
-    """Cuts through a grid with more than two axes, and the largest error over the other axes."""
+    """Maps for more than two axes: cuts, and largest error over the values of the other axes."""
     if plan.star or len(plan.axes) < 3:
         return ()
     shape = plan.shape
