@@ -61,7 +61,7 @@ class Assessment:
     def stress(
         self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"
     ) -> None:
-        """Add the criterion that the magnitude of a stress [Pa] must not exceed the strength."""
+        """Add the criterion that the magnitude of a stress [Pa] must not exceed the `strength`."""
         if strength.value is None:
             self.unknowns.append(f"{what} {abs(value) / 1e6:.4g} MPa: {strength.source}; {option}")
             return

@@ -54,7 +54,7 @@ def why_not_solved(rows: Sequence[Row]) -> str:
 
 
 def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
-    """Sentence that compares the design value with its reference; empty without a design value."""
+    """Sentence that compares the design value with its reference; empty if this is not possible."""
     if answer.design is None:
         return ""
     value, unit = answer.design.value, answer.design.unit

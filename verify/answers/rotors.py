@@ -18,7 +18,7 @@ MODES = 3  # whose whirl frequencies the formulas of a shaft give
 
 
 def link(q: Any, _: Values, part: Assessment) -> None:
-    """Criterion of a sprag clutch as a link: all slices of the sprags are in contact."""
+    """Criterion of a sprag clutch as a link: every slice of the sprags must be in contact."""
     if count := open_slices(q, "together"):
         part.failures.append(f"{count} slices of the sprags are without contact")
     part.unknowns.append("a stiffness has no limit: use the stiffnesses as a link in a rotor model")

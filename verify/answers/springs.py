@@ -41,7 +41,7 @@ def free_stage(q: Any, v: Values, part: Assessment) -> None:
 
 
 def stages(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of both stages: bending stress, and deflection up to the first contact of leaves."""
+    """Criteria of both stages: bending stress, and the deflection at which leaves first touch."""
     if q.F is None:
         part.unknowns.append(NO_FORCE)
         return
@@ -74,7 +74,7 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
 
 
 def compared(_q: Any, _v: Values, part: Assessment) -> None:
-    """No criterion: a comparison of formulas has no working force."""
+    """Adds no criterion, because a comparison of formulas has no working force."""
     part.unknowns.append(
         "this case compares formulas and has no working force: spring-accordion checks stress and "
         "deflection"

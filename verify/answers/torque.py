@@ -13,7 +13,7 @@ SEARCHED = (0.95, 0.9, 0.8, 0.7, 0.5, 0.3, 0.1, 0.03)  # shares of a limit
 
 
 class Limit(Protocol):
-    """A torque [N m] at which a limit is reached, and a description of the limit."""
+    """Description of a limit, and the torque [N m] at which it is reached."""
 
     @property
     def at(self) -> float: ...
@@ -24,7 +24,7 @@ class Limit(Protocol):
 
 @dataclass(frozen=True)
 class Reached:
-    """A torque [N m] at which a criterion reaches its limit, and a description of the criterion."""
+    """Description of a criterion, and the torque [N m] at which it reaches its limit."""
 
     at: float
     words: str

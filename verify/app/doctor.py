@@ -41,7 +41,7 @@ SEPARATE = "install this package in a separate environment"
 
 @dataclass(frozen=True)
 class Finding:
-    """One line of output; `fatal` is True if no run is possible without the component."""
+    """One line of output about a component; `fatal`: without the component, no run is possible."""
 
     what: str
     state: str

@@ -42,6 +42,6 @@ def missing_library(error: ImportError) -> str:
 
 
 def shared_names() -> list[str]:
-    """Top-level names of this package that another installed distribution also has."""
+    """Top-level module names of this package that another installed package has as well."""
     owners = packages_distributions()
     return [name for name in TOP_LEVEL if set(owners.get(name, ())) - {PACKAGE}]

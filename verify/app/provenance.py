@@ -31,7 +31,7 @@ def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dic
 
 
 def conditions(root: Path) -> dict[str, Any]:
-    """Environment of a run: commit, lock file, Python, machine, and versions of packages."""
+    """Environment of a run: commit, hash of the lock file, Python, machine, package versions."""
     lock = root / "requirements.txt"
     return {
         "commit": _commit(root),

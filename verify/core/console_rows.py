@@ -37,7 +37,7 @@ def title(rows: Sequence[Row]) -> str:
 
 
 def shown_rows(rows: Sequence[Row]) -> list[Row]:
-    """All rows except passed convergence rows, which belong to the line of their comparison."""
+    """Rows to display: all except passed convergence rows of a comparison in `rows`."""
     known = {row.quantity for row in rows}
     return [
         row for row in rows

@@ -33,7 +33,7 @@ class Difference:
 
 
 def divisor(row: Row) -> float | None:
-    """Positive divisor of the row's differences and uncertainties, in the unit of the row."""
+    """Positive value by which differences and uncertainties of the row are divided, in its unit."""
     if row.kind in COMPARED and not _scale_name(row) and row.reference:
         return abs(row.reference)
     return 1.0 if row.kind is Kind.TREND else row.scale or None

@@ -260,7 +260,7 @@ class Density:
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """Plot of contributions as bars from zero, one below the other: name, value, and text."""
+    """Plot of contributions as horizontal bars from zero; an item is (name, value, text)."""
 
     title: str
     label: str

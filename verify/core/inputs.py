@@ -178,7 +178,7 @@ def meta(field: FieldInfo) -> dict[str, Any]:
 
 
 def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
-    """Bounds of an input as words with SI values."""
+    """Bounds of an input, each as a word, such as "at least", and a value [SI]."""
     return [
         (word, getattr(bound, rule))
         for bound in field.metadata

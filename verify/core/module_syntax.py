@@ -30,7 +30,7 @@ class Imported:
 
 
 def file_of(module: str) -> Path:
-    """File of a module, imported or not; for a package, its stub if it has one."""
+    """File of a module, even if it is not imported; for a package, its stub if there is one."""
     file = getattr(sys.modules.get(module), "__file__", None)
     if file is None:
         spec = find_spec(module)
@@ -158,7 +158,7 @@ def origin(item: ast.ImportFrom, importer: str) -> str:
 
 @cache
 def aliases(module: str) -> tuple[tuple[Imported, str, str], ...]:
-    """Names bound by imports of project modules, each with its statement and full name."""
+    """Names that imports of project modules bind, each with its import and its full name."""
     return tuple(
         (one, alias.asname or alias.name, full)
         for one in imports(module)

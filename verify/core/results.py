@@ -46,7 +46,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Published:
-    """A published value for a row, in the unit of the row."""
+    """A published value that is displayed with a row, in the unit of the row."""
 
     document: str
     id: str
@@ -197,7 +197,7 @@ class CaseResult:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperClaim:
-    """A judged row for a printed number, in the unit of this number.
+    """A judged row that uses a printed number, in the unit of this number.
 
     `u` is the uncertainty of the finite-element value.
     """

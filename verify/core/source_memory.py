@@ -31,7 +31,7 @@ class Memory:
         self._new: dict[str, Any] = {}
 
     def remembered(self, name: str, modules: Collection[str], make: Callable[[], T]) -> T:
-        """Result of `make` (a JSON value), stored under a name.
+        """Result of `make` (a JSON value), stored as `name`.
 
         It is reused until a file changes on which the `modules` may depend.
         """

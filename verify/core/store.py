@@ -53,7 +53,7 @@ FORGET = (
 
 @dataclass(frozen=True)
 class Group:
-    """Summary of the entries of one kind and subject: number, bytes, dates of first and last."""
+    """Summary of the entries of one kind and subject: number, bytes, oldest and newest date."""
 
     kind: str
     subject: str

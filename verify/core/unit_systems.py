@@ -40,7 +40,7 @@ LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
 
 
 def system_of(raw: Any) -> System:
-    """Unit system of a file: "inch" if most of its lengths are in inches.
+    """Unit system for an answer: "inch" if most lengths in the file are in inches, otherwise "mm".
 
     In a file without lengths, all units are counted.
     """
@@ -89,7 +89,7 @@ def converted(value: float, unit: str, system: System) -> tuple[float, str]:
 
 
 def ratio(unit: str, target: str) -> float:
-    """Number of `target` units in one `unit`."""
+    """Value of one `unit`, expressed in the unit `target`."""
     return units.factor(unit) / units.factor(target)
 
 

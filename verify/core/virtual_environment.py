@@ -158,7 +158,7 @@ def install(folder: Path, lock: str, others: set[str]) -> None:
 
 
 def install_downloaded(folder: Path, lock: str) -> None:
-    """Install completely downloaded files that a killed pip left, if their hashes are locked."""
+    """Install the downloads that an interrupted pip completed, if their hashes are locked."""
     hashes = set(HASH.findall(lock))
     found = sorted((folder / DOWNLOADS).rglob("*.whl"))
     whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]

@@ -124,7 +124,7 @@ class Formulas(_Side):
 
 
 class Reference(_Side):
-    """Function that solves a level of a case's reference; to read a formula is then an error."""
+    """Function that solves one level of a case's reference; it must not read any formula."""
 
     name = "reference"
 

@@ -41,7 +41,7 @@ def solved(
 
 
 class Drawing(Protocol):
-    """A figure or picture declared by kind, with its content; see `verify.form.figures`."""
+    """A declared figure or picture with its content; `verify.form.figures` contains the kinds."""
 
     def drawn(self, context: Context) -> Sequence[Figure]:
         """Figures to draw; empty if there is nothing to draw."""
@@ -124,7 +124,7 @@ class Case(Inputs):
         return ()
 
     def summary(self) -> Mapping[str, Any]:
-        """Recommendations as additional JSON of `check`, for programs."""
+        """Recommendations for programs, as additional JSON of `check`."""
         return {}
 
     def refusal(self) -> str:
@@ -132,7 +132,7 @@ class Case(Inputs):
         return ""
 
     def stated(self) -> tuple[Comparison, ...]:
-        """Comparisons at these inputs; they are made only once."""
+        """Comparisons at these inputs; `comparisons` is called only once."""
 
         def made() -> tuple[Comparison, ...]:
             found: object = self.comparisons()

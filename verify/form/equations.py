@@ -29,7 +29,7 @@ class Symbol(NamedTuple):
 
 
 class Symbols(NamedTuple):
-    """Symbols of a case: TeX by attribute name, SI values by TeX, numbers with units by TeX."""
+    """Symbols of a case, as TeX: by attribute name (`tex`), with SI values, and with units."""
 
     tex: dict[str, str]
     values: dict[str, float]

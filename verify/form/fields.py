@@ -46,7 +46,7 @@ CELL_DATA = {
 
 
 def plane_field(solution: HasCells, *data: str, name: str = "body", scale: float = 1.0) -> Field:
-    """Field with mesh, displacements and cell data of a solution under `scale` times its loads.
+    """Field with mesh, displacements and cell data of a solution; loads multiplied by `scale`.
 
     >>> sorted(CELL_DATA)
     ['hoop_stress', 'log_mises', 'stress', 'von_mises']

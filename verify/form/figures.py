@@ -79,7 +79,7 @@ class AlongLine:
     note: str = ""
 
     def drawn(self, context: Context) -> tuple[Profile, ...]:
-        """Profile of the line; empty if there are too few levels to state its uncertainty."""
+        """Profile along the line; empty if there are too few levels for an uncertainty."""
         if not context.converging:
             return ()
         values, u = (

@@ -218,7 +218,7 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
 
 
 def forget() -> None:
-    """Discard all computed values, because the code of a formula was replaced."""
+    """Discard all computed values; required after the code of a formula was replaced."""
     _code[0] = next(_numbers)
 
 

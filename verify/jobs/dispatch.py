@@ -78,7 +78,7 @@ class Dispatch:
         return list(self.drive.running.values())
 
     def at_pace(self) -> float:
-        """Remaining time [s] at the mean speed of this run."""
+        """Remaining time [s], if results continue to be made at the mean rate of this run."""
         made = self.done - self.known
         return (time.monotonic() - self.start) / made * (self.total - self.done) if made else 0.0
 

@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """Transient result: `raw` in SI units by key, displayed `outputs`, and findings."""
+    """Result of a simulation in time: values `raw` [SI] by key, `outputs` to display, findings."""
 
     what: str
     raw: Values

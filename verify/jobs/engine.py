@@ -11,13 +11,13 @@ class GoneError(OSError):
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-    """The futures that are done, as soon as at least one is done or the time is over."""
+    """Futures that are done, returned when one is done or `seconds` have passed."""
     return wait(futures, seconds, FIRST_COMPLETED).done
 
 
 @dataclass(frozen=True)
 class Engine:
-    """An executor, its number of simultaneous tasks, and functions to end tasks without a result.
+    """An executor, its number of simultaneous tasks, and functions that control it.
 
     `gone` returns the reason for which the executor can no longer answer, otherwise "". `renew`
     ends idle processes, so that a task whose process was killed gets a new process. `ahead` tasks

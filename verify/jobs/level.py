@@ -41,7 +41,7 @@ class Job:
 
     @property
     def is_paper(self) -> bool:
-        """Whether the inputs are the defaults, to which the printed numbers refer."""
+        """Whether the inputs are the default inputs, to which printed numbers refer."""
         return self.inputs == type(self.inputs)()
 
 

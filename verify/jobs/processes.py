@@ -82,7 +82,7 @@ class Processes(ThreadPoolExecutor):
         return super().submit(self._remotely, function, args, kwargs)
 
     def gone(self) -> str:
-        """Reason why no process can answer any more, or ""."""
+        """Reason why no process can execute a task any more, or ""."""
         return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:

@@ -46,7 +46,7 @@ class Records:
         return FOLDER / self.kind / f"{subject}.json"
 
     def stored(self, subject: str) -> Record | None:
-        """Record of a subject, made by any code. None if there is no readable record."""
+        """Record of a subject, whatever code made it; None if there is no readable record."""
         try:
             data = json.loads(self.path(subject).read_text("utf-8"))
             if (data["kind"], data["subject"]) != (self.kind, subject):

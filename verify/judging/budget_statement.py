@@ -122,7 +122,7 @@ class Left:
 
 @dataclass(frozen=True)
 class Without:
-    """A cause that does not exist in a case; `why` is the reason in one word."""
+    """A cause that does not exist in a case; `why` is a short reason."""
 
     cause: Cause
     why: str

@@ -204,7 +204,7 @@ class FemClaim(Claim):
     def numbers(
         self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
     ) -> dict[str, Any]:
-        """Fields of `Row` that every comparison with finite elements has.
+        """Fields of `Row` that are common to all comparisons with finite elements.
 
         `scale` is the scale of the convergence check [SI].
         """

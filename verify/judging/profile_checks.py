@@ -17,7 +17,7 @@ Points = tuple[list[float], list[float], list[float]]  # parameter, error, its u
 
 
 def l2_error(error: Array, norm: Array, weight: Array) -> float:
-    """L2 norm of `error` (n,) relative to that of `norm` (n,), for points with weights (n,)."""
+    """L2 norm of `error` (n,) divided by that of `norm` (n,); points have the weights (n,)."""
     return float(np.sqrt((error**2 @ weight) / (norm**2 @ weight)))
 
 

@@ -122,7 +122,7 @@ class Contradiction(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Adopted(PrintedClaim):
-    """A printed number that is used as an input: NOTE, for the reason `why`.
+    """A printed number that is used as an input; its row is a NOTE with the reason `why`.
 
     If there is a value of `analytic`, it is displayed with the number.
     """

@@ -48,7 +48,7 @@ class PrintedTable(Entry):
 
 
 def referred(cell: str) -> str | None:
-    """Id to which a cell refers; None for plain text.
+    """Id that a cell such as "=k1-theory" refers to; None for plain text.
 
     >>> referred("=k1-theory"), referred("k_1")
     ('k1-theory', None)

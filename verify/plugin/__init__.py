@@ -48,7 +48,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Collector | None:
-    """Empty collector for our files, instead of the module that pytest makes of each given file."""
+    """Empty collector for case and parameter files, instead of the module that pytest makes."""
     if not _is_ours(module_path, parent.config):
         return None
     return NoModule.from_parent(parent, path=module_path)

@@ -74,7 +74,7 @@ class Item(pytest.Item):
     """A test that fails with a few lines instead of a traceback."""
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *args: Any) -> Any:
-        """The message only; with `--full-trace`, the traceback of an unexpected exception."""
+        """Only the message of the error; with `--full-trace`, the traceback if it is unexpected."""
         if isinstance(excinfo.value, FreewheelError | InputError):
             return with_extra(str(excinfo.value))
         if self.config.getoption("fulltrace"):

@@ -23,7 +23,7 @@ def stroke(g: Given) -> float:
 
 
 def span(g: Given, shares: tuple[float, float, int]) -> str:
-    """TOML range of a length, in proportion to L_max.
+    """Range of a length in the format of a TOML file, in proportion to L_max.
 
     `shares` are the lowest and the highest length divided by L_max, and the number of lengths.
     """

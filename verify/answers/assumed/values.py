@@ -58,7 +58,7 @@ def read_value(model: type[Inputs], name: str, value: Any) -> Any:
 
 
 def si_value(model: type[Inputs], one: Assumption, rule: Any, given: Given) -> Any:
-    """Value [SI] by `rule`: the value of an assumption, or one end of its usual range."""
+    """Value [SI] that results from `rule`: an assumed value, or one end of its usual range."""
     return read_value(model, one.name, raw_value(model, replace(one, value=rule), given))
 
 

@@ -27,7 +27,7 @@ class SharedReading:
 
     @property
     def sentence(self) -> str:
-        """Sentence with the assumption, what is true for the real part, and the effect."""
+        """Sentence: what is assumed, what applies to the real part, and the resulting error."""
         head = f"formula and reference assume that {self.assumption}; in the real part {self.part}"
         if self.effect is None:
             return f"{head}; resulting error in {self.quantity}: {self.source}"

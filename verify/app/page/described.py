@@ -68,7 +68,7 @@ class Described:
         return frozenset(field.name for field in every if field.whole)
 
     def entered(self, place: str, text: str) -> str:
-        """Text for a value in the form.
+        """Text that the user typed for an input, completed by the unit that the form states.
 
         A number without a unit is in the unit that the form states.
         """
@@ -80,7 +80,7 @@ class Described:
         return text if unit == "1" or not units.is_bare(text) else f"{text.strip()} {unit}"
 
     def refuse_shapes(self, raw: Mapping[str, Any]) -> None:
-        """Raise InputError if a file or a link contains another value in place of a table."""
+        """Raise InputError if a file or a link has another value where a table is required."""
         for table in (f.name for f in self.fields if f.is_table and f.name in raw):
             entries = raw[table]
             if not isinstance(entries, list) or not all(isinstance(e, Mapping) for e in entries):

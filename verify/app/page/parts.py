@@ -16,7 +16,7 @@ PARTS = {
 
 
 def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[str, str]]]]:
-    """Headings with names and titles of their entries. `files` are Python files with cases."""
+    """Headings, each with the (name, title) of its entries. `files` are Python files with cases."""
     own = sorted({*files, *([also] if also.endswith(".py") else [])})
     found = [
         ("Parts", [(case, title) for title, case in PARTS.items()]),

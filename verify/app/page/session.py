@@ -68,7 +68,7 @@ class Session:
 
 
 def edited_raw(raw: Mapping[str, Any], place: str, text: str) -> dict[str, Any]:
-    """Raw inputs in which the text of one place is replaced.
+    """Raw inputs after replacing the text of the input at `place`.
 
     Raises LookupError if the place is in a table that does not exist or has no such entry.
     """

@@ -140,7 +140,7 @@ class Tools:
         self.screen.put(replace(self.screen.session.state, other=None))
 
     def show_compared(self, present: Shown, other: Shown | None) -> None:
-        """Display both variants side by side."""
+        """Display the present and the other variant side by side; nothing if there is no other."""
         state = self.screen.session.state
         for one in (self.exchange, self.drop):
             enable(one, state.other is not None)

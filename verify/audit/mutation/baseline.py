@@ -38,7 +38,7 @@ class Noted:
 
 @dataclass(frozen=True)
 class Notes:
-    """Records of unchanged code, from the store or, if missing, determined now."""
+    """Records of unchanged code; those missing in the store are determined when requested."""
 
     store: Store
     jobs: int
@@ -64,7 +64,7 @@ class Notes:
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def tests(self, kind: str, files: Sequence[str]) -> dict[str, tuple[float, Sequence[str]]]:
-        """Time [s] and called functions of all tests in the files, by test."""
+        """Time [s] and called functions of every test in `files`, by the id of the test."""
         from verify.audit.mutation import suite  # pytest, which a user's environment may not have
 
         tested = suite.TESTED[kind]

@@ -30,7 +30,7 @@ WIDER = "a wider demand"
 
 
 def listed_as(row: Row) -> str:
-    """Reason why a row is only listed; empty for rows that must fail and for convergence rows."""
+    """Reason why a row need not fail; empty for rows that must fail and for convergence rows."""
     if is_convergence(row):
         return ""
     if row.status is not Status.PASS:

@@ -35,7 +35,7 @@ Progress = Callable[[int, int, str], None]  # cases done, cases in all, the runn
 
 @dataclass(frozen=True)
 class Both:
-    """A row checked by both methods: with changed references (`moved`) and with changed formulas.
+    """A row, tested with changed references (`moved`) and with changed formulas (`by_formula`).
 
     `by_formula` is None if no value of the formulas affects the row.
     """
@@ -98,7 +98,7 @@ def _has_formula(one: Tried) -> bool:
 
 
 def of_its_own(both: Both) -> str:
-    """Reason why the row cannot depend on a formula's value; empty if it can."""
+    """Reason why the row is independent of all formula values; empty if it depends on one."""
     row = both.moved.row
     if row.kind is Kind.EXACT:
         return BALANCE

@@ -47,7 +47,7 @@ class Tried:
 
 
 def of_paper(case: Case, folder: Path | None = None) -> Context:
-    """Default inputs of a case with all levels from the cache.
+    """Context of a case: default inputs, formula values, and all levels from the cache.
 
     Raises InputError if a level is missing.
     """
@@ -92,7 +92,7 @@ def _scale_is_another(row: Row) -> bool:
 
 
 def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
-    """Names of a check's rows that fail if the references are changed by `p`."""
+    """Names of a check's rows that fail if all references are changed by the fraction `p`."""
     with moved(p, of_scale=of_scale):
         return red_names(check, context)
 

@@ -15,7 +15,7 @@ from verify.core.case import Check, Context, Values
 
 
 class Noted(Mapping[str, float]):
-    """Values that record which keys were read; reading all keys at once is recorded as well."""
+    """Mapping of values that records which keys were read; to read all at once counts as well."""
 
     def __init__(self, values: Values) -> None:
         self.values_, self.read = values, dict[str, None]()

@@ -27,7 +27,7 @@ def formulas_in(case: Case) -> frozenset[str]:
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Cases with valid stored levels for a mutant of `module`, and cases to solve with the mutant.
+    """Cases whose stored levels `module` does not affect, then cases to solve again.
 
     The cases to solve are divided into fast and slow cases. Cases that take too long are not
     included.

@@ -54,7 +54,7 @@ class Answer:
 
 @contextmanager
 def forks(jobs: int) -> Iterator[Engine]:
-    """Engine of `jobs` simultaneous child processes, one per task; all are ended at exit."""
+    """Engine with at most `jobs` child processes at a time, one per task; it ends them at exit."""
     executor = Forks()
     try:
         yield Engine(executor, lambda: jobs, deadly=(), wait=executor.wait)

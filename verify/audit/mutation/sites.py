@@ -61,7 +61,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Changed:
-    """A mutant with the place of the change in the syntax tree of its module, and the new node."""
+    """A mutant, with the place in the syntax tree that it changes, and the new node there."""
 
     mutant: Mutant
     place: Place

@@ -69,7 +69,7 @@ def summarized(
     work: Sequence[Work], emulated: Machines, failures: Mapping[str, str],
     stated: Sequence[reasons.Reason], *, is_full: bool,
 ) -> Summary:  # fmt: skip
-    """Comparison of each emulated machine with the baseline, over the cases that both solved."""
+    """Summary of the differences of each machine from the baseline, over cases solved on both."""
     results = {one.name: one.results() for one in work}
     here = results[BASELINE]
     found: list[Difference] = []

@@ -49,7 +49,7 @@ class Summary:
 
     @property
     def unexplained(self) -> tuple[Difference, ...]:
-        """Differences of values or tolerances without a stated reason."""
+        """Differences of values for which no reason is stated."""
         return tuple(d for d in self.differences if d.kind is Kind.VALUE and not d.reason)
 
     @property

@@ -1,4 +1,4 @@
-"""Requirements, bands, figures and scales of a row that are looser or stricter than before."""
+"""Changes of a row's requirement, interval, figures or scale that are looser or stricter."""
 
 import math
 from collections import Counter
@@ -16,7 +16,7 @@ Accepted = Sequence[tuple[str, float]]
 
 
 def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes to looser requirements and bands, and changes of scale or acceptance figures."""
+    """Changes to looser requirements and intervals; changes of the scale or of figures."""
     for one in figures(was, now):
         if one.is_loosened:
             old, new = _shares(one)
@@ -29,7 +29,7 @@ def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes to stricter requirements and bands."""
+    """Changes to stricter requirements and intervals."""
     for one in figures(was, now):
         if one.is_tightened:
             old, new = _shares(one)

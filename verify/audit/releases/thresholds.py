@@ -55,7 +55,7 @@ class Figure:
 
 
 def figures(was: Kept, now: Kept) -> Iterator[Figure]:
-    """Requirement, bound, acceptance figure and uncertainty of the reference of one row."""
+    """Requirement, bound, acceptance figure and reference uncertainty of a row, before and now."""
     error = relative_error(was, now)
     limit = RECORDED_TOL * (was.demand or 0.0) + RELATIVE_ROUND_OFF
     demanded = _either_literal(was.demand, now.demand)
@@ -122,7 +122,7 @@ def relative_error(was: Kept, now: Kept) -> float:
 
 
 def half_width(row: Kept) -> float | None:
-    """Half of the permissible range of a row, relative to its scale.
+    """Half of the permissible range of the difference of a row, relative to its scale.
 
     The range is that of the interval, of the acceptance figure or of the tolerance.
     """

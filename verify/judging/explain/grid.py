@@ -27,7 +27,7 @@ MEANING = {
 
 
 def regrid(g: Grid) -> tuple[GridConvergence, float]:
-    """Convergence of the recorded levels, judged again, and u_num of the finest value."""
+    """Grid convergence of the recorded levels, computed again, and u_num of the finest value."""
     h, v = zip(*g.levels, strict=True)
     if not all(map(math.isfinite, v)):
         return GridConvergence("diverging", math.inf), math.inf

@@ -17,7 +17,7 @@ LARGE = 0.2  # of the total: from there on two causes are removed together as we
 
 @dataclass(frozen=True)
 class Part:
-    """Contribution of a cause to the relative error, and its numerical uncertainty (half-width).
+    """Contribution of a cause to the relative error; `u` is its numerical half-width.
 
     `note` gives the reason if there is no number. A cause that is `shared` by formula and finite
     elements is not subtracted.
@@ -86,7 +86,7 @@ def removed(
 
 
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
-    """Contribution of the discretisation: change of the error to a mesh beyond the finest mesh.
+    """Contribution of the discretisation: change of the error on a mesh finer than the finest.
 
     The uncertainty is the error that remains on this mesh by the order of convergence. `h` contains
     both mesh sizes. `order` is the order of the series or NaN.

@@ -23,7 +23,7 @@ _EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
 
 
 def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
-    """Budgets in which the discretisation is named by the kind of refinement of the case."""
+    """Budgets with the discretisation named after what the case refines, such as meshes."""
     next_one, finest = OTHER.get(case_id, MESHES)
 
     def renamed(name: str) -> str:

@@ -36,14 +36,14 @@ class Plan:
 
     @property
     def without(self) -> tuple[Without, ...]:
-        """Causes that do not exist in the case; statements of the case replace the general ones."""
+        """Causes that do not exist in the case, as stated by the case or in general."""
         own = {one.cause: one for one in self.says.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
     def before(self, rerun: Rerun) -> tuple[str, ...]:
-        """Causes already removed in the run with which `rerun` is compared, or AS_IT_IS.
+        """Causes removed in the run with which `rerun` is compared; AS_IT_IS if none.
 
         Raises StopIteration if no rerun has the name in `rerun.after`.
         """
@@ -82,7 +82,7 @@ def rows(case: Case) -> tuple[Pair, ...]:
 
 
 def first(plan: Plan) -> tuple[Step, ...]:
-    """Reruns that do not depend on results of other reruns: each cause removed alone."""
+    """Steps of the first round: unchanged, finer, tighter tolerances, single causes removed."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
     if plan.says.finer:
@@ -96,7 +96,7 @@ def first(plan: Plan) -> tuple[Step, ...]:
 
 
 def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
-    """Reruns that remove pairs of causes, both large for some row, on their finest common mesh.
+    """Steps that remove two causes, both large for a row, on the finest mesh of both.
 
     On this mesh, the result also includes the unchanged run and the reruns that remove one cause.
     """

@@ -18,7 +18,7 @@ STALE = "not measured for the present code: run `make crosscheck`"
 
 
 def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
-    """One line for each quantity of a comparison."""
+    """One record per quantity of a comparison: both values, difference, agreement."""
     lines = []
     for q in cross.quantities:
         ours, theirs = found.ours[q.name], found.theirs[q.name]
@@ -38,7 +38,7 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
-    """Lines of a report on `cases`: stored results, missing results, cases without a solver.
+    """Records for a report on `cases`: stored or missing results, cases without a solver.
 
     A case without a comparison has a line with the reason. If there are only such cases, the result
     is empty.

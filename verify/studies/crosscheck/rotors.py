@@ -13,7 +13,7 @@ from fem.rotor.model import Link, Rotor, Support
 def asked(
     rotor: Rotor, speeds: Sequence[float], count: int, unbalance: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """Rotor, with pieces divided into `rotor.refine` elements, and requested results for ROSS.
+    """Input data for ROSS: the rotor, in `rotor.refine` elements per piece, and requested results.
 
     `unbalance` contains nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node of the
     probe. Raises ValueError if a shaft has another speed than the rotor, or if ROSS does not have

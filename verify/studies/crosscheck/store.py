@@ -31,7 +31,7 @@ class Found:
 
 
 def code_of(cross: Cross) -> str:
-    """Hash of all data and code on which the quantities of a comparison depend.
+    """Hash of all data and code on which the compared quantities of `cross` depend.
 
     It includes the project's solver, the code that writes the deck and reads its results, the
     inputs of the case, and the names of the rows.

@@ -209,7 +209,7 @@ def _relaxed(r: Relaxation) -> tuple[str, ...]:
 
 
 def rounded(r: Relaxation) -> str:
-    """The required bound as text in its unit, rounded to the side that admits the candidate."""
+    """Required bound in its unit, as text, rounded so that the candidate is admitted."""
     value = r.needed / units.factor(r.limit.unit)
     step = 10.0 ** (np.floor(np.log10(abs(value))) - 3) if value else 1.0
     steps = np.round(value / step, 9)  # round-off does not make a number fractional

@@ -62,7 +62,7 @@ class Verified:
 
     @property
     def agrees(self) -> bool:
-        """Whether the error of the formula's stiffness plus the mesh error is within the limit."""
+        """Whether the formula's stiffness error plus the mesh error is at most `limit`."""
         return abs(self.deviation) + self.mesh <= self.limit
 
     @property

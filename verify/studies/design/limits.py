@@ -68,7 +68,7 @@ class Judged:
         return np.array([limit.violated for limit in self.limits]) & self.possible
 
     def reasons(self, i: int) -> tuple[str, ...]:
-        """Keys of all limits that candidate `i` violates; ("shape",) if the shape is impossible."""
+        """Keys of the limits that candidate `i` violates; ("shape",) if its shape is impossible."""
         if not self.possible[i]:
             return ("shape",)
         return tuple(

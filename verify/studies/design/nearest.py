@@ -50,7 +50,7 @@ def _least(excess: NDArray[np.float64]) -> int:
 
 
 def nearest(judged: Judged) -> list[Relaxation]:
-    """Relaxations needed by the candidate whose largest relative excess over a bound is smallest.
+    """Relaxations for the candidate whose largest relative excess over its bounds is smallest.
 
     They are in descending order of the excess. The list is empty if no candidate can be made as a
     spring.
@@ -64,7 +64,7 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """Relaxations that each, without any other relaxation, make a spring feasible.
+    """Relaxations of one limit each that are sufficient to make a spring feasible.
 
     For each limit, the smallest sufficient relaxation is given. Relaxations beyond the allowed
     range of the input are omitted.

@@ -41,7 +41,7 @@ class Search:
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Relaxations that each suffice without the others; empty if a candidate is feasible."""
+        """Relaxations of one limit each that are sufficient; empty if a candidate is feasible."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property

@@ -74,7 +74,7 @@ class Formulas:
 
 
 def width_factors(springs: Springs, demands: Demands) -> Array:
-    """Width factor of the stiffness of each strip, as given or computed for its leaves.
+    """Factor on the stiffness of each spring due to its width, given or computed from its leaves.
 
     The factor of a leaf depends only on the ratio of h to its length. It is interpolated between
     samples.

@@ -62,7 +62,7 @@ HEAD_CROWN = ("present", "optimum", "range", f"within {100 * FLAT:g} %: alone", 
 
 
 def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Cells of the table of crown parameters: present value, optimum, range, permitted change."""
+    """Cells, one line per crown parameter: present value, optimum, range, permissible ranges."""
     task, q = outcome.task, outcome.task.clutch
     now = (q.K_1, q.K_2, q.z_m)
     return [
@@ -178,7 +178,7 @@ def on_edge(outcome: Outcome) -> list[str]:
 
 
 def compared(outcome: Outcome) -> list[str]:
-    """Line that states which pressures of the table are comparable; empty without a tolerance."""
+    """Line that states which pressures in the table can be compared; empty without tolerances."""
     if outcome.search.single:
         return []
     return [
@@ -188,7 +188,7 @@ def compared(outcome: Outcome) -> list[str]:
 
 
 def surely(outcome: Outcome) -> str:
-    """Line with the errors of kriging: at the optimal crown, and at random crowns."""
+    """Line with the errors of kriging at the optimal crown and at random crowns."""
     near, whole = outcome.search.judged[-1]
     return (
         f"kriging: error {percent(outcome.predicted / outcome.true - 1)} at the optimal crown "

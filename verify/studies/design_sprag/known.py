@@ -33,7 +33,7 @@ class Known:
                      tuple(p[which] for p in self.strips))  # fmt: skip
 
     def with_(self, more: "Known") -> "Known":
-        """The results of this object, followed by those of `more`."""
+        """Results of this object followed by those of `more`, as one object."""
         return replace(
             self,
             crowns=np.vstack([self.crowns, more.crowns]),

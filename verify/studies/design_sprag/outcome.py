@@ -104,7 +104,7 @@ class Outcome:
 
     @property
     def verified(self) -> bool:
-        """Whether every half-space check of a crown under a torque passes, if there are checks."""
+        """Whether all half-space checks agree; True if there are no checks."""
         return all(check.agrees for check in self.checks)
 
     @property

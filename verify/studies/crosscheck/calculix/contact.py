@@ -97,7 +97,7 @@ class ContactDeck:
 
     @cached_property
     def strips(self) -> dict[str, Strip]:
-        """Strips of elements, by name, for the obstacles that a slave surface may touch."""
+        """Strips of elements for the obstacles that slave surfaces may touch, by obstacle."""
         surfaces = self.surfaces
         return {
             pair.master: strip_of(
@@ -120,12 +120,12 @@ class ContactDeck:
 
     @property
     def share(self) -> float:
-        """Ratio of the thickness in the deck to that in the problem; forces have the same ratio."""
+        """Thickness in the deck divided by that in the problem; forces have the same ratio."""
         return self.depth / self.bodies.thickness
 
     @property
     def told(self) -> float:
-        """Ratio of the contact forces that calculix prints to those of the problem."""
+        """Contact forces printed by calculix divided by those of the problem."""
         return TURN if self.bodies.turn else self.share
 
     @property

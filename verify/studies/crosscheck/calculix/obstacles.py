@@ -26,7 +26,7 @@ class Strip:
     centre: tuple[float, float]
 
     def sides(self, first: int) -> list[Side]:
-        """Contact side of each cell, if the first cell has the number `first`."""
+        """Contact side of each cell, with cell numbers that begin at `first`."""
         return [(first + k, 1) for k in range(len(self.cells))]
 
     def moved(self, motion: tuple[float, float, float]) -> Array:

@@ -189,7 +189,7 @@ class Supports:
                 keywords.equation(deck, [*self.mean(k), (handle, 1, -1.0)])
 
     def values(self, u: Array) -> list[Term]:
-        """All supported components, with their displacements in `u` (unknowns,)."""
+        """Prescribed displacements, from `u` (unknowns,), of all supported components."""
         size = NOTHING * float(np.abs(u).max(initial=0.0))
 
         def kept(value: float) -> float:
@@ -216,7 +216,7 @@ class Supports:
         return np.unique(self.numbering.of[np.append(tied.follower[0], tied.leader[0])])
 
     def mean(self, k: int) -> list[Term]:
-        """Terms (node, component, weight) of mean motion `k`.
+        """Terms (node, component, weight) of the sum that is mean motion number `k`.
 
         The force that holds the mean motion is distributed with the same weights.
         """

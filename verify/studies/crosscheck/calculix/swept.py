@@ -38,7 +38,7 @@ class SweptDeck:
 
     @cached_property
     def points(self) -> Array:
-        """Positions (nodes, 3) of all layers; some of these nodes belong to no brick."""
+        """Positions (nodes, 3) of the nodes of all layers; some nodes belong to no brick."""
         n = len(self.part.points)
         return np.vstack([
             np.column_stack([self.part.points, np.full(n, z)]) for z in self.levels

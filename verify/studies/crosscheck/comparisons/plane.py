@@ -44,7 +44,7 @@ class Fields:
 
     @property
     def energy(self) -> float:
-        """Strain energy by calculix, for the thickness of the project's solution."""
+        """Strain energy by calculix, converted to the thickness of the project's solution."""
         from verify.studies.crosscheck.calculix.reading import strain_energy
 
         share = self.deck.depth / self.deck.solution.thickness

@@ -24,7 +24,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """The inner hub under a torque: displaced and tilted, then rotated back by a small angle."""
+    """Inner hub of a clutch, displaced and tilted, then rotated back by a small angle."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
