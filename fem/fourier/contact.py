@@ -54,7 +54,10 @@ class PatchContact:
 
     @property
     def ridge(self) -> Array:
-        """Pressure (cells,) at x = 0, from a parabola through the means of the first two cells."""
+        """Pressure (cells,) at x = 0, extrapolated by a parabola.
+
+        The parabola is even in x and has the mean pressures of the two cells nearest to x = 0.
+        """
         a, b, c = self.across[:3] ** 3 / 3
         h, k = np.diff(self.across[:3])
         first, second = (b - a) / h, (c - b) / k  # mean x^2

@@ -141,7 +141,7 @@ class FourierSolid:
 
 @dataclass(frozen=True)
 class Harmonic:
-    """One factorised harmonic of `solid`: u = T q, with K for the full circumference."""
+    """Harmonic `n` of `solid`, with factorised stiffness K of the full circumference; u = T q."""
 
     solid: FourierSolid
     n: int

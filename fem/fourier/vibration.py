@@ -1,4 +1,4 @@
-"""Whirling of elastic bodies of revolution that rotate about their axis, each at its speed.
+"""Whirling of elastic bodies of revolution, each at a separate speed about the common axis.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
@@ -44,7 +44,7 @@ SEED = 1
 
 @dataclass(frozen=True)
 class WhirlModes:
-    """Angular frequencies (count,) of forward and backward waves at `speed`, ascending.
+    """Angular frequencies (count,) of forward and backward waves at `speed`, in ascending order.
 
     `forward_shapes` and `backward_shapes` (unknowns, count) contain amplitudes (U, V, W) of unit
     modal mass. `splitting` (count,) is the forward minus the backward frequency. Its relative
@@ -161,7 +161,7 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """Lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
+        """Lowest speeds W (found,) with a mode at w = `excitation` W, and the mode shapes.
 
         There are fewer than `count` if gyroscopic forces prevent some modes from having a critical
         speed: only positive roots of (e^2 M - e G) u = K u/W^2 are speeds. A negative `excitation`

@@ -62,7 +62,7 @@ class LateBasis(Basis):
 
     @cached_property
     def dx(self) -> Array:
-        """Areas (m, q) of the quadrature points."""
+        """Area (m, q) that each quadrature point represents: weight times Jacobian determinant."""
         return np.abs(jacobians(self.mesh, self.X)[1]) * self.W
 
 
@@ -119,7 +119,7 @@ def named_facets(mesh: Mesh2D, name: str) -> Indices:
 
 
 def outer_facets(mesh: Mesh2D, name: str) -> Indices:
-    """Facets of the boundary `name`. Raises ValueError if they have no outward normal."""
+    """Facets of the outer boundary `name`. Raises ValueError if a facet lies inside the mesh."""
     facets = named_facets(mesh, name)
     if np.any(mesh.f2t[1, facets] >= 0):
         raise ValueError(

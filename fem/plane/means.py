@@ -44,7 +44,10 @@ class Mean:
 
 
 def mean_rows(basis: Basis, means: Mapping[str, Mean], *, turn: bool = False) -> csr_array:
-    """Matrix C (k, unknowns) of the mean motions C u of displacements u, in order of components."""
+    """Matrix C (k, unknowns) that gives the mean motions C u of displacements u.
+
+    The rows are ordered by boundary, then by component.
+    """
     rows = [np.zeros((0, basis.N))]
     for name, mean in means.items():
         if turn and set(mean.held) != {"y"}:
@@ -87,11 +90,12 @@ class _Motion:
 
 
 def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
-    """Combinations of columns of `T` (unknowns, n) whose means are zero, and k displacements.
+    """Matrix of displacements with zero mean motions, and displacements of unit mean motions.
 
-    `C` (k, unknowns) gives the means. Each of the displacements (unknowns, k) changes one mean by
-    one and no other mean. The last `surface` columns remain the last
-    columns and must not contribute to a mean.
+    The columns of the matrix are combinations of columns of `T` (unknowns, n). `C` (k, unknowns)
+    gives the means. Each of the displacements of unit mean motions (unknowns, k) changes one mean
+    by one and no other mean. The last `surface` columns of `T` are also the last columns of the
+    matrix and must not contribute to a mean.
     """
     rows = (C @ T).tocsc()
     touched = np.flatnonzero(np.diff(rows.indptr))

@@ -85,7 +85,7 @@ class MixedCells(Cells):
 def basis_for(
     mesh: Mesh2D, lam: Array, mu: Array, degree: int | None, *, turn: bool = False
 ) -> Basis:
-    """Basis of displacements for `lam` and `mu`. Raises ValueError if degree 1 would lock."""
+    """Basis of displacements for Lamé's `lam`, `mu`. Raises ValueError if degree 1 would lock."""
     if degree_on(mesh, degree) == 1:
         refuse(mesh, lam, mu, "displacements of degree 1 lock, use degree=2")
     return vector_basis(mesh, degree, turn=turn, mixed=nearly_incompressible(lam, mu))

@@ -16,7 +16,7 @@ def solve_under_patch(
     mesh: Mesh2D, *, material: Elastic, assumption: Assumption, supports: Any, radius: float,
     a: float, P: float,
 ) -> PlaneSolution:  # fmt: skip
-    """Solution of the body under the load P/2 [force/length] on its boundary "patch".
+    """Solution of the body under half of the line load P [force/length] on its boundary "patch".
 
     The patch extends from the x axis along the arc of `radius` about the origin to the half-width a
     [length]. The other half of the load acts on the other side of the axis. With equal cells, the
@@ -39,7 +39,7 @@ def solve_under_patch(
 
 
 def polar_nodes(body: PlaneSolution, name: str) -> Array:
-    """Angle [rad], u_r and u_theta (3, m) [length] at the nodes of the boundary `name`.
+    """Angle [rad], u_r and u_theta [length] (3, m) of the nodes on `name`, sorted by angle.
 
     The nodes are sorted by angle. The polar coordinates are about the origin. The cells must be
     quadratic.

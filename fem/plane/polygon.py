@@ -31,7 +31,7 @@ class PolygonRing:
     solution: PlaneSolution
 
     def growth(self, theta: ArrayLike) -> Array:
-        """Radial displacement [length] of the outside at angles [rad] measured from mid-flat.
+        """Radial displacement [length] of the outer surface at angles [rad] from mid-flat.
 
         Angles must be between 0 and pi/z, the angle of a corner; the ring is periodic.
         """

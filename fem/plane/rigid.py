@@ -19,7 +19,7 @@ MOTIONS = ("x", "y", "rotation")
 
 @dataclass(frozen=True)
 class Motions:
-    """Rigid motions of bodies that the conditions (supports, ties, mean motions) permit.
+    """Rigid motions of bodies that the conditions of a problem do not prevent.
 
     `fields` (unknowns, k) are the displacements of the motions; `words` describe the body that
     moves most, and its motion.

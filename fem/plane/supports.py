@@ -58,9 +58,9 @@ class Conditions:
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
     def by_node(self) -> tuple[Indices, Indices, Array]:
-        """Numbers, unknowns and directions of the conditions of each node.
+        """Indices, unknowns and directions of the conditions of each node.
 
-        Numbers (nodes, c) of the conditions, with -1 if a node has fewer than c conditions (c >=
+        Indices (nodes, c) of the conditions, with -1 if a node has fewer than c conditions (c >=
         2). Unknowns (2, nodes) of the nodes. Directions (nodes, c, 2), zero without a condition.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
