@@ -24,7 +24,7 @@ class LineMesh:
 
     @property
     def chords(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Points, and node pairs (m, 2) of the straight elements between the ends."""
+        """End points of the elements, and node pairs (m, 2), without the middle nodes."""
         count = int(self.elements[:, :2].max()) + 1
         return self.points[:count], self.elements[:, :2]
 

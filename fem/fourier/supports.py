@@ -126,5 +126,5 @@ def check_held(basis: Basis, T: csr_array, n: int, antisymmetric: bool) -> None:
             )
             raise ValueError(
                 f"harmonic {n}: body {k + 1} of {count} can move rigidly {how}: "
-                "support it against this motion"
+                "support this body against this motion"
             )

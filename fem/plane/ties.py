@@ -137,7 +137,7 @@ class Tied:
         return self.led(conditions).forces(self.P.T @ reaction)
 
     def ordered(self, place: Indices) -> Indices:
-        """Positions (unknowns,) in the order of elimination; leaders follow all other unknowns."""
+        """Position (unknowns,) of every unknown in the order of elimination; leaders are last."""
         place = place.copy()
         np.maximum.at(place, self.leader, place[self.follower])
         place[self.leader] += self.count
@@ -156,7 +156,9 @@ def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
     at_rest: set[int] = set()
     for tie in ties:
         if turn and (math.remainder(tie.angle, 2 * math.pi) or tie.shift[0]):
-            raise ValueError(f"tie {tie}: if axisymmetric, followers can only be shifted along y")
+            raise ValueError(
+                f"tie {tie}: in a body of revolution, followers can only be shifted along y"
+            )
         for a, b in zip(*_partners(basis, tie), strict=True):
             (a_root, to_a), (b_root, to_b) = _root(follows, a), _root(follows, b)
             between = to_b.back.after(tie.move.after(to_a))

@@ -11,7 +11,7 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 
 
 class Trace(FacetBasis):
-    """Basis on the cells at one `side` of `facets`, at the facet parameters `X` (1, q).
+    """Basis of the cells on one `side` of `facets`, evaluated at the facet parameters `X` (1, q).
 
     It has the content of scikit-fem's class, with two differences. First, the position of a point
     of a facet in the cell is calculated from their common corners. scikit-fem inverts the curved

@@ -73,7 +73,7 @@ class Block:
         return (to_whirl(q) if self.turned else q)[..., self.at]
 
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
-        """Amplitudes (..., unknowns) of the unknowns of the nodes, from `v` (..., n)."""
+        """Amplitudes (..., unknowns) of the nodes, from amplitudes `v` (..., n) of this block."""
         whole = np.zeros((*v.shape[:-1], unknowns), complex)
         whole[..., self.at] = v
         return from_whirl(whole) if self.turned else whole

@@ -21,7 +21,7 @@ ROUND = 1e-6  # share of the other sense in a motion, below which it has one
 
 @dataclass(frozen=True)
 class Branches:
-    """Eigenvalues lambda (speeds, k) of branches, and shapes (speeds, k, n) of the nodes.
+    """Eigenvalues lambda (speeds, k) of branches, and mode shapes (speeds, k, n) of the nodes.
 
     `sense` is the sense of whirl.
     """
@@ -47,7 +47,7 @@ def check_count(count: int) -> int:
 
 
 def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
-    """Blocks of `plane`, without backward blocks: these are conjugate to forward blocks."""
+    """Blocks of `plane`, without backward blocks, which are conjugate to the forward blocks."""
     known = ("bending", "torsion", "axial", "all")
     if plane not in known:
         raise ValueError(f"plane must be one of {', '.join(known)}, got {plane!r}")
@@ -56,7 +56,7 @@ def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
 
 
 def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branches]:
-    """Branches of every block of `rotor`: at least `count` branches, or all that the block has."""
+    """For each block of `rotor`, at least `count` branches, or all if the block has fewer."""
     unknowns = rotor.system.M.shape[0]
     if not rotor.system.varying:
         return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]

@@ -49,10 +49,10 @@ class Ranges:
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Sets of parameters `members` (m, k), and masks of the initial points of the search.
+    """Sets of parameters `members` (m, k), and masks that mark initial points of the search.
 
-    `met` marks the initial points from which the speeds were reached, `kept` those of them with
-    final parameters within the ranges.
+    `met` marks the initial points from which the speeds were reached. `kept` marks the points
+    of `met` whose final parameters are within the ranges.
     """
 
     members: Array

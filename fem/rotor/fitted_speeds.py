@@ -23,9 +23,10 @@ Systems = Callable[[Array], WhirlSystems]  # at places (m, k)
 def fitted(
     start: Array, wanted: tuple[float, ...], systems: Systems
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Positions (m, k) of parameters, by steps from `start`, and a mask (m,) of converged sets.
+    """Relative positions (m, k) of fitted parameters, and a mask (m,) of the converged sets.
 
-    `wanted` are the prescribed lowest forward critical speeds [rad/s].
+    The iteration begins at the positions `start` (m, k). `wanted` are the prescribed lowest
+    forward critical speeds [rad/s].
     """
     x, hit = start.copy(), np.zeros(len(start), bool)
     active = np.arange(len(start))

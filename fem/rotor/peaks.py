@@ -9,7 +9,7 @@ LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 
 
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
-    """Damping ratios (count, 2) at two frequencies, distributed evenly over their logarithms.
+    """Damping ratios (count, 2) at two frequencies; the logarithms of the ratios are spread evenly.
 
     The ratios are between `low` and `high` and follow the R2 sequence. `apart` is the quotient of
     the frequencies. With Rayleigh damping, the quotient of the two damping ratios is at most the

@@ -112,7 +112,7 @@ def unbalance_response(
 def unbalance_responses(
     rotor: Rotor, speeds: ArrayLike, each: Sequence[Mapping[int, complex]]
 ) -> list[Response]:
-    """Responses to several sets of unbalances, all on shafts with the same ratio."""
+    """Responses to several sets of unbalances, all on shafts with the same speed ratio."""
     at = check_speeds(speeds)
     forces, ratios = [], set()
     for unbalances in each:

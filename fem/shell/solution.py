@@ -51,7 +51,7 @@ class ShellSolution:
 
     @property
     def stations(self) -> Array:
-        """Gauss points (cells, 9, 3) of resultants and stresses."""
+        """Positions (cells, 9, 3) of the Gauss points to which resultants and stresses belong."""
         return np.einsum("qi,mic->mqc", shapes(POINTS).N, self.points[self.cells])
 
     @property

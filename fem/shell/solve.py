@@ -47,7 +47,7 @@ def solve_shell(
     surface_loads: Vector | Mapping[str, Vector] = (0.0, 0.0, 0.0),
     loads: Mapping[int, Any] | None = None,
 ) -> ShellSolution:
-    """Solve for displacements and rotations of a thin shell. Folds and branches are permitted.
+    """Solve for displacements and rotations of a thin shell, which may have folds and branches.
 
     Parameters
     ----------

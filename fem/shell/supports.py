@@ -35,7 +35,7 @@ def place(component: str, where: str | int) -> int:
 
 
 def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
-    """Prescribed values (6 count,), NaN if free. Raises ValueError if two values differ."""
+    """Prescribed values (6 count,), NaN if free. Raises ValueError if an unknown has two values."""
     values = np.full((count, 6), np.nan)
     for where, support in supports.items():
         nodes = nodes_of(where, boundaries, count)

@@ -16,14 +16,14 @@ FACE_POINTS = 4  # of Gauss per direction: a load of degree 3 on a curved face c
 
 
 def degree(mesh: Mesh3D) -> int:
-    """Degree: 2 for 27-node hexahedra, 1 for 8-node hexahedra. Raises ValueError otherwise."""
+    """Degree of the cells: 2 for 27-node hexahedra, 1 for 8-node; otherwise raises ValueError."""
     if not isinstance(mesh, MeshHex):
         raise ValueError(f"solids require meshes of hexahedra, got {type(mesh).__name__}")
     return 2 if len(mesh.elem.doflocs) == 27 else 1
 
 
 def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
-    """Gauss points (d, q) in the unit cube of d dimensions and weights; `points` per direction."""
+    """Gauss points (d, q) in the unit cube, and weights (q,), for `points` along each direction."""
     rules = [np.polynomial.legendre.leggauss(n) for n in points]
     X = np.meshgrid(*[(t + 1) / 2 for t, _ in rules], indexing="ij")
     W = np.meshgrid(*[w / 2 for _, w in rules], indexing="ij")
@@ -81,7 +81,7 @@ class Faces:
 
 
 def faces(mesh: Mesh3D, facets: Indices) -> list[Faces]:
-    """Faces of the first cells at the `facets` of `mesh`, grouped by side of the reference cube."""
+    """Faces of the first cell at each of `facets`, grouped by side of the reference cube."""
     cells = mesh.f2t[0, facets]
     corner = mesh.t[:, cells]
     inside = np.any(corner[:, None] == mesh.facets[:, facets], axis=1)

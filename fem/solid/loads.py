@@ -47,7 +47,9 @@ def pressure_load(mesh: Mesh3D, cells: Cells, pressures: Mapping[str, Pressure])
     for name, pressure in pressures.items():
         facets = named_facets(mesh, name)
         if np.any(mesh.f2t[1, facets] >= 0):
-            raise ValueError(f"boundary {name!r} lies inside the mesh and has no outward normal")
+            raise ValueError(
+                f"boundary {name!r} lies inside the mesh and has no outward normal: use tractions"
+            )
         for side in faces(mesh, facets):
             p = pressure(side.x.transpose(2, 0, 1)) if callable(pressure) else pressure
             if not np.all(np.isfinite(p)):

@@ -53,9 +53,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
         for c, name in zip(amplitudes[worst], MOTIONS, strict=True)
         if abs(c) > FREE
     )
-    raise ValueError(
-        f"body {worst + 1} of {count} can move rigidly ({how}): support it against this motion"
-    )
+    raise ValueError(f"body {worst + 1} of {count} can move rigidly ({how}): support this body")
 
 
 def _motion(mesh: Mesh3D, own: Indices) -> Array:

@@ -37,7 +37,7 @@ class Conditions:
     tied_by: tuple[Place, ...]
 
     def forces(self, reaction: Array, place: Place) -> Array:
-        """Share (unknowns,) of `reaction` (unknowns,) that `place` exerts.
+        """Part (unknowns,) of `reaction` (unknowns,) that `place` exerts.
 
         Places that fix the same unknown carry equal shares.
         """

@@ -49,7 +49,8 @@ class Course:
         low, high = self.at_states[by][[0, -1]]
         if not low <= value <= high:
             raise ArithmeticError(
-                f"{by} = {value:.4g} is outside the range of the states, which begins at {low:.4g}"
+                f"{by} = {value:.4g} is outside the range of the states, whose lowest value is "
+                f"{low:.4g}"
             )
         return float(self.over(name, by)(np.log(value)))
 

@@ -65,7 +65,7 @@ class Drive:
 
     @cached_property
     def way(self) -> float:
-        """Deflection [m] of the parts along z under the force `unit` without slip."""
+        """Displacement [m] of the rim of the ring along z under the force `unit`, without slip."""
         return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
@@ -102,7 +102,7 @@ class Drive:
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
     def left(self, at: Driven) -> float:
-        """Relative increase of the axial force up to the friction cone, for N and F_t of `at`."""
+        """Relative increase of the axial force that friction permits with N and F_t of `at`."""
         b = Borne.on_mesh(at.state)
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
@@ -155,7 +155,7 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """Largest force F_z [N/m] of a roller that friction permits in addition to F_t at rest.
+    """Largest axial force F_z [N/m] of a roller that friction permits besides F_t of `rest`.
 
     It is calculated for the normals of the mesh.
     """

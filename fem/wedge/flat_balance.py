@@ -42,7 +42,7 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
 
 
 def over_hertz(touch: "Touch", at: Array) -> Array:
-    """Pressure over Hertz's peak pressure, at the distances `at` x half-width from the centre.
+    """Ratio of the pressure to Hertz's peak pressure at `at` x half-width from the centre.
 
     The half-width is calculated from the moments of the pressure.
     """

@@ -52,7 +52,8 @@ class FlatCourse(Course):
         low, high = np.sort(self.psi[[0, -1]])
         if not low <= psi <= high:
             raise ArithmeticError(
-                f"the angle {psi:.4g} rad is outside the range of the states, up to {high:.4g} rad"
+                f"the angle {psi:.4g} rad is outside the range of the states, whose largest angle "
+                f"is {high:.4g} rad"
             )
         sense, rigid = self.q.sense, math.cos(self.q.rigid_angle)
         opened, wanted = sense * (rigid - np.cos(self.psi)), sense * (rigid - math.cos(psi))

@@ -51,7 +51,7 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """Approximate state with the total overlap of `state`, divided as in the equilibrium."""
+    """Approximate state with the initial total overlap of `state`, divided as in equilibrium."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
@@ -88,4 +88,4 @@ def loaded(
         now = after(state).scaled(by**power)
         if abs(by - 1) < near:
             return now
-    raise NotFoundError(f"{what} was not reached: difference {by - 1:.1%} after the last step")
+    raise NotFoundError(f"{what} was not reached: the load must still change by {by - 1:.1%}")

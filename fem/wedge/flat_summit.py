@@ -74,6 +74,6 @@ class SummitCourse(FlatCourse):
         low, high = self.at_states["T"][[0, top]]
         if not low <= T <= high:
             raise ArithmeticError(
-                f"T = {T:.4g} is outside the range of the states, which begins at {low:.4g}"
+                f"T = {T:.4g} is outside the range of the states, whose lowest value is {low:.4g}"
             )
         return float(brentq(lambda t: float(self._T(t)) - math.log(T), N[0], N[top], xtol=1e-13))

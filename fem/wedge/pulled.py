@@ -157,7 +157,7 @@ def pulled(one: Pulled, there: Sector, rest: State) -> State:
 
 
 def yielding(one: Pulled, there: Sector, stuck: State) -> float:
-    """Displacement [m] of the ring along z up to the friction limit, calculated without slip."""
+    """Displacement [m] of the ring along z at the friction limit, calculated without slip."""
     q, borne = one.q, Borne.on_mesh(stuck)
     N = borne.N.mean()
     u = PROBE * one.mu * N * 2 * (1 + q.nu) / q.E

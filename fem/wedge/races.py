@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Position of the strut, with the parts of the overlaps that belong to the races."""
+        """Position of the strut, with the shares of the races in the overlaps of both contacts."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )

@@ -9,10 +9,10 @@ if TYPE_CHECKING:
 class Place(Protocol):
     """Position and outline of a strut, whose pole is at the distance `D` [m] from the axis.
 
-    `overlaps` are those of both contacts without loads; `bends` is the share of the overlaps that
-    is included in the mesh, H the sum of the overlaps. `OA` and `OB` are the radii at which forces
-    act. `spiral` contains pole, first radius, its direction and growth; `arc` contains centre and
-    radius. Motion is evaluated at `core`.
+    `overlaps` are those of the undeformed outlines at both contacts, and H is their sum. `bends` is
+    the part of the overlaps that is included in the mesh. `OA` and `OB` are the radii at which
+    forces act. `spiral` contains pole, first radius, its direction and growth; `arc` contains
+    centre and radius. Motion is evaluated at `core`.
     """
 
     @property

@@ -1,4 +1,4 @@
-"""Equilibrium of a wedged body in its mesh position.
+"""Equilibrium of a wedged body that does not move from its position in the mesh.
 
 Adjacent surfaces are rotated until the body is at rest in this position.
 

@@ -49,22 +49,22 @@ class Limit:
         return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
 
     def shares(self) -> Array:
-        """Ratios mu/tan(alpha), and the shares `slipping` of both contacts, in rows (3, m)."""
+        """Rows (3, m): ratios mu/tan(alpha), and the results of `slipping` for both contacts."""
         found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
         return np.array(found).T
 
     def of_torque(self) -> Array:
-        """Ratio mu/tan(psi/2) at which both contacts slip completely: value, half-width (2,).
+        """Ratio mu/tan(psi/2) at which both contacts slip completely, and its uncertainty (2,).
 
-        The half-width is that of the interval in which the value lies.
+        The uncertainty is half the width of the interval in which the ratio lies.
         """
         steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Ratio of mu to its value by Eq. 8 at which the clutch just holds its axial load (2,).
+        """Smallest mu that holds the clutch under its axial load, divided by mu of Eq. 8 (2,).
 
-        The result is the value and its uncertainty.
+        The result is this ratio and its uncertainty.
         """
         if self.asked == 0:
             return self.of_torque()

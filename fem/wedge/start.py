@@ -20,7 +20,7 @@ STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
 
 class TurnedPlace(Place, Protocol):
-    """Position of a strut that is rotated by `alpha` [rad], with its angles `strut` [rad]."""
+    """Position of a strut rotated by `alpha` [rad]; `strut` are the angles nu and omega [rad]."""
 
     @property
     def alpha(self) -> float: ...
@@ -47,7 +47,7 @@ class Start(Generic[P]):
         return cls(state.sector.q, state.place, state.widths, state.drags)
 
     def turned(self, alpha: float) -> "Start[P]":
-        """Approximate state at another rotation [rad]; lengths are scaled with the deflections."""
+        """Approximate state at the rotation `alpha` [rad], with scaled half-widths and drags."""
         place, share = self.place.turned(alpha)
         root = math.sqrt(share)
         return replace(
@@ -75,5 +75,5 @@ class Start(Generic[P]):
             if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
         raise NotFoundError(
-            f"no equilibrium position of the sprag was found at {self.place.alpha:.4g} rad"
+            f"no equilibrium of the sprag was found at the rotation {self.place.alpha:.4g} rad"
         )

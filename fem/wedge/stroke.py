@@ -24,7 +24,7 @@ class Stroke(Course):
     z: int
 
     def turn_by_energy(self, T: Array) -> Array:
-        """Wind-up of the races [rad] at the torques T [N m]: the integral of n_s dU/T."""
+        """Wind-up of the races [rad] at the torques T [N m]: the integral of z dU/T."""
         U, z = self.logarithm("U", "T"), self.z
         return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 
@@ -35,7 +35,7 @@ class Stroke(Course):
 
 
 def half_width(touch: "Touch") -> float:
-    """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
+    """Half-width [m] of an elliptic pressure with the mean distance from the centre of `touch`.
 
     The half-width from squared distances is twice as sensitive to the position of the contact edge
     in a cell.

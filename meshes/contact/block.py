@@ -69,7 +69,7 @@ def block(
     cells: Cells = "quad",
     order: int = 2,
 ) -> Mesh2D:
-    """Mesh of a rectangle with `nx` by `ny` equal cells, which are halved if `cells` is "tri".
+    """Mesh of a rectangle with `nx` by `ny` equal cells; "tri" divides each into two triangles.
 
     The rectangle lies between the two values of `x` and the two values of `y`. Boundaries: "left",
     "right", "bottom" and "top". Body: "block". `order` is 1 or 2. Raises ValueError unless the

@@ -106,7 +106,7 @@ def fan(
 
 
 def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
-    """Number of equal cells over `length`, which continue the last cell of the edge `beside`.
+    """Number of equal cells over `length`, about as long as the last cell of the edge `beside`.
 
     No cell is longer than GROWTH times this last cell, whose length is about two fifths of the
     thickness.

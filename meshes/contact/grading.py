@@ -16,7 +16,7 @@ FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by
 
 
 def cells_along(*, length: float, first: float, growth: float) -> int:
-    """Number of cells over `length`, the first of size `first`; each grows by at most `growth`.
+    """Number of cells over `length` from size `first`, each at most `growth` times the previous.
 
     `length` and `first` have the same unit; `growth` is above 1.
     """

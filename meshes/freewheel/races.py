@@ -30,7 +30,7 @@ class RoundRace:
     names: tuple[str, str, str]
 
     def mesh(self, zone: Zone, *, order: int, straight: bool) -> Mesh2D:
-        """Mesh with fine cells about the contact; `zone` is a length on the circle in contact."""
+        """Mesh with fine cells about the contact; `zone` is measured along the circle `touched`."""
         surface, base, body = self.names
         fine = Zone(zone.width / self.touched, zone.cells, zone.refine)
         left, right = (Side(((surface, self.pitch / 2),), cut) for cut in ("left", "right"))
@@ -78,7 +78,7 @@ class FlatRace:
         return math.atan(self.half_flat / self.apothem)
 
     def mesh(self, zone: Zone, *, order: int, straight: bool) -> Mesh2D:
-        """Mesh with fine cells about the contact; `zone` is a length on the flat."""
+        """Mesh with fine cells about the contact; `zone` is measured along the flat."""
         surface, base, body = self.names
         left, right = (self._side(sign, surface) for sign in (-1, 1))
         radius = math.hypot(self.apothem, self.at)

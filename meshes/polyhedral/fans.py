@@ -46,7 +46,7 @@ def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
 
 
 def across(ring: Outline, s: float) -> tuple[Point, Point]:
-    """Ends of the line across the wall at `s`: on the flat, and on the outside."""
+    """Ends of the line across the wall at `s`: on the flat, and on the outer circle."""
     return (ring.apothem, s), ring.above(s)
 
 

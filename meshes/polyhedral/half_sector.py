@@ -58,9 +58,10 @@ def half_sector(
     stops = _stops(ring, hub, first=None if fine is None else ring.wall(0.0))
     if fine is not None and not 0 < fine.width <= min(ring.wall(0.0), ring.above(stops[0])[1]) / 2:
         raise ValueError(
-            "the fine zone must be positive and at most half of two lengths: the thickness of the "
-            f"wall at the middle of the side ({ring.wall(0.0):g} m), and the outside of the blocks "
-            f"below the roller ({ring.above(stops[0])[1]:g} m); got zone={fine.width:g} m"
+            "the fine zone must be positive and at most half of each of two lengths: the "
+            f"thickness of the wall at the middle of the side ({ring.wall(0.0):g} m), and the "
+            "extent in y of the blocks below the roller, at the outer circle "
+            f"({ring.above(stops[0])[1]:g} m); got zone={fine.width:g} m"
         )
     blocks = [] if fine is None else roller_fan(ring, fine, stops[0])
     for ends in pairwise(stops):

@@ -67,7 +67,7 @@ class Outline:
         return r * math.cos(self.angle), r * math.sin(self.angle)
 
     def above(self, s: float) -> Point:
-        """Point of the outside on the line across the wall that starts on the flat at `s`.
+        """Outer end of the line across the wall that starts on the flat at `s`.
 
         The direction of the line is between the normal of the flat and the radius of the ring,
         nearer to the normal.

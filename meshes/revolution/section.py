@@ -32,11 +32,11 @@ def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
 
 
 def stations(*, start: float, end: float, first: float, growth: float, refine: int = 1) -> Array:
-    """Stations from `start`, with cells of size `first`, to `end`, in either direction.
+    """Ascending stations between `start`, where the cell size is `first`, and `end`.
 
-    Away from `start`, a cell is at most `growth` times as long as the previous cell. At a large
-    distance, sizes become constant. `refine` 2 halves all cells, and so on. Raises ValueError
-    unless 0 < first <= |end - start|.
+    `end` may be above or below `start`. Away from `start`, a cell is at most `growth` times as long
+    as the previous cell. At a large distance, sizes become constant. `refine` 2 halves all cells,
+    and so on. Raises ValueError unless 0 < first <= |end - start|.
     """
     length = abs(end - start)
     if not 0 < first <= length < np.inf or not growth > 1 or refine < 1:

@@ -44,7 +44,7 @@ def check_place(at: Placed, R_i: float, R_e: float) -> None:
 
 
 def check_beside(at: Placed, pitch: float) -> None:
-    """Raise ValueError if neighbouring sprags, at the `pitch` [rad], overlap."""
+    """Raise ValueError if neighbouring sprags, spaced by `pitch` [rad], overlap."""
     sprag, share = at.sprag, np.linspace(0, 1, ALONG)
     flanks = []
     for theta, phi in zip(sprag.below, sprag.above, strict=True):

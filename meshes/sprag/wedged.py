@@ -63,7 +63,7 @@ class FirstContact:
 
     @property
     def pole(self) -> tuple[float, float]:
-        """Position of the pole: radius and normal of a spiral differ by the angle arctan m."""
+        """Position of the pole, from the angle arctan m between radius and normal of a spiral."""
         x = math.hypot(1, self.m)
         return -self.rho * self.m / x, self.R_i + self.rho / x
 
@@ -121,12 +121,12 @@ class Place:
 
     @cached_property
     def free(self) -> Placed:
-        """Sprag without loads, which overlaps both races."""
+        """Sprag with its undeformed outline in this position; it overlaps both races."""
         return Placed(self.q.sprag, (0.0, self.D), self.alpha)
 
     @cached_property
     def overlaps(self) -> tuple[float, float]:
-        """Overlaps of both contacts without loads [m]: the deflections at the contacts."""
+        """Overlaps [m] of the undeformed outlines at both contacts: the deflections there."""
         at = self.free
         return self.q.R_i - math.hypot(*at.inner), math.hypot(*at.outer) - self.q.R_e
 
@@ -153,7 +153,7 @@ class Place:
 
     @property
     def strut(self) -> tuple[float, float]:
-        """Angles nu and omega [rad] between the line AB and OA or OB."""
+        """Angles [rad] of the line AB with OA (nu) and with OB (omega)."""
         x, y = self.OB * math.sin(self.beta), self.OB * math.cos(self.beta)
         nu = math.atan2(x, y - self.OA)
         return nu, nu - self.beta
@@ -180,7 +180,7 @@ class Place:
 
     @property
     def touched(self) -> tuple[float, float]:
-        """Distances [m] of the contacts of the compressed sprag above O."""
+        """Coordinates y [m] of both contacts of the compressed sprag; O is at y = 0."""
         return self.drawn.inner[1], self.drawn.outer[1]
 
     @property
@@ -212,7 +212,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """Approximate position rotated by `alpha` [rad], and ratio of its H to the present H."""
+        """Approximate position rotated by `alpha` [rad]; ratio of its H to H of this position."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

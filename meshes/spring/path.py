@@ -26,7 +26,7 @@ class Piece:
 
     @property
     def end(self) -> tuple[float, float]:
-        """End of the piece, along the chord, which bisects the change of direction."""
+        """End point of the piece; the chord from (x, y) bisects the change of direction."""
         half = self.turn / 2
         chord = self.length * (math.sin(half) / half if half else 1.0)
         return (

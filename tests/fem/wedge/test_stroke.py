@@ -65,7 +65,7 @@ def test_powers_and_what_hardly_changes_are_met_between_the_states_and_nothing_b
         assert one.at("d", 3 * N**1.2, "T") == pytest.approx(3 * N**0.9, rel=1e-12)
         assert one.at("tan", N) == pytest.approx(0.05 - 1e-3 * np.log(N), rel=1e-12)
     for N in (1.99, 801.0):
-        with pytest.raises(ArithmeticError, match="range of the states, which begins at 2"):
+        with pytest.raises(ArithmeticError, match="range of the states, whose lowest value is 2"):
             one.at("T", N)
 
 
