@@ -8,7 +8,7 @@ from fem.plane.discretisation import Array
 
 
 def rigid_inertia(body: RotatingSolid) -> Array:
-    """Mass [kg], and polar and diametral moments of inertia [kg m^2] at the origin (3,).
+    """Mass [kg], and polar and diametral moments of inertia [kg m^2] about the origin (3,).
 
     They are v M v for rigid translation across the axis and for tilt, and w G w for the tilt.
     """

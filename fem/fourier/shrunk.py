@@ -11,7 +11,7 @@ from fem.plane.discretisation import Array
 
 
 def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
-    """Contact pressure (cells,) of two surfaces that are fitted with unit interference.
+    """Contact pressure (cells,) of two surfaces that are fitted with the interference 1 [length].
 
     The cells lie between the axial `stations` (cells + 1,). Each body is given with the name of its
     surface. Both bodies deflect uniformly around the axis.

@@ -77,9 +77,9 @@ class FourierSolid:
         return self._first, second, third
 
     def stiffness(self, signed: int) -> csr_array:
-        """Stiffness of harmonic `signed`, for one radian, without zero entries.
+        """Stiffness of harmonic |`signed`|, for one radian, without zero entries.
 
-        A negative number denotes the antisymmetric harmonic.
+        A negative `signed` denotes the antisymmetric harmonic.
         """
         if signed:
             K_0, K_1, K_2 = self.parts

@@ -1,4 +1,4 @@
-"""Whirling of elastic bodies of revolution, each at a separate speed about the common axis.
+"""Whirling of elastic bodies of revolution that rotate about one axis at different speeds.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)

@@ -67,7 +67,7 @@ def mass_matrix(
 
 
 def gyroscopic_form(n: int) -> Array:
-    """Form 2 (n I + P) (3, 3), for which `mass_matrix` gives the gyroscopic matrix.
+    """Argument `form` (3, 3) with which `mass_matrix` gives the gyroscopic matrix: 2 (n I + P).
 
     The density is then multiplied by the speed. P exchanges U and V and has no entry for W.
     """

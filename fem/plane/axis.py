@@ -22,7 +22,7 @@ def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
 
 
 def has_area(mesh: Mesh2D, facets: NDArray[np.int64]) -> bool:
-    """True if rotation about the axis generates an area from `facets`: not all are on the axis."""
+    """True if at least one of `facets` is off the axis, so that rotation generates an area."""
     return not np.all(on_axis(mesh, mesh.p[:, mesh.facets[:, facets]]))
 
 

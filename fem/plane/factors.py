@@ -14,7 +14,7 @@ FACTORS: Recent[Cholesky] = Recent(most=8, room=8e6)  # entries of the factors, 
 
 
 def factorised(A: csc_array) -> Cholesky:
-    """Factors of `A`, stored for further use if they need little memory."""
+    """Cholesky factors of `A`; small factors are stored for further calls with an equal matrix."""
     key = (A.shape[0], A.data, A.indices, A.indptr)
     return FACTORS.get(key, lambda: Cholesky(A, ordered=False), lambda factors: factors.entries)
 

@@ -40,7 +40,7 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     cell, X = np.full(points.shape[1], -1), np.zeros(points.shape)
 
     def settle(point: Indices, tried: Indices, gap: float, starts: Array) -> None:
-        """Assign each `point` to a cell; if several of `tried` contain it, where it is deepest.
+        """Assign each `point` to one of the cells `tried`: the cell in which the point is deepest.
 
         A point may be outside a cell by `gap` at most.
         """

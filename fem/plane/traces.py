@@ -1,4 +1,4 @@
-"""Facets of a plane mesh with the cells behind them: points, normals and shape functions."""
+"""Facets of a plane mesh with adjacent cells: points, normals and shape functions."""
 
 from functools import cached_property
 

@@ -68,7 +68,7 @@ def check_supported(block: Block) -> None:
     """Raise ValueError if the rotor can move rigidly across its axis."""
     if not block.supported:
         raise ValueError(
-            "the rotor can move rigidly across its axis: support it against this motion"
+            "the rotor can move rigidly across its axis: support the rotor against this motion"
         )
 
 

@@ -71,7 +71,7 @@ class Diagonal:
         return cls(block, A, V, mu, left, right)
 
     def solve(self, omega: Array, f: Complex) -> tuple[Complex, NDArray[np.bool_]]:
-        """Motions (m, n) under `f` (m, n) at `omega` (m,), and a mask of the accurate results."""
+        """Amplitudes (m, n) under forces `f` (m, n) at `omega` (m,); mask of accurate results."""
         square, C = omega[:, None] ** 2, 1j * omega[:, None]
         q = self._decoupled(omega, f @ self.V.conj())
         u = q @ self.V.T

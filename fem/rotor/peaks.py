@@ -42,7 +42,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Largest relative height of f (3, ...) at u[1] above the chord between u[0] and u[2].
+    """Largest ratio, minus 1, of f (3, ...) at u[1] to the chord of f from u[0] to u[2].
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

@@ -168,7 +168,7 @@ def _responses(
     n = rotor.system.M.shape[0]
     for force in forces:
         if force.shape[-1] != n:
-            raise ValueError(f"forces must have {n} unknowns, got {force.shape[-1]}")
+            raise ValueError(f"forces must have {n} values, one per unknown, got {force.shape[-1]}")
     loads = np.array([np.broadcast_to(force, (at.size, n)) for force in forces], complex)
     q = np.zeros(loads.shape, complex)
     if rotor.system.varying:
@@ -215,7 +215,7 @@ def _direct(block: Block, speeds: Array, omega: Array, f: Complex) -> list[Compl
     except np.linalg.LinAlgError:
         raise ArithmeticError(
             "no bounded response exists: the rotor has an undamped resonance, or an unsupported "
-            "motion at zero frequency"
+            "motion at zero frequency: add damping or supports"
         ) from None
 
 

@@ -58,7 +58,7 @@ class SpragStruts:
         return float((force / self.law) ** (1 / POWER))
 
     def slices(self, psi: Array, count: int) -> tuple[Array, Array]:
-        """Angles [rad] and axial positions [m] of all slices of sprags at the angles psi (Z,).
+        """Angles [rad] and axial positions [m] of the slices of all sprags, at the angles psi (Z,).
 
         Each sprag has `count` slices.
         """

@@ -79,11 +79,11 @@ class Joint:
         return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
 
     def under(self, loads: Array, free: tuple[int, ...], *, tolerance: float = 1e-12) -> "Joint":
-        """Joint in equilibrium with `loads` (6,) on its `free` displacements.
+        """Joint moved in the components `free` until it is in equilibrium with `loads` (6,).
 
-        The displacements that are not free are fixed. The method is Newton's; steps are halved
-        until the residual decreases. `tolerance` is relative to the largest load, with moments
-        divided by the size of the inner hub.
+        All other components of displacement and rotation are fixed. The method is Newton's; steps
+        are halved until the residual decreases. `tolerance` is relative to the largest load, with
+        moments divided by the size of the inner hub.
 
         Raises
         ------

@@ -17,7 +17,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class State:
-    """Shortenings (m,) of all struts, and first and second derivatives by the hub motion (u, w)."""
+    """Shortenings (m,) of all struts, and first and second derivatives by the hub motion (u, w).
+
+    u is the displacement of the inner hub, w a rotation vector.
+    """
 
     s: Array
     J: Array  # (m, 6)

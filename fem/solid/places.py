@@ -23,7 +23,9 @@ def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
     p = mesh.doflocs
     wanted = [i for i in range(3) if place[i] is not None]
     if len(place) != 3 or not wanted:
-        raise ValueError(f"a point must have x, y and z, not all of them None, got {place}")
+        raise ValueError(
+            f"a point must have x, y and z, of which at least one is a number, got {place}"
+        )
     away = np.max([abs(p[i] - place[i]) for i in wanted], axis=0)
     if not away.min() <= NEAR * np.ptp(p, axis=1).max():
         raise ValueError(

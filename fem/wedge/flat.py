@@ -39,7 +39,7 @@ class Sector:
         self.problem = flat_problem(place, place.q.mesh(place, widths, cells), mu, along)
 
     def rest(self, drags: Drags = (0.0, 0.0)) -> "State":
-        """Equilibrium state in which the centre of the roller neither moves nor rotates.
+        """Equilibrium state in which the roller neither moves from its place nor rotates.
 
         `drags` [m] are the displacements of the surfaces of inner and outer part into the wedge;
         they are corrected until the roller is at rest.

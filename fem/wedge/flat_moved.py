@@ -13,7 +13,7 @@ NEAR, MOST = 2e-4, 6  # relative error of the torque, number of steps
 def angle_with_flats(
     q: Pitch, start: Start, flat: float, cells: int, *, T: float, L: float
 ) -> float:
-    """Clamping angle [rad] under the torque T [N m] with the flats at the distance `flat` [m].
+    """Clamping angle [rad] under the torque T [N m] with flats at `flat` [m] from the axis.
 
     `start` is the position of the pitch `q` under this torque, with rollers of length `L` [m].
     """

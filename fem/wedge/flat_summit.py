@@ -1,4 +1,4 @@
-"""Flats around a shaft: the angle decreases under load, and the torque has a maximum."""
+"""Flats around a shaft: the clamping angle decreases under load; the torque has a maximum."""
 
 import math
 from functools import cached_property

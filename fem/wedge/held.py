@@ -63,7 +63,10 @@ class Held:
         return states
 
     def walk(self, share: float, cycles: int) -> Array:
-        """Displacement (cycles,) [m] of the bore of the ring in each cycle of the axial load."""
+        """Displacement (cycles,) [m] of the bore of the ring in each cycle of the axial load.
+
+        In each cycle, the axial load is `share` x `unit`, then -`share` x `unit`.
+        """
         state, drags = self.rest, [self.rest.drags[1]]
         for _ in range(cycles):
             state = self.to(-share, self.to(share, state))

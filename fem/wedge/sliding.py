@@ -22,7 +22,7 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
 
 
 def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """Path (m, 8) of states with the ring displaced to `displacements` [m] along z at constant N.
+    """States with the ring displaced to `displacements` [m] along z at constant N, as rows (m, 8).
 
     The columns are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N and
     F_z/N of both contacts along the normals of the mesh, and N of the ring and T relative to the
@@ -36,7 +36,7 @@ def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array
 
 
 def let_out(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """Path (m, 8) of states with the ring displaced along z without rotation.
+    """States with the ring displaced along z without rotation, as rows (m, 8).
 
     The rollers then move out of the wedge. The columns are those of `driven`.
     """

@@ -1,4 +1,4 @@
-"""Strip with a contact at one point of its surface, the plane region that is mapped to a race.
+"""Plane strip that is mapped to a race, with a contact at one point of its surface.
 
 The surface is y = 0, with the contact at the origin and the body below. A section bounds the strip
 on each side; the nodes of both sections have the same y.

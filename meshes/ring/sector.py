@@ -49,8 +49,9 @@ def half_sector(
     width, depth, zone = math.pi / n, math.log(r_o / r_i), patch / r
     if not 0 < zone <= min(width / 2, depth):
         raise ValueError(
-            "the patch must be positive, at most a quarter of the pitch, and at most the wall, got "
-            f"patch={patch:g} m, half of the pitch {width * r:g} m, wall {r_o - r_i:g} m"
+            "the patch must be positive, at most a quarter of the pitch, and at most about the "
+            f"thickness of the wall, got patch={patch:g} m, half of the pitch {width * r:g} m, "
+            f"wall {r_o - r_i:g} m"
         )
     block = half_block(
         width=width, depth=depth, zone=zone, refine=refine, cells=cells, order=order,

@@ -1,4 +1,4 @@
-"""Sprag between its races by vectors: spiral, position, and one pitch in compressed position.
+"""Sprag between races: its spiral, its position, and the mesh of one pitch as compressed.
 
 The view is along the axis O, with the sprag above O. Angles are measured clockwise from the line
 through O and the pole. The sprag rotates clockwise into the wedge.
@@ -171,7 +171,7 @@ class Place:
 
     @property
     def core(self) -> tuple[float, float]:
-        """Point of the axis of the column nearest to the pole."""
+        """Point on the middle line of the compressed sprag that is nearest to the pole."""
         at = self.drawn
         low, high = np.array(at.sprag.middle)
         along = (high - low) / np.hypot(*(high - low))

@@ -24,7 +24,7 @@ def strip(
     per_leaf: int,
     order: int = 2,
 ) -> Mesh2D:
-    """Mesh of quadrilaterals: `through` the thickness b, `per_arc` per arc, `per_leaf` per leaf.
+    """Mesh with `through` cells over the thickness b, `per_arc` along an arc, `per_leaf` per leaf.
 
     Boundaries: "head" and "tail" (the end faces, along x), "left" and "right" seen from the head.
     Bodies: "arcs" and "leaves".

@@ -156,7 +156,7 @@ TWO = [SHAFT, Shaft([Element(0.1, 0.08, 0.06)] * 2, ratio=2.0)]
         (lambda: unbalance_response(Rotor([SHAFT]), [1.0], {2: 1e-4}),
          "can move rigidly across its axis"),
         (lambda: forced_response(GOOD, 1.0, 1.0, np.ones(3)),
-         "forces must have 30 unknowns, got 3"),
+         "forces must have 30 values, one per unknown, got 3"),
         (lambda: unbalance_response(GOOD, [1.0], {2: 1e-4}).at(5),
          "node 5 does not exist: numbers"),
         (lambda: unbalance_response(GOOD, [1.0], {2: 1e-4}).support_load(2),

@@ -107,7 +107,7 @@ def test_bodies_and_loads_that_do_not_fit_get_one_line(changed, words):
         ({"tail": "xyz", "middle": {"z": 1e-3}}, r"at \(3.5, 0.\d+, 0\), along z: two supports"),
         ({"tail": {"x": np.nan}}, "support 'tail': the displacement along x"),
         ({(9.0, 0.0, None): "x"}, r"no node at \(9.0, 0.0, None\): the distance"),
-        ({(None, None, None): "x"}, "a point must have x, y and z, not all of"),
+        ({(None, None, None): "x"}, "a point must have x, y and z, of which"),
     ],
 )
 def test_supports_that_do_not_hold_or_do_not_fit_get_one_line(supports, words):
