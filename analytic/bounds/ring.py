@@ -25,7 +25,7 @@ Interval = tuple[float, float]
 def smeared_error(
     *, mean: float, at: float, load: float, indentation: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Interval of the error of `mean` plus `added`; the reference is `at` minus `indentation`.
+    """Interval of the error of `mean` + `added` against the reference `at` - `indentation`.
 
     The displacements [length] are those of the loaded wall: `mean` by Eq. 6, `at` the evaluated
     place, and `load` at a load. The tolerance is ACCEPTED. None if `at` minus `indentation` is less

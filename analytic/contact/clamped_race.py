@@ -37,7 +37,7 @@ TERMS = 4000  # the omitted part of the sum of delta_n, of the order 1/n², is b
 def approach_to_rim(
     *, P: float, a: float, r_i: float, r_o: float, E: float, nu: float, assumption: Assumption
 ) -> float:
-    r"""Approach [length] of the middle of the contact on the bore and the fixed rim of the ring.
+    r"""Approach [length] of the middle of the contact on the bore to the fixed rim of the ring.
 
     .. math:: \delta = \frac{2P}{\pi E'}\left[\ln\frac{2 r_i}{a} + \frac{1}{2}
               + \sum_n \delta_n\right]

@@ -48,7 +48,7 @@ def slice_centres(*, length: float, slices: int) -> Array:
 
 
 def lundberg(y: ArrayLike, *, load: ArrayLike, length: ArrayLike, E_star: ArrayLike) -> Array:
-    r"""Drop [length] of Lundberg's crown, for uniform pressure under `load`; infinite at the ends.
+    r"""Drop [length] of Lundberg's crown (uniform line load under `load`); infinite at the ends.
 
     .. math:: z = \frac{W}{\pi l E^*} \ln\frac{1}{1 - (2y/l)^2}
 

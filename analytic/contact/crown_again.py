@@ -16,7 +16,7 @@ Gap = Callable[[Array], Array]  # height over the race at places y from mid-leng
 def logarithmic(
     *, K_1: float, K_2: float, z_m: float, load: float, length: float, E_star: float
 ) -> Gap:
-    """Fujiwara's crown with A = 2 K_1 Q/(pi l E'); its bracket is limited to [0, 1]."""
+    """Fujiwara's crown with A = 2 K_1 Q/(pi l E'); the bracket of the formula lies in [0, 1]."""
     A = 2 * K_1 * load / (np.pi * length * 2 * E_star)
 
     def drop(y: Array) -> Array:
@@ -38,7 +38,7 @@ def lundberg(*, load: float, length: float, E_star: float) -> Gap:
 
 
 def johns_gohar(*, load: float, length: float, half_width: float, E_star: float) -> Gap:
-    """Johns and Gohar's crown with the constant 0.3033 as printed, which is multiplied by 2b/l."""
+    """Johns and Gohar's crown, in which 2b/l has the factor 0.3033 as printed."""
     left = 1 - 0.3033 * 2 * half_width / length
 
     def drop(y: Array) -> Array:

@@ -65,7 +65,7 @@ class PressedDisc:
         return float(self.a * np.sqrt(1 + self.coefficients[1] / self.coefficients[0]))
 
     def pressure(self, x: ArrayLike) -> Array:
-        """Contact pressure [stress], referred to the length of the flat; 0 outside the contact.
+        """Contact pressure [stress]: force over area of the flat; 0 outside the contact.
 
         The force per unit length of the circle is sqrt(1 - x²/R²) times this pressure; both are
         equal in the middle.

@@ -84,8 +84,8 @@ def solve(
             )  # fmt: skip
         _step(K, now, overlap, free, total)
     raise ArithmeticError(
-        f"the half-space contact did not converge: residual {residual:.1e} of the displacement "
-        f"after {limit} iterations, required {tolerance:.1e}"
+        f"the half-space contact did not converge: the residual is {residual:.1e} of the largest "
+        f"displacement after {limit} iterations, required {tolerance:.1e}"
     )
 
 

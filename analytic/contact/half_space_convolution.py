@@ -1,4 +1,4 @@
-"""Displacements of the cells of a half-space under given pressures, and an approximate inverse.
+"""Displacements of the cells of a half-space under given pressures; approximate inverse map.
 
 On a grid of equal cells, the influence depends only on the distance between cells. The
 displacements are a convolution, computed by fast Fourier transforms. Zeros double the size of the

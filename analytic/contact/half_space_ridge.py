@@ -1,4 +1,4 @@
-"""Results of a roller on a half-space that do not depend on the cells, and a suitable grid.
+"""Roller on a half-space: results that do not depend on the cells, and a grid for them.
 
 The pressure at a loaded end is unbounded. Therefore, the results are the largest pressure outside
 the end zones of length d and the load of the end zones.
@@ -34,7 +34,7 @@ class Ridge:
 
     @property
     def pressure(self) -> Array:
-        """Pressure [stress] at x = 0 along the roller, (ny,), from a fit of p² linear in x²."""
+        """Pressure [stress] at x = 0 along the roller, (ny,); p² is fitted by a line over x²."""
         field, x = self.contact.contact.pressure, self.contact.contact.x
         b = np.maximum(self.contact.half_width, 4 * self.contact.contact.cell[0])
         w = np.abs(x)[:, None] < NEAR * b

@@ -59,7 +59,7 @@ def approach_to_far_depth(
     nu: ArrayLike,
     assumption: Assumption,
 ) -> Array:
-    r"""Limit of `approach_to_depth` for d much larger than a; its error is of the order (a/d)².
+    r"""Limit of `approach_to_depth` for d much larger than a, with an error of the order (a/d)².
 
     .. math:: \delta \to \frac{P}{\pi E'}\left[2\ln\frac{2d}{a} - \nu'\right]
     """

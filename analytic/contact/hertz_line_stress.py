@@ -68,7 +68,7 @@ def transverse_stress(
 
 
 def largest_shear_stress(*, a: ArrayLike, p_0: ArrayLike) -> tuple[Array, Array]:
-    r"""Largest in-plane shear stress [stress] and its depth [length] below the middle.
+    r"""Largest in-plane shear stress [stress] and its depth [length] below mid-contact.
 
     On the axis, :math:`\tau/p_0 = t - t^2/\sqrt{1 + t^2}` with t = z/a. The maximum is at
     :math:`t^4 + t^2 = 1`: :math:`t = g^{-1/2}, \tau = g^{-5/2} p_0` with the golden ratio g =

@@ -71,7 +71,7 @@ def excess(
     nu_2: float,
     assumption: Assumption,
 ) -> tuple[Excess, Excess]:
-    """Relative excesses over Hertz's values: peak pressure, and half-width by moments (no unit).
+    """Relative excesses [1] of peak pressure and half-width (by moments) over Hertz's values.
 
     `a` is Hertz's half-width; an infinite R_2 is a flat.
 
@@ -112,7 +112,7 @@ def left_out(
     nu_2: float,
     assumption: Assumption,
 ) -> float:
-    r"""Bound (no unit) of the neglected terms of both excesses; e is a over the smaller radius.
+    r"""Bound (no unit) of the terms that both excesses neglect; e is a over the smaller radius.
 
     .. math:: \frac{e^4}{8} + \frac{(\beta\kappa a)^2}{4} + \frac{|\beta\kappa a|\, e^2}{2}
 

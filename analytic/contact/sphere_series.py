@@ -147,7 +147,7 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
 
 
 def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
-    """Load on finite spheres that causes Hertz's approach under P [force], divided by P, minus 1.
+    """Value Q/P - 1, if the load Q on finite spheres causes Hertz's approach under P [force].
 
     >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.0), Sphere(R=np.inf, E=np.inf, nu=0)
     >>> excess = load_excess(ball, flat, P=4e-6 / 3)

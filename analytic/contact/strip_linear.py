@@ -51,7 +51,7 @@ def direct(system: System) -> tuple[Array, Array]:
 
 
 def product(x: Real, matrix: Real) -> Real:
-    """`x @ matrix` in pieces that a BLAS computes in the calling thread.
+    """Product `x @ matrix`, in blocks that a BLAS computes in the calling thread.
 
     Threads that each used a multi-threaded BLAS took twenty times as long.
     """

@@ -44,7 +44,7 @@ class Solved:
 
 @dataclass(frozen=True)
 class Response:
-    """Displacements u (N, n) under loads s, near bands (M, N, n) of u/s and du/ds, far matrices.
+    """Displacements u (N, n) under s, bands (M, N, n) of u/s and du/ds near the diagonal, far part.
 
     For m > 0, the bands are differences from the logarithm of far[0].
     """

@@ -85,7 +85,7 @@ def rigid_displacement_beyond_stick(
 
 
 def beyond_chord(share: ArrayLike, *, Q_max: float, P: float, mu: float, E_star: float) -> Array:
-    """Displacements (2n,) [length] minus the straight line between both reversals of Q.
+    """Displacements (2n,) [length] minus the straight line that joins the two reversals of Q.
 
     Each branch is evaluated at the n values Q/Q_max = `share`, which increase from -1 to 1 (in
     reversed order for unloading).

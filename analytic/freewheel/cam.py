@@ -74,7 +74,7 @@ class Cam(ABC):
 
     @property
     def room(self) -> Array:
-        """Shift [length] of the flats at which the wedge is lost: R - 2 r - X; cup R_s + 2r - X."""
+        """Shift [length] of flats that removes the wedge: star R - 2 r - X, cup R_s + 2 r - X."""
         _, y = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
 
@@ -103,7 +103,7 @@ class Cam(ABC):
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc s [length] by which the roller's centre moves along the cam from no load (Eq. 6)."""
+        """Arc s [length] along the cam that the roller's centre moves, from no load on (Eq. 6)."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha0)
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 

@@ -139,7 +139,7 @@ class Duty:
 
     @property
     def allowed_shift(self) -> float:
-        """Largest permissible e/L: `e_lim`, or the value at lift-off of one end."""
+        """Largest permissible e/L: `e_lim` if given, otherwise the value at lift-off of one end."""
         return LIFT_OFF if self.e_lim is None else self.e_lim
 
     @property
@@ -176,7 +176,7 @@ class Duty:
 
 
 def uneven(factor: float) -> float:
-    """Ratio e/L at which the pressure at an end is `factor` times that of a uniform line load.
+    """Ratio e/L at which the pressure at an end is `factor` times that under a uniform line load.
 
     The ratio is 0 if `factor` < 1.
 

@@ -96,11 +96,11 @@ class Driven:
         return self._stiffness(N) > self.lift
 
     def force_sensitivity(self, N: float) -> float:
-        """Relative change of N per relative change of the closure, at constant pressure."""
+        """Relative change of N per relative change of the approach, at constant pressure."""
         return self.contact.closure(N) / N / (self._stiffness(N) - self.lift)
 
     def pressure_sensitivity(self, N: float) -> float:
-        """Relative change of the pressure per relative change of the closure, at constant N."""
+        """Relative change of the pressure per relative change of the approach, at constant N."""
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:

@@ -20,7 +20,7 @@ POINTS = 60
 
 
 class CutLoads(NamedTuple):
-    """Loads of a cut per unit length of the ring."""
+    """Hoop force and bending moment in a cut, per unit length of the ring."""
 
     force: float  # tension [force per length]
     moment: float  # of the tension about the ring's centre [force]

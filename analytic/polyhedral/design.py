@@ -155,7 +155,7 @@ class PolyhedralClutch:
 
     @property
     def N(self) -> float:
-        """Normal force [N] on a roller (Eq. 16); only F if M_t is 0."""
+        """Normal force [N] on a roller (Eq. 16); equal to F if M_t is 0."""
         gamma = self.direction
         return float(forces.normal_force(F=self.F, R=self.R, phi_1=self.phi_1, gamma=gamma))
 

@@ -1,4 +1,4 @@
-r"""Fourier series on the rim under z equal patches of Hertz's pressure, summed in closed form.
+r"""Fourier series for z equal patches of Hertz's pressure on a rim, summed in closed form.
 
 The pressure q = q_0 (1 + 2 sum J_m cos m theta), m = z, 2z, ..., is a semi-ellipse of half-width
 alpha (an angle) around each theta = 2 pi k/z, with :math:`J_m = 2 J_1(m\alpha)/(m\alpha)`. The
@@ -23,7 +23,7 @@ POINTS = 40
 
 
 def weights(m: Array, alpha: float) -> Array:
-    """Fourier coefficients J_m of the semi-ellipse relative to its mean; 1 for a zero width."""
+    """Fourier coefficients J_m of a semi-elliptic pressure over its mean; 1 for a zero width."""
     return np.asarray(2 * j1(m * alpha) / (m * alpha))
 
 

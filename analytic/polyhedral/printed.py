@@ -16,7 +16,7 @@ from analytic.polyhedral.forces import corners
 
 
 def arc_over_chord(z: ArrayLike) -> Array:
-    """Ratio of arc to chord of one of z sides: factor by which force and torque are too large.
+    """Ratio of arc to chord of one of z sides, by which force and torque as printed are too large.
 
     >>> round(float(arc_over_chord(6)), 6)  # (pi/6)/sin(pi/6)
     1.047198

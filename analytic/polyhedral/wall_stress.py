@@ -43,7 +43,7 @@ def rim_stress(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) -
 
 
 def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
-    """Ratio of the largest fillet stress to the pressure (no unit), and its arc length [length].
+    """Ratio (no unit) of the largest fillet stress to the pressure; arc length [length] there.
 
     The arc length s is that of the point with the largest stress.
 
@@ -61,7 +61,7 @@ def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
 
 
 def corner_stress_factor(*, sector: Sector, nu: float, assumption: Assumption) -> float:
-    r"""Ratio of largest fillet stress to sigma_t = E j_D/d_m when the rim touches the rollers.
+    r"""Ratio of the largest fillet stress to sigma_t = E j_D/d_m, at contact of rim and rollers.
 
     .. math:: \frac{\sigma_{max}}{\sigma_t} = \frac{\sigma_{max}}{p}\,K_{mid}\,
               \frac{2\,\delta_1}{d_i}

@@ -61,7 +61,7 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class FourierRing:
-    """Ring with the pressure sum of p[k] cos(k n theta) on its `loaded` wall.
+    """Ring whose pressure on the `loaded` wall is the sum of p[k] cos(k n theta).
 
     `p` (K + 1,) [stress] is positive in compression. n must be at least 2, because the loads with
     n = 1 are not in equilibrium. Raises ValueError for impossible radii.

@@ -30,8 +30,8 @@ Compliances = tuple[float, float, float]
 def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliances:
     """Compliances [length/force]: c by Eq. 6 plus Hertz's indentation, c by the Fourier ring, g.
 
-    Each sprag has the radius R at the contact and the force N_0 = F on the length L. Both values of
-    c contain the indentation of the sprag.
+    The deflection under N is N (c - g ln(N/N_0)). Each sprag has the radius R at the contact and
+    the force N_0 = F on the length L. Both values of c contain the indentation of the sprag.
     """
     plane = race.E / (1 - race.nu**2)
     sprag = float(approach_to_centre(P=race.P, a=race.a, R=R, E_plane=plane))

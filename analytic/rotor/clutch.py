@@ -134,7 +134,7 @@ class SpragCoupling:
 
     @property
     def d_t(self) -> float:
-        """Deflection per twist [m/rad] (Eq. 4) and lever arm of Q in the torque: R_i tan(nu)."""
+        """Length R_i tan(nu): deflection per twist [m/rad] (Eq. 4), and lever arm [m] of Q."""
         return self.R_i * math.tan(self.nu)
 
     def deformation(self, q: ArrayLike) -> Array:
@@ -190,7 +190,7 @@ Clutch = SpragCoupling  # its name in version 0.1
 
 
 def with_axial(K: ArrayLike) -> Array:
-    """Stiffness K_s (..., 6, 6) of (x, y, z, gx, gy, gz) from K (..., 5, 5); zero axially (Eq. 11).
+    """Stiffness K_s (..., 6, 6) of (x, y, z, gx, gy, gz) from K (..., 5, 5); axial part 0 (Eq. 11).
 
     >>> with_axial(np.eye(5)).diagonal().tolist()
     [1.0, 1.0, 0.0, 1.0, 1.0, 1.0]

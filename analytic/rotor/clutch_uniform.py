@@ -110,7 +110,7 @@ def offset_coupling(
 
 
 def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
-    """Ratio 1/n of secant to tangent stiffness: loads are homogeneous of degree n (Euler).
+    """Ratio 1/n of secant to tangent stiffness, because loads are homogeneous of degree n (Euler).
 
     >>> round(secant_over_tangent(), 12)
     0.9

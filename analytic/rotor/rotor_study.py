@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Excited:
-    """Critical speeds [rad/s] by unbalance of shafts with the speed ratio `ratio`, and modes."""
+    """Critical speeds [rad/s] due to unbalance of shafts with the ratio `ratio`; their modes."""
 
     ratio: float
     shafts: tuple[str, ...]
@@ -71,7 +71,7 @@ def study(
 
 
 def ratios(rotor: TransferMatrixRotor) -> list[float]:
-    """Speed ratios of rotating shafts, in the order of the shafts."""
+    """Different speed ratios of the rotating shafts, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
 
 

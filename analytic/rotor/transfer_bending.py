@@ -79,7 +79,7 @@ class Bending:
 
     @cached_property
     def deviator(self) -> Complex:
-        """Stiffness matrix (n, n) [N/m] that multiplies conj(r): bearings unequal in x and y."""
+        """Stiffness (n, n) [N/m] that multiplies conj(r); 0 if bearings are equal in x and y."""
         return self._lumped([s.stiffness[1] for s in self.bearings], [0.0] * len(self.bearings))
 
     @cached_property

@@ -26,7 +26,7 @@ def count_below(D: Matrices) -> NDArray[np.int64]:
 
 
 def roots_below(stiffness: Stiffness, highest: Array, wanted: NDArray[np.int64]) -> Array:
-    """Roots [rad/s] of each item, with the indices `wanted` (count,) from 0, (items, count).
+    """Roots [rad/s] with the indices `wanted` (from 0) of every item, shape (items, count).
 
     `stiffness(w, item)` takes arrays (q,) and returns D (q, n, n); it must not have poles up to
     `highest` (items,). A root above `highest` is returned as NaN.

@@ -32,7 +32,7 @@ def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> 
 
 
 def rigid_stiffness(rotor: TransferMatrixRotor) -> NDArray[np.float64]:
-    """Stiffness of rigid shaft motions: translation and tilt about the middle, in x and y.
+    """Stiffness matrix of rigid shaft motions: translation and tilt about the middle, in x and y.
 
     A tilt is measured by its displacement at half the length of the shaft.
     """

@@ -92,7 +92,7 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
     others = rest(outline, forces, DEGREE)
 
     def at(z: complex, *which: int) -> tuple[complex, float]:
-        """Displacement and rotation at z by the forces `which` and the polynomial remainder."""
+        """Displacement and rotation at z due to the forces `which` and the polynomial remainder."""
         there = np.array([z])
         fields = [*(flamant(there, forces[i]) for i in which), others(there)]
         u = sum(complex(displaced(there, f, kappa)[0]) for f in fields) / double_G

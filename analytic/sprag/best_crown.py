@@ -27,7 +27,7 @@ DIRECT = 40  # engagements of the search without a surrogate
 
 @dataclass(frozen=True)
 class Answer:
-    """Largest pressures [Pa] at the end and inside of a sprag in one engagement, and N_max [N].
+    """Largest pressures [Pa] at the end of a sprag and inside, in one engagement, and N_max [N].
 
     >>> Answer(end=3e9, inside=2e9, N_max=6e3).largest
     3000000000.0
@@ -70,7 +70,7 @@ def infilled(
     true: Callable[[Array], Answer],
     first: "Largest | None" = None,
 ) -> "Infilled[Answer, Largest]":
-    """Result of infill at the surrogate's optimum, until two successive optima match the model.
+    """Result of an infill search, which ends when two successive optima match the model.
 
     `known` are the true values of the initial designs x (n, 3); `first` is their surrogate if it
     already exists.

@@ -147,7 +147,7 @@ class Column:
         if below is None or above is None:
             raise ValueError(
                 f"the width b={self.b:g} m of the sprag must not exceed the width of spiral and "
-                f"arc within {np.degrees(STEEPEST):g} degrees of its middle line"
+                f"arc within {np.degrees(STEEPEST):g} degrees of the middle line of the sprag"
             )
         return below, above
 

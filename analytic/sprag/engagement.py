@@ -54,7 +54,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def compiled(function: F) -> F:
-    """`function` compiled to machine code, with exact operation order, stored between runs."""
+    """`function` compiled to machine code with exact order of operations, stored on disk."""
     try:
         return cast(F, njit(cache=True, fastmath=False)(function))
     except RuntimeError:  # no folder can be written: compiled again in every run
@@ -103,7 +103,7 @@ class Place(NamedTuple):
 
 
 class Contacts(NamedTuple):
-    """Sliding speeds v of both contacts, their rates d - a T with friction T, friction limits."""
+    """Sliding speeds v of both contacts, their rates d - a T under friction T, friction limits."""
 
     v_i: float
     v_e: float
@@ -162,7 +162,7 @@ def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, fl
 
 @compiled
 def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, float]) -> Contacts:
-    """Sliding speeds and their rates: without friction, and by friction through inverse masses."""
+    """`Contacts` in the state `y`: sliding speeds, their rates d - a T, and friction limits."""
     inner, outer, phi, turn = y[4], y[5], y[6], y[7]
     v_i = g.OA * (inner - phi) - g.b_i * turn
     v_e = g.OB * (phi - outer) - g.b_e * turn
@@ -292,7 +292,7 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Write `states` and `outputs` at each step; return how, at which step and contact it ended.
+    """Write `states` and `outputs` at each step; return the kind of end, its step and its contact.
 
     If a step passes the sticking band, `seen` receives the outputs before and after it.
     """

@@ -1,4 +1,4 @@
-"""Stresses of the races of a sprag clutch outside the contacts; non-uniform deflection."""
+"""Races of a sprag clutch: stresses outside the contacts; deflections relative to Eq. 6."""
 
 import math
 

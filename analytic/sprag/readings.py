@@ -49,7 +49,7 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """Relative change of the mean N by simultaneous oscillations of N and its lever arm."""
+    """Relative change of the mean of N times its lever arm, because both oscillate together."""
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
@@ -98,7 +98,7 @@ def slid(found: Engagement) -> tuple[float, float]:
 
 
 def steady(found: Engagement) -> tuple[float, float]:
-    """Mean N [N] of the second half, and its difference from the mean of the middle half.
+    """Mean N [N] over the second half of the time; its difference from that over the middle half.
 
     A Hann window reduces the effect of incomplete periods at its ends.
     """

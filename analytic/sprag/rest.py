@@ -26,8 +26,8 @@ def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
 
     if excess(table.end) <= 0:
         raise ValueError(
-            f"the energizing springs must not rotate the sprag to its end at {table.end:.4g} rad, "
-            f"got K_r={motion.K_r} N m/rad, alpha_max={motion.alpha_max} rad"
+            "the energizing springs must not rotate the sprag to the end of its profile at "
+            f"{table.end:.4g} rad, got K_r={motion.K_r} N m/rad, alpha_max={motion.alpha_max} rad"
         )
     alpha = brentq(excess, 0.0, table.end, xtol=1e-15) if excess(0.0) < 0 else 0.0
     g = table.at(alpha)

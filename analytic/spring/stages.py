@@ -77,7 +77,7 @@ AT_ONCE = 1e-9  # relative: two tips that symmetry closes together
 
 @dataclass(frozen=True)
 class Stages:
-    """Force-displacement curves of straight pieces; all arrays have the common shape of the inputs.
+    """Piecewise linear force-displacement curves; all arrays have the common shape of the inputs.
 
     The stiffness is `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then
     `k2` up to (`U_B`, `F_B`), where the second tip touches, then `k3`. If both tips touch

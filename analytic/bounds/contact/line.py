@@ -38,7 +38,7 @@ class OnFlat:
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach, relative to its bracket 2 ln(4 R/a) - 1."""
+        """Expected error of the approach: second-order term over the bracket 2 ln(4 R/a) - 1."""
         error, slack = self._second_order(APPROACH)
         return Estimate(error / float(2 * np.log(4 / self.ratio) - 1), slack)
 
@@ -52,7 +52,7 @@ class OnFlat:
 
 
 def of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
-    """First-order error of the largest shear stress due to round disc and curved contact line.
+    """First-order error of the largest shear stress, from the curvatures of disc and contact line.
 
     `inclined` is the curvature of the contact line times the half-width.
     """

@@ -51,7 +51,7 @@ def of_strips(
 
 
 def local_pressure(*, b: float, R: float, length: float) -> Interval:
-    """Interval of the error of Hertz's pressure for the line load at mid-length.
+    """Interval of the error of Hertz's pressure, computed with the line load at mid-length.
 
     Hertz's theory neglects the circular shape and the change of load along the roller. These
     effects are estimated by (b/R)² and (2b/length)² with the half-width b.

@@ -49,7 +49,7 @@ class Approaches:
 
 @dataclass(frozen=True)
 class Course:
-    """Torque of a cup as a function of N, with approaches and torque multiplied by `factors`."""
+    """Torque of a cup as a function of N; `factors` multiply d_i, d_o and the torque."""
 
     cup: FreewheelParts
     approaches: Approaches
@@ -73,7 +73,7 @@ class Course:
         return float(self.states[3].max())
 
     def at(self, T: float) -> dict[str, float]:
-        """Force N [N], angle alpha [rad], arc s [m] and rolling phi [rad] under T [N m], by name.
+        """Values by name under T [N m]: N [N], alpha [rad], s [m], wind-up phi by rolling [rad].
 
         If T exceeds the maximum torque, the values are those at the maximum.
         """
@@ -110,7 +110,7 @@ class CupBounds:
 
     @property
     def corners(self) -> tuple[Factors, ...]:
-        """Factors of approaches and torque at all combinations of the limits of their intervals."""
+        """Factors of d_i, d_o and torque at all combinations of the limits of their intervals."""
         return tuple(
             (i / self.at.d_i, o / self.at.d_o, 1 + t)
             for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
@@ -118,7 +118,7 @@ class CupBounds:
 
     @property
     def middle(self) -> Factors:
-        """Factors of approaches and torque for the ring that represents the cup."""
+        """Factors of d_i, d_o and torque that replace d_o by its expected value."""
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:

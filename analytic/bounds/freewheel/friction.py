@@ -42,7 +42,7 @@ class FrictionBounds:
         return self._wider(self.star.force())
 
     def whole_load(self) -> Interval:
-        """Interval of the error of Eq. 8 with F_ax of the clutch, z times the value of a roller."""
+        """Interval of the error of Eq. 8 with F_ax of the clutch in place of that of one roller."""
         more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
         return times(self.one_contact(), more, SAME_EQUATION)
 
@@ -58,7 +58,7 @@ class FrictionBounds:
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
-        """Interval of the error of F_t/F_z at the friction limit; None as for `limit_load`."""
+        """Interval of the error of F_t/F_z at the friction limit; None if `limit_load` is None."""
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
@@ -71,7 +71,7 @@ class FrictionBounds:
 
 
 def limit_load(star: StarBounds, mu: float) -> Interval | None:
-    """Interval of the error of F_ax at the friction limit of a path.
+    """Interval of the error of the axial load F_ax at which a path reaches the friction limit.
 
     It follows from the possible error of tan(alpha) of one contact.
     """
@@ -82,7 +82,7 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """Interval of the error of the function `of` tan(alpha); the error of tan(alpha) is `slope`.
+    """Interval of the error of a function `of` tan(alpha), if tan(alpha) has the error `slope`.
 
     None if tan(alpha) may reach mu, so that the torque alone would expel the rollers.
 

@@ -1,4 +1,4 @@
-"""Intervals of formula/reference - 1, and effects of wall and torque on every freewheel."""
+"""Intervals of formula/reference - 1 for every freewheel; wind-up and tilt of loaded parts."""
 
 import math
 

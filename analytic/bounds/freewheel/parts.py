@@ -1,4 +1,4 @@
-r"""Input of the bounds of a roller freewheel: its parts, one state, a second formula of its wedge.
+r"""Input of bounds of a roller freewheel: parts (with a second formula for alpha) and one state.
 
 The centre of the roller is at the distance rho from the axis, and at the distance y from a line
 through the axis parallel to the flat: cos(2 alpha) = y/rho, so that
@@ -79,7 +79,7 @@ class FreewheelParts:
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 
     def rolled(self, *, d_i: Array, d_o: Array) -> Array:
-        """Relative rotation [rad] of cam and race by rolling, along approaches that begin at zero.
+        """Relative rotation [rad] of cam and race by rolling, as d_i and d_o increase from zero.
 
         R dphi = (1 + cos psi) dx - sin psi dy. The terms x + y arsinh(x/y) are integrated exactly,
         the small remainder by the trapezoidal rule.

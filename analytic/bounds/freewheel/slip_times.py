@@ -80,7 +80,7 @@ class Rig:
         return float(brentq(beyond, times[k - 1], times[k])) if k else start
 
     def tangent(self, sines: tuple[float, float], mu_req: tuple[float, float]) -> Tangent:
-        """Function tan(alpha) of the torque [N m]: a line through two points of path 3.
+        """Linear function tan(alpha) of the torque [N m], through two points of load path 3.
 
         The points are the required frictions `mu_req` at the end of the path for two values `sines`
         of the sine of its loads. From 0.3 to 1 times the torque of the synthetic clutch, the error

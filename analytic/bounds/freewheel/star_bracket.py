@@ -52,7 +52,7 @@ def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:
-    """Constant k of a bonded layer of height 1 under loads with the spacing `pitch`, for l = 1.
+    """Constant k (for l = 1) of a bonded layer of height 1 under loads spaced by `pitch`.
 
     >>> [round(layer_constant(pitch=p, kappa=1.8), 2) for p in (500.0, 5.0)]  # others hardly matter
     [1.33, 1.33]

@@ -38,7 +38,7 @@ class Moved:
 def turned(
     ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float, f_i: float, f_o: float
 ) -> float:
-    """Sensitivity dalpha/dX [rad/length]: slope between both `ends`, which are displaced by ±`off`.
+    """Sensitivity dalpha/dX [rad/length] from two stars `ends` with flats displaced by ±`off`.
 
     `f_i` and `f_o` are factors of the approaches.
     """

@@ -52,12 +52,12 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Relative tolerance of forces by the series, from the half-widths [m] on ring and race."""
+        """Relative tolerance of forces from the series, by the half-widths [m] on ring and race."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Relative tolerance of an approach by the series, from both half-widths a, a_race [m]."""
+        """Relative tolerance of an approach from the series, by the half-widths a, a_race [m]."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Relative uncertainty of a largest stress; rollers cause the fraction `rollers` of it."""
+        """Relative uncertainty of a largest stress; rollers cause a fraction `rollers` of it."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:
@@ -107,12 +107,12 @@ class RollerOnRing:
 
 
 def about(m: float, slack: float) -> Interval:
-    """Interval of an error m with the tolerance `slack`."""
+    """Interval m - `slack` to m + `slack` of an error."""
     return m - slack, m + slack
 
 
 def over_series(value: float, series: float, slack: float) -> Interval:
-    """Interval of the error of `value`; the reference lies within the fraction `slack` of `series`.
+    """Interval of the error of `value`, if `series` differs from the reference by up to `slack`.
 
     >>> [round(m, 6) for m in over_series(3.0, 2.0, 0.01)]
     [0.485, 0.515]

@@ -45,7 +45,7 @@ class FlatParts:
 
 @dataclass(frozen=True)
 class Flat:
-    """One flat: point and direction of a unit hub force, and direction of displacements."""
+    """One flat: point and direction of the hub force, and direction on which it is projected."""
 
     parts: FlatParts
     at: Array  # [m]
@@ -55,12 +55,12 @@ class Flat:
 
     @property
     def side(self) -> float:
-        """Force [N] of the unit pressure between two corners."""
+        """Force [N] of a unit pressure on the chord between two neighbouring corners."""
         return chord(self.parts.d_i, self.parts.z) * self.parts.b
 
     @property
     def left(self) -> float:
-        """Fraction of a roller force due to pressure; the hub force causes the rest."""
+        """Fraction of a roller force that the pressure causes; the hub force causes the rest."""
         lever = float(abs(self.at[0] * self.force[1] - self.at[1] * self.force[0]))
         counted = float(self.force @ self.towards)
         return 1 - counted * self.parts.grip * self.parts.D_i / 2 / lever
@@ -77,7 +77,7 @@ class Flat:
 
 
 def filleted(parts: FlatParts, touching: float) -> Flat:
-    """Flat that touches the rollers at the pressure `touching` [Pa].
+    """Flat with filleted corners, which touches the rollers at the pressure `touching` [Pa].
 
     The hub force is projected on the normal of the flat.
     """
@@ -99,7 +99,7 @@ def first_design(parts: FlatParts, *, d_m: float, wall: float, j_D: float, E: fl
 
 
 def chord(d_i: float, z: int) -> float:
-    """Distance [length] of two neighbouring corners of z corners on the diameter d_i.
+    """Distance [length] of neighbouring corners of a polygon with z corners on the diameter d_i.
 
     >>> round(chord(2.0, 6), 12)
     1.0
@@ -110,7 +110,7 @@ def chord(d_i: float, z: int) -> float:
 
 
 def arc_of_side(d_i: float, z: int) -> float:
-    """Ratio of arc to chord between two neighbouring corners of z corners on the diameter d_i.
+    """Ratio of arc to chord between neighbouring corners, for z corners on the diameter d_i.
 
     >>> round(arc_of_side(2.0, 6), 6)
     1.047198

@@ -29,7 +29,7 @@ def leading(nu: float) -> Interval:
 
 
 def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
-    """Interval of the error of an entry of K; in the reference, forces act along the struts.
+    """Interval of the error of an entry of K against a reference whose forces act along the struts.
 
     `left_out` is the effect of tilting forces on the `corrected` entry. Parts that are common to
     both entries cancel; therefore, errors of these parts do not change the interval.
@@ -44,7 +44,7 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 
 
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
-    """Interval of the error of a coupling to first order in eps = dx/delta_0, for Z sprags.
+    """Interval of the error of a coupling that is of first order in eps = dx/delta_0, for Z sprags.
 
     The error contains the next term of the sum over cos psi and the deflection that the constant
     torque recovers, without squares of eps^2. None if eps is too large for a first-order term, or

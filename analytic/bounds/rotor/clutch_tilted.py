@@ -25,7 +25,7 @@ PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 
 def summed(
     clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> dict[Entry, float]:
-    """Couplings [N] of force along y with tilt about x, and of force along x with tilt about y.
+    """Couplings [N]: force along y per tilt about x, and force along x per tilt about y.
 
     The offset dx [m] is along x, the tilt [rad] about y, the torque is T [N m]. Only the dimensions
     of `clutch` are used, divided into `n_s` slices, without a crown.
@@ -56,7 +56,7 @@ def summed(
 def left_out(
     entry: Entry, clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> tuple[float, float]:
-    """Interval of the error of a coupling; the reference has struts with tilting contact points.
+    """Interval of the error of a coupling against struts whose contact points tilt with the race.
 
     `clutch` must have sufficiently many slices; the formula has `n_s` slices. The value of the
     formula is computed again by `summed`, so that an error of the formula does not change the

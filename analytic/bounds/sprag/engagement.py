@@ -55,7 +55,7 @@ class Bounds:
         return one and (one[0] - one[1], one[1] - one[0])
 
     def either_way(self, times: float) -> Interval:
-        """Interval of an error of unknown sign, at most `times` the value N_e/N_i - 1."""
+        """Interval of an error of either sign, whose magnitude is at most `times` (N_e/N_i - 1)."""
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:

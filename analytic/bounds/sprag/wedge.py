@@ -75,7 +75,7 @@ class Bounds:
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def tilted(self) -> float:
-        """Bound of the ratio of the rolling of the contacts to beta, due to the tilt of thin walls.
+        """Bound of the rolling of the contacts due to the tilt of thin walls, relative to beta.
 
         The walls of thickness h are simply supported beams over a pitch L. The moment M = T h/2
         tilts them by M L/(12 E' I).
@@ -108,7 +108,7 @@ class Bounds:
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Interval of the error of the sum of deflections, and of the rotation that it causes."""
+        """Interval of the error of the sum of deflections, and of the rotation due to this sum."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
@@ -195,7 +195,7 @@ class Bounds:
         return self._lame_mean(self.N, which, "plane stress")
 
     def plane_yields(self) -> float:
-        """Sum of deflections [m] of half planes and uniformly loaded rings, for small contacts."""
+        """Sum of deflections [m] of half planes and uniformly loaded rings, in the limit a -> 0."""
         q, P, half = self.sizes, self.N / self.sizes.l, (self.sizes.R_e - self.sizes.R_i) / 2
         walls = (q.R_i - q.R_id, q.R_ed - q.R_e)
         dents = sum(
@@ -242,6 +242,6 @@ class Bounds:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """Interval of the error of a formula that is `ratio` times another formula, within `spread`."""
+    """Interval of the error of a formula that is `ratio`, within `spread`, times another one."""
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1

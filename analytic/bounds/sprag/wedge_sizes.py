@@ -38,7 +38,7 @@ class Yields(Protocol):
 
 
 class Race(NamedTuple):
-    """Deflections of a race over P/E': mean on the circle, middle of a patch, mean over a patch."""
+    """Deflections of a race divided by P/E': mean on the circle, at mid-patch, mean on a patch."""
 
     mean: float
     at: float
@@ -47,7 +47,7 @@ class Race(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Sizes:
-    """Dimensions of z sprags of width b and length l between races R_id to R_i, R_e to R_ed [m].
+    """Dimensions [m] of z sprags (width b, length l) and of races from R_id to R_i and R_e to R_ed.
 
     E_plane is E' of plane strain. r_i and r_e [m] are the radii at first contact, nu_0 [rad] is the
     wedge angle at first contact.

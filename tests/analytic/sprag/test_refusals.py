@@ -88,7 +88,7 @@ def test_loads_without_equilibrium_are_refused(clutch, call, message):
         ({"m_g": 0.0}, "m_g must be positive and finite, got 0.0 kg"),
         ({"C_rl": -0.1}, "C_rl must be finite and not negative, got -0.1 N m s/rad"),
         ({"mu_c": 0.2}, "mu_c <= mu_s\\), got mu_c=0.2, mu_s=0.12"),
-        ({"K_r": 1e5, "alpha_max": 3.0}, "springs must not rotate the sprag to its end"),
+        ({"K_r": 1e5, "alpha_max": 3.0}, "must not rotate the sprag to the end of its profile"),
     ],
 )
 def test_a_motion_that_makes_no_sense_is_refused(table, motion, change, message):
