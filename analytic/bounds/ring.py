@@ -44,7 +44,7 @@ def smeared_error(
 
 
 def integrated_dent(depth: float, *, P: float, a: float, E: float, nu: float) -> float:
-    """Shortening [length] of the axis of a contact from the surface to `depth`, plane stress.
+    """Shortening [length] of the line from mid-contact to the point at `depth`; plane stress.
 
     The body is a half plane. The load P per length is elliptic over the half-width a.
     """

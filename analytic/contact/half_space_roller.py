@@ -140,7 +140,7 @@ def _within(
             return found
         patch *= WIDER
     raise ArithmeticError(
-        f"the contact still reaches the sides of the grid at a width of {patch:.3g} m"
+        f"the contact reaches the sides of every grid narrower than {patch:.3g} m: use a lower load"
     )
 
 

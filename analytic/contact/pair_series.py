@@ -134,7 +134,7 @@ def left_out(
 def shares(
     *, E_1: float, nu_1: float, E_2: float, nu_2: float, assumption: Assumption
 ) -> tuple[float, float]:
-    """Shares s_i = E*/E_i' of the bodies in the compliance (no unit); they add up to 1."""
+    """Shares s_i = E*/E_i' (no unit) that the bodies have in the compliance; they add up to 1."""
     E_star = contact_modulus(E_1=E_1, nu_1=nu_1, E_2=E_2, nu_2=nu_2, assumption=assumption)
     both = ((E_1, nu_1), (E_2, nu_2))
     s_1, s_2 = (float(E_star / in_plane(E, nu, assumption)[0]) for E, nu in both)

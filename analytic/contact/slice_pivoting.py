@@ -27,7 +27,7 @@ ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps co
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Forces for S (cases, n, n) and f (cases, n), and their derivatives if f changes at `rate`.
+    """Forces of slices for S (cases, n, n), f (cases, n); derivatives if f changes at `rate`.
 
     `carries` is the initial set of loaded slices; it is changed in place to the final set. Raises
     ArithmeticError if the search does not terminate.

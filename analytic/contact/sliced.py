@@ -98,7 +98,7 @@ class Cases:
         )  # fmt: skip
 
     def some(self, part: NDArray[np.intp]) -> Self:
-        """Cases with the indices `part`."""
+        """Subset of the cases: those with the indices `part`."""
         return replace(
             self, gap=self.gap[part], length=self.length[part], R=self.R[part],
             E_star=self.E_star[part], compliance=self.compliance[part],
@@ -108,7 +108,7 @@ class Cases:
         )  # fmt: skip
 
     def contact(self, force: Array, approach: Array) -> SlicedContact:
-        """Result in the shape of the input arrays."""
+        """Contact with these forces and approaches, in the shape of the input arrays."""
         return SlicedContact(
             force=force.reshape(*self.shape, -1),
             approach=approach.reshape(self.shape),

@@ -56,7 +56,7 @@ class Response:
 
 
 def respond(s: Array) -> Response:
-    """Displacements of all strips under the loads s of all strips, shape (N, n)."""
+    """`Response` of all strips to the loads s (N, n)."""
     n = s.shape[-1]
     near = min(n, int(np.ceil(FAR * np.sqrt(s.max(initial=0.0)) + 0.5)))
     far = _far(n, near)

@@ -161,7 +161,7 @@ class Duty:
         return sorted(found, key=lambda x: x.at)
 
     def largest_axial_load(self, T: Array) -> Array:
-        """Axial load [N] under T [N m] at which the pressure is p_lim or e/L is `allowed_shift`.
+        """Largest axial load [N] under T [N m], limited by the pressure p_lim and `allowed_shift`.
 
         The result is nan if there is no equilibrium at T.
         """

@@ -35,8 +35,8 @@ POWERS = 13  # of each amplitude: two more change no frequency by 1e-9 for r_i >
 class Cylinder:
     """Cylinder with radii r_o, r_i [length], E [stress], nu, rho [mass/volume].
 
-    `powers` is the number of powers per amplitude. Raises ValueError unless 0 <= r_i < r_o, E and
-    rho are positive and -1 < nu < 0.5.
+    `powers` is the number of powers in the polynomial of an amplitude. Raises ValueError unless
+    0 <= r_i < r_o, E and rho are positive and -1 < nu < 0.5.
 
     >>> steel = Cylinder(r_o=1.0, E=1.0, nu=0.3, rho=1.0)
     >>> ahead, behind = steel.whirl(0.02, count=1)
@@ -64,7 +64,8 @@ class Cylinder:
             )
         if self.powers < 2:
             raise ValueError(
-                f"the number of powers of an amplitude must be at least 2, got {self.powers}"
+                "`powers`, the number of powers in the polynomial of an amplitude, must be at "
+                f"least 2, got {self.powers}"
             )
 
     def whirl(self, k: float, *, Omega: float = 0.0, count: int = 1) -> tuple[Array, Array]:

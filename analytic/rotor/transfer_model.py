@@ -135,8 +135,8 @@ class Spring:
             y = x if getattr(self, two) is None else getattr(self, two)
             if not (math.isfinite(cross) and cross**2 <= x * y):
                 raise ValueError(
-                    f"{both} must not exceed the root of {one} times {two}, got {cross:g} with "
-                    f"{x:g} and {y:g}"
+                    f"{both} must not exceed the square root of {one} times {two}, got {cross:g}; "
+                    f"the factors are {x:g} and {y:g}"
                 )
 
     @property

@@ -50,7 +50,7 @@ class Outline:
 
 
 def forces_along(outline: Outline) -> tuple[Force, Force]:
-    """Unit forces on the body at A and B, along AB."""
+    """Pair of unit forces that compress the body at A and B, along AB."""
     along = (outline.B - outline.A) / abs(outline.B - outline.A)
     return (outline.A, along), (outline.B, -along)
 

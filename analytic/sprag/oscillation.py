@@ -60,7 +60,7 @@ class Oscillation:
         return self._run(Torque.step(self.T), SWUNG / self.f, dt, strut_table(self.spring))
 
     def settled(self, refine: int) -> float:
-        """Force N [N] at rest, after a slow rise with damping; `refine` divides the time step."""
+        """Force N [N] at rest after a slow, damped torque rise; `refine` divides the time step."""
         damping = 2 * DAMPED * self.k / (2 * math.pi * self.f)
         course = Torque.step(self.T, t_ramp=RAMP / self.f)
         dt = 1 / (PACE * refine * self.f)

@@ -4,7 +4,7 @@ MODEL = 2.0  # bound of that error over (a/R)²
 
 
 def neglected(*, a: float, R: float) -> float:
-    """Bound [1] of the relative error of a half-width, displacement or energy: twice (a/R)².
+    """Bound [1] of the relative error of every half-width, displacement and energy: 2 (a/R)².
 
     By symmetry, the tangential load of a disc does not change the gap, and terms odd in a/R are
     zero. There are two effects of order (a/R)². First, the circle differs from the parabola: the

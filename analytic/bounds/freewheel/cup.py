@@ -57,7 +57,7 @@ class Course:
 
     @cached_property
     def states(self) -> tuple[Array, Array, Array, Array]:
-        """Normal forces N [N] with an equilibrium; approaches d_i, d_o [m] and torques [N m]."""
+        """Arrays N [N], d_i, d_o [m] and T [N m] of all states with an equilibrium."""
         cup, (f_i, f_o, f_T) = self.cup, self.factors
         N = FARTHER * self.approaches.top * np.linspace(0, 1, POINTS) ** 3
         d_i, d_o = self.approaches.of(N)

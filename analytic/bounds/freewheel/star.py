@@ -90,7 +90,7 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Interval of the error of tan(alpha), the mean F_t/N; if `tilted`, F_t/N at a contact."""
+        """Interval of the error of tan(alpha) as mean F_t/N; if `tilted`, as F_t/N at a contact."""
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more

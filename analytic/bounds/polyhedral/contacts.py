@@ -62,7 +62,7 @@ class RollerOnRing:
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
     def on_ring(self, first: float, a: float, *, elastic: bool = False) -> Interval:
-        """Interval of the error of Hertz's contact on the ring.
+        """Interval of the error of Hertz's half-width or peak pressure of the contact on the ring.
 
         The expected error is `first` times beta kappa a, for a rigid or an `elastic` roller. The
         tolerance is an estimate that contains strain and bending of the ring when the clearance is

@@ -17,7 +17,7 @@ CELL = 1e-2  # of (wall/d_m)²: stress at the end of a cell
 
 
 def pressure_error(*, d_e: float, wall: float) -> Interval:
-    """Interval of the error of p_1, and of sigma_t as the mean stress over the wall.
+    """Interval of the error of p_1; it is also that of sigma_t as the mean stress over the wall.
 
     >>> low, high = pressure_error(d_e=2.0, wall=0.5)  # 8/9
     >>> round((low + high) / 2, 12)

@@ -138,12 +138,12 @@ class Bounds:
         return -size, size
 
     def width(self) -> Interval:
-        """Interval of the error of half-widths; a mesh resolves the contact edge to one cell."""
+        """Interval of the error of half-widths; meshes resolve the edge of contact to one cell."""
         size = max(self.hertz()[1], ACCEPTED)
         return -size, size
 
     def thin_body(self, which: str) -> float:
-        """Value (a/h)² of the thinner body at a contact: wall of the race or width of the sprag."""
+        """Value (a/h)² at a contact; h is the smaller of wall thickness and sprag width."""
         wall, a = self.in_wall(which)
         return (a / min(wall, self.sizes.b)) ** 2
 
@@ -219,7 +219,7 @@ class Bounds:
 
     @cached_property
     def bending(self) -> Shift:
-        """Change of the force angles by the motion of ends and races.
+        """Relative change of the force angles due to the motion of sprag ends and races.
 
         Raises ValueError if a contact is beyond the flanks.
         """

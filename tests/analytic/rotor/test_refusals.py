@@ -77,7 +77,7 @@ REFUSED = [
     (lambda: StationDisc(node=0, mass=-1.0, polar=0, diametral=0),
      "mass of a disc must not be neg"),
     (lambda: StationSupport(node=0, kxx=-1.0), "stiffness must not be negative, got kxx = -1"),
-    (lambda: StationSupport(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the root of kxx"),
+    (lambda: StationSupport(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the square root"),
     (lambda: StationLink(a=1, b=1, kxx=1e8), "two different stations, got 1 twice"),
     (lambda: TransferMatrixRotor(shafts=()), "at least one shaft"),
     (lambda: rotor(StationSupport(node=4, kxx=1e8)), "existing station, got 4, the last"),

@@ -17,7 +17,7 @@ from verify.core.inputs import InputError
         (changed("links", 1, to=15), "inputs.links[1].to = 15: the nodes are 1 to 14"),
         (changed("segments", 1, d_i="70 mm"),
          "inputs.segments[1].d_i = 70 mm: must be below d_o = 70 mm"),
-        (changed("supports", 1, kxy="70 N/µm"), "inputs.supports[1]: kxy must not exceed the root"),
+        (changed("supports", 1, kxy="70 N/µm"), "inputs.supports[1]: kxy must not exceed the"),
         (changed("links", 1, to=5), "inputs.links[1].to = 5: must differ from node"),
         (changed("links", 1, to=3),
          "inputs.links[1].to = 3: node 5 must be on a shaft other than outer: a link joins"),
