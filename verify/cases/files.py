@@ -32,7 +32,7 @@ def is_file_name(name: str) -> bool:
 
 
 def load(name: str) -> Case:
-    """The last case declared in the file `name`; raises InputError if the file has none."""
+    """The case that the file `name` declares (the last one); raises InputError without a case."""
     path = Path(name).expanduser().resolve()
     if not path.is_file():
         raise InputError(f"{name}: there is no such file")
@@ -79,7 +79,8 @@ def _form(point: EntryPoint) -> type[Form]:
     if not (isinstance(form, type) and issubclass(form, Form) and form.title):
         raise InputError(f"{point.value}: must be a subclass of Case with a title")
     if form.id != point.name:
-        raise InputError(f"{point.value}: its id {form.id} must equal the name {point.name}")
+        raise InputError(f"{point.value}: its id {form.id} must equal the name of its entry point, "
+                         f"{point.name}")  # fmt: skip
     package = importlib.import_module(form.__module__.partition(".")[0])
     source_code.include(Path(package.__file__ or "").parent)
     return form

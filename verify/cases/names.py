@@ -15,7 +15,7 @@ def _parts() -> tuple[tuple[str, str], ...]:
 
 
 def present_name(name: str) -> str:
-    """Present name of the row that had the name `name` in an earlier version.
+    """Present name of the row that was called `name` in an earlier version.
 
     >>> present_name("freewheel-torque/torsion, Eq. 7 as printed")
     'freewheel-torque/wind-up, Eq. 7 as printed'

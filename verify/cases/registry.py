@@ -117,12 +117,12 @@ DEEP = Listed(
 
 
 def find_any(case_id: str) -> Case:
-    """The case with the id `case_id`; deep cases are included."""
+    """The case with the id `case_id`, which may be a deep case (long study)."""
     return DEEP.named(case_id) if case_id in DEEP.ids else find(case_id)
 
 
 def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
-    """The case `case_id` of the suite, a file or a package.
+    """The case with the id `case_id`: of the suite, of a file or of a package.
 
     Raises ValueError, with similar names, if the case is unknown.
     """
@@ -144,7 +144,7 @@ def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
 
 
 def ids(cases: Iterable[Case]) -> tuple[str, ...]:
-    """Ids of `cases`; the cases of the suite are not imported."""
+    """Ids of `cases`, found without an import of the cases of the suite."""
     return cases.ids if isinstance(cases, Listed) else tuple(case.id for case in cases)
 
 

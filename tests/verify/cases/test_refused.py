@@ -44,7 +44,7 @@ REFUSED = [
         {"rise": "0.6 s"},
         "rise must be below duration, got rise = 0.6 s, duration = 0.5 s",
     ),
-    ("freewheel-paths", {"f": "10 kHz"}, "at most 1000 cycles, got f duration = 5000"),
+    ("freewheel-paths", {"f": "10 kHz"}, "at most 1000 cycles, got f times duration = 5000"),
     ("freewheel-clutch", {"X": "11.6 mm"}, "the roller cannot touch flat and ring unless X + 2 r"),
     ("freewheel-clutch", {"r_b": "12 mm"}, "needs r_b below its flats X, got r_b = 12 mm"),
     ("freewheel-clutch", {"R_a": "16.5001 mm"}, "R_a - R = 0.1 µm, tolerance ±5 µm"),

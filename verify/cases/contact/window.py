@@ -17,7 +17,7 @@ def named(found: Mapping[str, T], end: str) -> dict[str, T]:
 
 
 def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None = None) -> Field:
-    """Field of `cells` with displacements, values of cells `data` and nodal values `at_nodes`."""
+    """Field of `cells`: displacements, values `data` of cells, and values `at_nodes` of nodes."""
     nodes = at_nodes or {}
     return Field(
         name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),

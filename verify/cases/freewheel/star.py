@@ -145,7 +145,8 @@ class Star(Rollers):
         if x >= half:
             raise ValueError(
                 f"under T = {T:g} N m the rollers are beyond the ends of their flats: "
-                f"{x * 1e3:.4g} mm from the middle of the flats, which end at {half * 1e3:.4g} mm"
+                f"{x * 1e3:.4g} mm from the middle of the flats, which end at {half * 1e3:.4g} mm; "
+                "reduce T"
             )
         return state
 
@@ -154,7 +155,7 @@ class Star(Rollers):
             raise ValueError(
                 "under the normal force of a rigid clutch, N = T/(z R tan α_0) = "
                 f"{self.rigid_force:.4g} N, the contacts are wider than half the roller radius, "
-                "beyond the range of these formulas"
+                "beyond the range of these formulas; reduce T"
             )
         return state
 

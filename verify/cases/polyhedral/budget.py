@@ -31,7 +31,7 @@ def sharp(q: HubRing) -> HubRing:
 
 
 def fem_round(q: HubRing, level: int) -> FemResult:
-    """K of a ring with the wall of `q` and a round bore."""
+    """K of a round ring (round bore) that has the wall thickness of `q`."""
     from verify.cases.polyhedral.fem import UNIT
     from verify.cases.polyhedral.ring.reference import stiffness
 
@@ -44,7 +44,7 @@ def fem_round(q: HubRing, level: int) -> FemResult:
 
 
 def fem_thin_round(q: HubRing, level: int) -> FemResult:
-    """K of a ring with a tenth of the wall thickness of `q` and a round bore."""
+    """K of a round ring (round bore) that has a tenth of the wall thickness of `q`."""
     return fem_round(thin_round(q), level)
 
 
@@ -59,7 +59,7 @@ def tight(q: Any) -> Any:
 
 
 def clutch_tight(q: Any) -> Any:
-    """The inputs `q` with a quarter of clearance (by a smaller race), pressure and torque."""
+    """The inputs `q` with a quarter of clearance, pressure and torque; the race is smaller."""
     return q.model_copy(
         update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
     )

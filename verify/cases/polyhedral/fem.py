@@ -21,7 +21,7 @@ STATIONS = 25  # along the outside of half a sector
 def pressed_fem(
     q: PolygonRing, refine: int, assumption: "Assumption", arc: int = 6
 ) -> "PlaneSolution":
-    """Solution of half a sector, free outside, with the pressure `UNIT` in its bore.
+    """Solution of half a sector with the pressure `UNIT` in its bore and a free outer surface.
 
     The fillet has `arc` cells if `refine` is 1.
     """
@@ -53,7 +53,7 @@ def factors_fem(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
 
 
 def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, str]) -> Field:
-    """Field of the whole ring from 2 z copies of half a sector; `data`: (values, unit)."""
+    """Field of the whole ring, made of 2 z copies of half a sector; `data`: (values, unit)."""
     from fem.plane.sectors import all_sectors
 
     points, moved, cells = all_sectors(half, z)
@@ -75,7 +75,7 @@ def expanded(q: PolygonRing, z: int) -> Field:
 
 
 def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
-    """Solutions of half a sector in plane stress: hub force at e; its normal part in the corner.
+    """Two solutions of half a sector: hub force at e; only its normal part, in the corner.
 
     Displacements at the point of the force are unbounded; at other points, they converge.
     """

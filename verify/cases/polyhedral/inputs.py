@@ -80,7 +80,7 @@ class PolygonRing(RoundRing):
 
     @property
     def unfilleted(self) -> float:
-        """Distance of the corners from the axis without fillets [m]."""
+        """Distance [m] of the corners from the axis if the bore had no fillets."""
         return self.d_i / 2 + self.rho * (1 / math.cos(self.half_angle) - 1)
 
     @property

@@ -14,7 +14,7 @@ WAVE = "mean load and its first harmonic per pitch, instead of patches: no inden
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
-    """Values of the race with a uniform pressure on the loaded wall instead of single loads."""
+    """Deflection of the race if a uniform pressure replaces the single loads."""
     p = q.n * q.P / (2 * math.pi * q.radius)
     ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)
@@ -23,7 +23,7 @@ def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
 
 
 def fem_wave(q: LoadsInputs, level: int) -> FemResult:
-    """Values of the race under the mean load plus the first harmonic of the load over a pitch."""
+    """Deflections of the race under the mean load and the first harmonic along a pitch."""
     import numpy as np
 
     from fem.plane.material import Elastic

@@ -62,7 +62,7 @@ def stations(q: Any) -> Array:
 
 
 def across(q: Any, solution: Any) -> Iterator[tuple[str, Array]]:
-    """Names and values of profiles: radial displacement [m], radial and hoop stress [Pa]."""
+    """Pairs of name and values across the wall: radial displacement [m], two stresses [Pa]."""
     found = solution.at(np.outer(polar(1.0, ASKEW), stations(q))).polar()
     for name, values in zip(("displacement", "radial_stress", "hoop_stress"), found, strict=False):
         yield f"profile_{name}", values
@@ -99,6 +99,6 @@ def quarter(inner: float) -> Iterator[Shape]:
 
 
 def radii(labels: Iterable[tuple[str, float, float]]) -> Iterator[Shape]:
-    """Leaders to circles; each label is (text, angle [deg], radius)."""
+    """Lines from labels to circles; each item of `labels` is (text, angle [deg], radius)."""
     for label, degrees, at in labels:
         yield sketches.leader(polar(1.32, degrees), polar(at, degrees), label)

@@ -136,7 +136,7 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
     names = [shaft.name for shaft in shafts]
     for k, name in enumerate(names, start=1):
         if name in names[: k - 1]:
-            raise EntryError("shafts", k, f"name = {name}", "two shafts have this name")
+            raise EntryError("shafts", k, f"name = {name}", "two shafts have this name: rename one")
     for k, segment in enumerate(segments, start=1):
         if segment.shaft not in names:
             known = ", ".join(names)

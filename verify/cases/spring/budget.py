@@ -80,7 +80,7 @@ def proportional(level: int, force: float, share: float) -> FemResult:
 
 
 def fem_firmer(q: CurveInputs, level: int) -> FemResult:
-    """Initial stiffness of the spring, computed as in the case, but with stiffer contacts."""
+    """Initial stiffness of the spring as in the case, but with tenfold contact stiffness."""
     from verify.cases.spring.curve.fem import fem_compress
     from verify.cases.spring.curve.reference import FIRST, spring_of
 

@@ -32,7 +32,7 @@ from verify.core.inputs import InputError
         (changed(segments=[]), "inputs: a rotor must have at least one shaft with one segment"),
         (changed(segments=RAW["segments"] * 13), "inputs: the segments have 158 nodes; at most"),
         (changed("discs", 4, drop=["width"]),
-         "inputs.discs[4]: requires mass, polar and diametral, or d_o and width of a cylinder"),
+         "inputs.discs[4]: give either mass, polar and diametral of the disc, or d_o and width"),
         (changed("discs", 4, d_i="220 mm"),
          "inputs.discs[4]: d_i must be below d_o, got d_i = 220 mm, d_o = 220 mm"),
         (changed("discs", 2, node=3, width="230 mm"), "inputs.discs[2]: overlaps discs[1] by 5 mm"),

@@ -62,7 +62,7 @@ def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
 
 
 class RollerOnFlat(FlatInputs):
-    """Hertz's theory of a roller: the body becomes a half-plane, its circle a parabola.
+    """Hertz's theory replaces the roller by a half-plane and its round surface by a parabola.
 
     Finite elements must agree with the elastic disc, a solution without these simplifications. A
     sweep over a/R measures the error of Hertz's simplifications. It confirms the derived error of

@@ -70,7 +70,7 @@ class RollerInRace(TwoBodies):
         if self.R / self.r_i > 0.9:
             raise ValueError(
                 f"R must not exceed 0.9 r_i, got R = {self.R * 1e3:g} mm, "
-                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide"
+                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide; reduce R"
             )
         if not self.r_i < self.r_o:
             raise ValueError(

@@ -45,7 +45,7 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """Rows: the straight middle depends on K_2 only; it alone is in contact under light load."""
+    """Rows: the length of the straight middle depends on K_2 only; a light load acts on it only."""
     yield Deviation(
         name="the length of the straight middle depends on K_2, not on z_m", symbol="Δl_s/l",
         unit="1", size=straight, accepted=RESOLVED,

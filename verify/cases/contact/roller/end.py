@@ -43,7 +43,7 @@ TERMS = "estimated: terms of the order of the distances, 0.001 and 0.002 of the 
 
 
 class EndFace(Crown):
-    """Error at an end face of models (slices, strips, boundary elements) on a half-space.
+    """Slices, strips and boundary elements assume a half-space beyond the end of the roller.
 
     Finite elements of whole bodies, with Fourier series around the axes, give the error of this
     assumption at a free end face. In a control model, both bodies continue beyond the ends. The
@@ -203,7 +203,7 @@ class EndFace(Crown):
 
 
 def face(state: State) -> Margin:
-    """Function that returns the relative reduction of the load near the end face, minus FACE."""
+    """Function for a margin: positive if the end face reduces the load near it by over FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)
@@ -217,7 +217,7 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Function that returns SIZE_SHARE × effect of the end face - effect of the bodies' size."""
+    """Function for a margin: positive if the end face matters far more than the finite size."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)
@@ -233,7 +233,7 @@ def mostly(state: State) -> Margin:
 
 
 def end_loads(context: Context, name: str, state: State) -> tuple[float, float, float]:
-    """Loads near the ends by finite elements and half-space, and uncertainty of their ratio."""
+    """Loads near the ends by finite elements and by half-space, and uncertainty of their ratio."""
     v = context.series(f"F_d_{name}_{state.words}")[1]
     on = context.analytic[key_of(EndFace.F_d, state)]
     return v[-1], on, 3 * (max(v) - min(v)) / on

@@ -123,7 +123,7 @@ class StripRoller(Roller):
 
     @shared
     def neglected(self) -> Mapping[str, float]:
-        """Estimated half-space/strips - 1 of pressures and approach, by key; NaN if unknown."""
+        """Estimates of half-space/strips - 1 for pressures and approach, by key; NaN if unknown."""
         solved, along = self._strips
         missing = neglected(solved)
         return {

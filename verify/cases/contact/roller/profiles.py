@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def gap(q: Roller, design: Design | None = None) -> "Gap":
-    """Function that returns the gap [m] to the race at y [m], due to tilt and crown.
+    """Function of y [m] that returns the gap [m] between roller and race, from tilt and crown.
 
     A crown `design` for the load F replaces the crown of the roller.
     """
@@ -28,7 +28,7 @@ def gap(q: Roller, design: Design | None = None) -> "Gap":
 
 
 def even_crowns(q: Roller) -> "dict[str, Gap]":
-    """Functions of the crowns for uniform pressure under F, by their names in results."""
+    """Crowns for uniform pressure under F, as functions of y, by their names in results."""
     from analytic.contact import crown_again
 
     law = {"load": q.F, "length": q.L, "E_star": q.E_star}

@@ -52,7 +52,7 @@ class HalfPlanes(FemClaim):
 def l2_margin(
     name: str, formula: Callable[[Any, float], Any], at: float, scale_at: float
 ) -> Callable[[Context], tuple[float, float]]:
-    """Function that returns `L2` minus the relative L2 error of the values `name`.
+    """Function for a margin: positive if the relative L2 error of the array `name` is below `L2`.
 
     The error is the difference to `formula` at `at`, relative to the norm of `formula` at
     `scale_at`.
@@ -67,14 +67,14 @@ def l2_margin(
 
 
 def two_ways(context: Context) -> Pair:
-    """Area of the loop and work of friction [J/m], as a pair."""
+    """Pair: area of the loop of force over displacement, and work of friction [J/m]."""
     area, work = (context.series(key)[1][-1] for key in ("area", "work"))
     u = context.fem[-1].u_it["area_by_steps"]
     return Pair(area, work, 2 * u, f"difference {area / work - 1:+.2g}")
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:
-    """Order of convergence, in steps, of the area of the loop, minus 1.8; and its uncertainty.
+    """Order of convergence of the loop's area with the number of steps, minus 1.8; uncertainty.
 
     The area is computed with straight lines between steps. The difference between work and the
     area by Simpson's rule is mesh scatter and counts as uncertainty.

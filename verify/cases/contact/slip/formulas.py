@@ -92,7 +92,7 @@ class SlipFormulas(SlipInputs):
         return {**self.loads, "E_star": self.E_star}
 
     def at_share(self, k: float) -> Self:
-        """The rollers under Q_max = k mu P."""
+        """The rollers under the amplitude Q_max = k mu P."""
         return self.model_copy(update={"share": k})
 
     def first_traction(self, x: Any, k: float) -> Any:
@@ -100,7 +100,7 @@ class SlipFormulas(SlipInputs):
         return partial_slip.traction(x, Q=k * self.mu * self.P, a=self.a, **self.loads)
 
     def cycle_traction(self, x: Any, stage: float) -> Any:
-        """Mindlin's traction [Pa] at x [m] during unloading, at Q = `stage` Q_max."""
+        """Mindlin's traction [Pa] at x [m] while Q falls from Q_max; then Q = `stage` Q_max."""
         Q_max = self.share * self.mu * self.P
         return tangential_cycle.traction(
             x, Q=stage * Q_max, Q_max=Q_max, a=self.a, branch="unloading", **self.loads

@@ -44,6 +44,7 @@ class SlipInputs(Case):
             raise ValueError(
                 f"a line contact requires a/R of at most {WIDEST:g}, got a/R = "
                 f"{self.width / self.R:.3g} with P = {self.P / 1e3:g} N/mm, R = {self.R * 1e3:g} mm"
+                "; reduce P"
             )
         return self
 

@@ -125,7 +125,7 @@ def cycle(
 
 
 def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Array]:
-    """Tangential tractions [Pa]: at integration points, with weights, and at x = `ACROSS` a."""
+    """Arrays of the tangential traction [Pa]: at integration points, and at x = `ACROSS` a."""
     touch = state.touches[0]
     order = np.argsort(touch.x[0])
     loaded = touch.p > 0

@@ -73,12 +73,12 @@ class SphereFormulas(SphereInputs):
 
     @shared
     def finite(self) -> sphere_series.PressedSpheres:
-        """Finite spheres under the load, corrected to first order in a/R."""
+        """State of the spheres under the load, corrected for finite size to first order in a/R."""
         return sphere_series.pressed_spheres(*self.spheres, P=self.P)
 
     @property
     def force_excess(self) -> float:
-        """Relative error of Hertz's load at Hertz's approach, to first order."""
+        """Relative error of the load by Hertz at the approach by Hertz, to first order in a/R."""
         return sphere_series.load_excess(*self.spheres, P=self.P)
 
     def shear_of(self, body: str) -> tuple[float, float]:

@@ -64,7 +64,7 @@ class SphereInputs(Case):
         return self
 
     def of(self, pair: Pair) -> Self:
-        """The inputs for the contact `pair`: on a flat or on a sphere."""
+        """The inputs with the contact `pair` selected: on a flat or on a sphere."""
         return self.variant(pair=pair)
 
     @property
@@ -92,6 +92,6 @@ class SphereInputs(Case):
 
     @property
     def beyond(self) -> float:
-        """(a/R)² of the smaller sphere: bound of the terms that the first correction neglects."""
+        """(a/R)² of the smaller sphere: size of the terms that the first correction neglects."""
         least = self.R_1 if self.pair == "flat" else min(self.R_1, self.R_2)
         return (self.width / least) ** 2

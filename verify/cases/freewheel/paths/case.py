@@ -111,8 +111,8 @@ class LoadPaths(Pulled):
             )
         if self.f * self.duration > MOST:
             raise ValueError(
-                f"a path may have at most {MOST} cycles, got f duration = "
-                f"{self.f * self.duration:g}"
+                f"a path may have at most {MOST} cycles, got f times duration = "
+                f"{self.f * self.duration:g}; reduce f or duration"
             )
         return self
 

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
 
 class PaperChain(ClutchInputs):
-    """All values of the chain with corrected misprints; infinite if the clutch locks itself."""
+    """All values of the paper's formulas without misprints; infinite if the clutch locks itself."""
 
     d_m = Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
                    tex=r"\frac{d_i + d_e}{2}").reads(lambda q: q.full.parts.d_m)  # fmt: skip
@@ -120,11 +120,11 @@ class PaperChain(ClutchInputs):
 
     @shared
     def full(self) -> PolyhedralClutch:
-        """The formulas with K in the middle of the flats and the exact lever of the hub."""
+        """The paper's formulas with K of the middle of the flats and the exact hub lever."""
         return self.paper(K=self.K)
 
     def paper(self, *, rho: float | None = None, **readings: Any) -> PolyhedralClutch:
-        """The corrected formulas of the paper for given `readings` of its definitions."""
+        """The paper's formulas without misprints; `readings` choose among its definitions."""
         parts = PolyhedralParts(
             z=self.z, d_i=self.d_i, d_e=self.d_e, D_i=self.D_i, d=self.d, b=self.b, e=self.e,
             rho=self.rho if rho is None else rho,

@@ -30,16 +30,16 @@ PLANE = "plane stress, rigid race; half of the hub force on each side of the mid
 
 
 class ClutchFormulas(PaperChain, ElasticClutch):
-    """Formulas of the elastic clutch and of the paper, and their errors due to Hertz's theory."""
+    """Formulas of the elastic clutch and of the paper, and errors that Hertz's theory causes."""
 
     @property
     def slack(self) -> float:
-        """Relative error of the elastic torque due to Hertz's theory; nan without a torque."""
+        """Relative error that Hertz's theory causes in the elastic torque; nan without a torque."""
         return self._blur(self.hub, self.line_load)
 
     @property
     def slack_p(self) -> float:
-        """Relative error of the pressure for the target torque due to Hertz's theory."""
+        """Relative error that Hertz's theory causes in the pressure for the target torque."""
         N = self.line_need
         if not 0 < self.line_load < inf:
             return nan
@@ -47,12 +47,12 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def slack_block(self) -> float:
-        """Relative error of the blocking pressure for the target torque due to Hertz's theory."""
+        """Relative error due to Hertz's theory in the blocking pressure for the target torque."""
         return self.slack_p * self.p_need / self.p_block
 
     @property
     def slack_rigid(self) -> float:
-        """Relative error of the torque with rigid rollers due to Hertz's theory."""
+        """Relative error that Hertz's theory causes in the torque with rigid rollers."""
         return self._blur(self.stiff, self.line_rigid)
 
     def _blur(self, hub: Driven, N: float) -> float:
@@ -71,19 +71,19 @@ class ClutchFormulas(PaperChain, ElasticClutch):
                          apothem=self.ring.apothem, phi_1=self.phi_1, alpha=self.alpha)  # fmt: skip
 
     def torque_of_first_design(self) -> float:
-        """Torque [N m] of a rigid flat as in Eq. 21, from the balance of forces."""
+        """Torque [N m] under the assumption of Eq. 21 (rigid flat), by the balance of forces."""
         ring = {"d_m": self.ring.d_m, "wall": self.delta_1, "j_D": self.j_D, "E": self.E}
         return first_design(self.flat, **ring).torque(self.p_t)
 
     def pressure_over_the_arc(self) -> float:
-        """Pressure [Pa] for the target torque if the force of a side is computed with its arc."""
+        """Pressure [Pa] for the target torque if the force on a side includes that on its arc."""
         touch = self.touch
         rest = filleted(self.flat, touch).pressure(self.M_t) - touch
         return touch + rest / self.flat.arc
 
     @property
     def from_rollers(self) -> float:
-        """Share of the fillet stress that is due to rollers and hub."""
+        """Fraction of the fillet stress that rollers and hub cause; nan without a roller force."""
         if not 0 < self.line_load < inf:
             return nan
         return abs(1 - driven_fillet_stress(self.hub, 0.0, self.p_t) / self.fillet)
@@ -91,7 +91,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Approximation):
-    """Comparison of a formula whose error interval has the half-width `give`.
+    """Comparison of a formula; `give` is the name of the half-width of its error interval.
 
     The interval results from the error of Hertz's theory. A formula without a value is not judged.
     For user inputs, the required sensitivity is at least twice the half-width.

@@ -19,7 +19,7 @@ SERIES = "elastic ring and rollers: series"
 
 
 class ElasticClutch(ClutchInputs):
-    """Main results for design; infinite or nan if pressure does not limit the torque."""
+    """Main results for design; they are infinite or nan if pressure does not limit the torque."""
 
     @Quantity("S", "1", "margin: torque of elastic ring and rollers over the target torque",
               role="step", safe="too low", tex=r"\frac{M_{el}}{M_t}")  # fmt: skip

@@ -90,12 +90,12 @@ class ClutchInputs(Case):
 
     @property
     def stays(self) -> bool:
-        """Whether the rollers stay in their wedge; true without a wedge angle."""
+        """Whether the rollers stay in their wedge; also true if no wedge angle is given."""
         return self.alpha is None or bool(holds(alpha=self.alpha, mu=self.mu))
 
     @property
     def all_levers(self) -> float:
-        """Torque of the clutch over the tangential force per length of each roller [m²]."""
+        """Ratio [m²] of the torque of the clutch to the tangential force per length of a roller."""
         return self.b * self.z * self.D_i / 2
 
     def _check_loads(self) -> None:
@@ -106,7 +106,8 @@ class ClutchInputs(Case):
         if self.M_t > torque:
             raise ValueError(
                 f"M_t = {self.M_t:.4g} N m is too large for rollers of {self.d * 1e3:g} mm: it "
-                f"must not exceed {torque:.4g} N m ({most * self.b / 1e3:.4g} kN per roller)"
+                f"must not exceed {torque:.4g} N m, at which a roller carries "
+                f"{most * self.b / 1e3:.4g} kN"
             )
         largest = most / self.ring.d_i
         if self.p_t > largest:

@@ -49,5 +49,5 @@ def touching(q: ClutchInputs, level: int) -> float:
 
 
 def moment(q: ClutchInputs, push: tuple[float, float]) -> float:
-    """Moment [N] about the axis of a hub force `push` (normal, along the flat) [N/m] at e."""
+    """Moment [N] about the axis of a force [N/m] on a flat at e; `push`: normal, along the flat."""
     return q.e * push[0] - q.ring.apothem * push[1]

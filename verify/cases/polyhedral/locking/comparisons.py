@@ -144,7 +144,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """Load-transfer ratio of the widest contact minus that of the narrowest, with uncertainty."""
+    """Load-transfer ratio of the widest roller contact minus that of the narrowest; uncertainty."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
@@ -154,7 +154,7 @@ def within_band(
     q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
     symbol: str = "", bent: float = 0.0, shares: str = "",
 ) -> Comparison:  # fmt: skip
-    """Row: `q` against finite elements, with the band `expected` of its error.
+    """Row that compares `q` with finite elements; its error must lie in the interval `expected`.
 
     `reference` and `symbol` default to those of `q`.
     """

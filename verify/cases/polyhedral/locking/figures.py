@@ -15,7 +15,7 @@ FINE = 25
 
 
 def curves(levels: Sequence[FemResult]) -> dict[str, Array]:
-    """Curves of the finite elements, from the level that stores them; empty if there is none."""
+    """Curves by finite elements, from the first level that has them; empty if none has."""
     return next((dict(level.arrays) for level in levels if level.arrays), {})
 
 

@@ -126,7 +126,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     @shared
     def from_rollers(self) -> float:
-        """Share of the fillet stress that is due to the rollers."""
+        """Fraction of the fillet stress that the rollers cause."""
         return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
 
     def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:

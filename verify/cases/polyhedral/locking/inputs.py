@@ -18,7 +18,7 @@ class LockingInputs(HubRing):
 
     @property
     def push(self) -> tuple[float, float]:
-        """Hub force on a flat [N/m]: component normal to it, and along it away from its middle."""
+        """Hub force on a flat [N/m]: normal; along the flat, positive away from its middle."""
         normal = self.R_b / np.hypot(1, self.tan_phi)
         return float(normal), float(-normal * self.tan_phi)
 

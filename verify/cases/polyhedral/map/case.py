@@ -61,12 +61,12 @@ class PolyhedralMap(MapInputs):
 
     @shared
     def flexible_middle(self) -> Array:
-        """1/K of the three definitions, by the series, for all numbers of flats, (flats, 3)."""
+        """Array (flats, 3) of 1/K in its three definitions, for all numbers of flats (series)."""
         return self.flexibility(self.at_middle)
 
     @shared
     def efficiency(self) -> Array:
-        """Incremental load-transfer ratios from pressure to rollers, by the series, (flats,)."""
+        """Fraction of a pressure increment that the rollers carry, by the series, (flats,)."""
         return np.array([
             locked(
                 sector=self.sector(size), roller=Roller(d=self.roller(size[0]), j_D=self.j_D),
@@ -125,7 +125,7 @@ class PolyhedralMap(MapInputs):
 
 
 def over_map(name: str) -> Callable[[Context], Pair]:
-    """Function that returns 1/K by series and by finite elements where they differ most.
+    """Function for a pair: 1/K by series and by finite elements where they differ most.
 
     The series is evaluated in some cells of the map: a third of the flats in every second row. The
     uncertainty is that of the rings with wall and fillet of the inputs.
@@ -145,7 +145,7 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """Load-transfer ratios by series and by finite elements where they differ most."""
+    """Pair of load-transfer ratios by series and finite elements for the flats that differ most."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 
@@ -163,13 +163,13 @@ def falls(context: Context) -> tuple[float, float, str]:
 
 
 def near_lame(context: Context) -> Pair:
-    """Lamé's limit and K of 48 flats, as a pair."""
+    """Pair: Lamé's limit of K, and K of a ring with 48 flats."""
     limit, K = context.inputs.K_many, context.series(f"K_mid_{FLATS[-1]}")[1]
     return Pair(limit, K[-1], 3 * abs(K[-1] - K[-2]), f"{K[-1] / limit - 1:+.2%}")
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:
-    """Inward displacement of the corners of three flats, -1/K_corner, with its uncertainty."""
+    """Inward displacement -1/K_corner of the corners of a ring with three flats; uncertainty."""
     K = context.series(f"K_corner_{FLATS[0]}")[1]
     return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2]), f"K_corner is {K[-1]:.4g}"
 

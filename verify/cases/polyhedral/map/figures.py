@@ -16,7 +16,7 @@ LARGEST, LEAST = 4.0, -2.0  # limits of K in the figure: K at the corners of fou
 
 
 def on_map(context: Context, name: str) -> Array | None:
-    """1/K of finite elements on the map `name`, row by row, shape (m,); None if not solved."""
+    """Array (m,) of 1/K by finite elements, row by row of the map `name`; None if not solved."""
     return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
 
 

@@ -53,21 +53,21 @@ class MapInputs(RoundRing):
 
     @property
     def at_middle(self) -> list[Size]:
-        """Rings with all numbers of flats, and with the wall and fillet of the inputs."""
+        """Rings of the inputs' wall and fillet, one for each number of flats."""
         return [(z, self.delta_1, self.rho) for z in FLATS]
 
     def ring(self, size: Size) -> PolygonRing:
-        """The ring of the map with the given `size`."""
+        """The ring of the map with the given `size`: number of flats, wall, fillet radius."""
         z, delta_1, rho = size
         return PolygonRing(
             d_e=self.d_e, j_D=self.j_D, E=self.E, nu=self.nu, z=z, delta_1=delta_1, rho=rho
         )
 
     def touching(self, wall: float) -> float:
-        """Pressure [Pa] with which a thin ring closes the clearance, as scale of the loads."""
+        """Pressure [Pa] with which a thin ring of this wall closes the clearance: load scale."""
         return 2 * wall * self.E * self.j_D / ((self.d_e - 2 * wall) * (self.d_e - wall))
 
     def roller(self, z: int) -> float:
-        """Diameter [m] of z rollers: that of the inputs, or smaller, so that z rollers fit."""
+        """Diameter [m] of z rollers: that of the inputs or, if too large for z, a smaller one."""
         sine = float(np.sin(np.pi / z))
         return min(self.d, 0.9 * (self.d_e + self.j_D) * sine / (1 - sine))

@@ -46,7 +46,7 @@ def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
 
 
 def efficiency_fem(q: MapInputs) -> Array:
-    """Incremental load-transfer ratios to the rollers for all numbers of flats, shape (m,)."""
+    """Array (m,): fraction of a pressure increment that the rollers carry, by number of flats."""
     from verify.cases.polyhedral.locking.fem import locked_fem
 
     found = []

@@ -103,7 +103,7 @@ class RingPressure(ThinRing):
         return float(p)
 
     def of_wall(self, share: float) -> Self:
-        """The ring of equal mean diameter d_m with the wall `share` d_m; limits are not checked."""
+        """The ring of the same d_m (mean diameter) and the wall `share` d_m, with no checks."""
         sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
         return self.model_copy(update=sizes)
 

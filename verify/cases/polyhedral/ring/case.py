@@ -165,7 +165,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         }
 
     def outside(self, theta: Array) -> Array:
-        """Radial displacements [m] of the outside at angles `theta` under p_1r, shape (m,)."""
+        """Radial displacements [m] of the outer surface at the angles `theta` under p_1r, (m,)."""
         load: dict[str, Any] = {"p": self.p_1r, "E": self.E, "nu": self.nu}
         u = bore_pressure.rim_displacement(
             theta, sector=self.sector, assumption="plane stress", **load
@@ -260,7 +260,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
 
 def of_one(K: float) -> Expected:
-    """Expected error of K = 1 if K of the series is `K`."""
+    """Expected error of K = 1, if the series gives the value `K`."""
     return about(1 / K - 1, NEAR, "1/K of the series (complex potentials)")
 
 

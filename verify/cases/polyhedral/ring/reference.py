@@ -68,14 +68,14 @@ def both_fem(q: HubRing, level: int) -> Level:
 
 
 def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
-    """K from outward displacements [m] under `UNIT`; 1/K at corners, which may move inwards."""
+    """K by two definitions, from displacements [m] under `UNIT`; 1/K of corners ("flexibility")."""
     thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
     per = {where: UNIT / 2 / thin / u for where, u in outward.items()}
     return {"K_mid": per["mid"], "K_mean": per["mean"], "flexibility": 1 / per["corner"]}
 
 
 def round_off(values: Values, residual: float) -> dict[str, float]:
-    """Round-off error of values by key; `residual`: relative residual of the energy."""
+    """Round-off error of each value, by key; `residual` is the relative residual of the energy."""
     return {key: max(residual**0.5, 1e-11) * abs(value) for key, value in values.items()}
 
 

@@ -80,17 +80,17 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Remaining share of N, minus 0.9, with friction 1 % above tan(alpha/2)."""
+    """Positive margin if 90 % of N remain with friction 1 % above tan(alpha/2)."""
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 
 def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, float]]:
-    """Function that returns `bound` minus element `k` of `array` on the finest mesh."""
+    """Function for a margin: `bound` minus element `k` of `array` on the finest mesh."""
     return lambda context: (float(bound - context.fem[-1].arrays[array][k]), 0.0)
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """Largest difference of T/(mu N) from tan(alpha/2)/mu, its uncertainty, and a text.
+    """Largest deviation of T/(mu N) from tan(alpha/2)/mu, its uncertainty, and a text.
 
     For rollers that the wedge expels, the difference is the remaining share of N times EXPELLED /
     REST.

@@ -42,7 +42,7 @@ class WedgeInputs(Case):
             raise ValueError(
                 f"a line contact requires a/R of at most {WIDEST:g}, got a/R = "
                 f"{self.a / self.R:.3g} with N = {self.N:g} N "
-                f"on b = {self.b * 1e3:g} mm, d = {self.d * 1e3:g} mm"
+                f"on b = {self.b * 1e3:g} mm, d = {self.d * 1e3:g} mm; reduce N"
             )
         return self
 

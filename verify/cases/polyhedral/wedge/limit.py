@@ -16,7 +16,7 @@ ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of 
 
 
 def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple[float, float]:
-    """Ratio of N to the given N, and T/N, if the race is displaced by `down` [m] to the roller.
+    """Two ratios for a race displaced by `down` [m] towards the roller: N to the given N, T to N.
 
     `half` is half of the wedge angle [rad]. Both values are zero if the contact is lost.
     """
@@ -31,14 +31,14 @@ def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple
 
 
 def least_fem(q: WedgeInputs, down: float, share: float) -> tuple[float, float]:
-    """Least coefficient of friction that holds the roller, near `share`, and uncertainty."""
+    """Smallest friction coefficient that holds the roller, sought near `share`; uncertainty."""
     from fem.contact.wedged_states import least_friction
 
     return least_friction(lambda mu: pressed_fem(q, down, half=q.half, mu=mu)[0], share)
 
 
 def around_fem(q: WedgeInputs, down: float) -> Array:
-    """Remaining shares of N with friction 1 % below and 1 % above tan(alpha/2), shape (2,)."""
+    """Fractions of N that remain with friction 1 % below and 1 % above tan(alpha/2), (2,)."""
     limit = math.tan(q.half)
     return np.array([
         pressed_fem(q, down, half=q.half, mu=share * limit)[0] for share in (0.99, 1.01)
@@ -46,7 +46,7 @@ def around_fem(q: WedgeInputs, down: float) -> Array:
 
 
 def over_angles_fem(q: WedgeInputs, down: float) -> Array:
-    """Array (3, m): tan(alpha/2)/mu, remaining share of N, and T/(mu N) (0 if no N remains)."""
+    """Array (3, m): tan(alpha/2)/mu, remaining fraction of N, T/(mu N) (0 if no N remains)."""
     found = []
     for share in ANGLES:
         left, ratio = pressed_fem(q, down, half=math.atan(share * q.mu), mu=q.mu)

@@ -87,7 +87,7 @@ def held_back(q: WedgeInputs, cage: "Wedge") -> dict[str, float]:
 
 
 def across(q: WedgeInputs, touch: "Touch", s: Array) -> Array:
-    """Tractions at `ACROSS` over tan(alpha/2) p_0, shape (m,); `s`: node positions over a."""
+    """Tractions at x = `ACROSS` a, divided by tan(alpha/2) p_0, (m,); `s` is x/a of the nodes."""
     order = np.argsort(s)
     return np.interp(ACROSS, s[order], touch.traction[order]) / (math.tan(q.half) * q.p_0)
 

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 class Share(float):
-    """T/(mu N); its text, such as "0_4", is part of keys of results."""
+    """Ratio T/(mu N) whose text, such as "0_4", can be part of keys of results."""
 
     def __str__(self) -> str:
         return f"{self:g}".replace(".", "_")
@@ -24,7 +24,7 @@ TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 
 
 def small(q: WedgeInputs) -> float:
-    """Half-width [m] that is small against R and mu R, as Cattaneo's half-planes require.
+    """Half-width [m] of a contact so small that Cattaneo's half-planes represent the roller.
 
     For larger widths, the common contact surface is inclined by up to a/(2R) at its ends, which
     reduces the available angle of friction.
@@ -33,7 +33,7 @@ def small(q: WedgeInputs) -> float:
 
 
 class Stuck(NamedTuple):
-    """Stick half-widths over a by key, uncertainties by key, and half-widths of the figure."""
+    """Ratios of stick half-width to a, by key; their uncertainties; half-widths for the figure."""
 
     values: dict[str, float]
     u_it: dict[str, float]
@@ -41,7 +41,7 @@ class Stuck(NamedTuple):
 
 
 def fem_stuck(q: WedgeInputs, level: int) -> Stuck:
-    """Stick zones of the roller released under a small force, with `level` cells on a."""
+    """Stick zones of a roller released under a small force; half a contact has `level` cells."""
     from fem.contact.partial_slip import smoothed
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import let_go

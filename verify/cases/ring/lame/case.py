@@ -155,7 +155,7 @@ class Ring(Case):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Results of quarters in plane stress and strain, and of one with straight cell edges."""
+        """Results of three quarters: plane stress, plane strain, straight cell edges."""
         from verify.cases.ring.lame.reference import solve
 
         return solve(self, level)
@@ -249,7 +249,7 @@ class Ring(Case):
 
 
 def displacement_errors(edges: str) -> Any:
-    """Function that returns mesh sizes and relative L2 errors of the displacement field.
+    """Function that returns mesh sizes h and relative L2 errors of the displacement field.
 
     The long ring is compared with Lamé's solution. `edges` is "_straight" for straight cell edges.
     """

@@ -23,7 +23,7 @@ READINGS = (
 
 
 class SpragRace(SpragLoads):
-    """Common part of the cases of both races."""
+    """Common part of the cases of the outer race and of the inner race under sprags."""
 
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (
@@ -44,7 +44,7 @@ class SpragRace(SpragLoads):
         return solve(self, level)
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Table of wind-up and peak force of a clutch with these races."""
+        """Table of errors of wind-up and peak force of a clutch with these races."""
         yield drawn.table(self, (OuterRace(), InnerRace()) if context.is_paper else ())
 
     def warnings(self) -> Iterator[str]:

@@ -32,7 +32,7 @@ BY_FOURIER = (
 
 @dataclass(frozen=True, kw_only=True)
 class Smeared(Approximation):
-    """Comparison of a formula with the FE deflection minus the indentation `less`."""
+    """Comparison of a formula with the deflection of finite elements minus a value `less`."""
 
     less: str = ""
 
@@ -120,7 +120,7 @@ def _smeared(
 
 
 def wall_errors(context: Context) -> list[float]:
-    """Largest differences of u_r and u_theta at nodes of both walls, relative to u_r at the load.
+    """Largest errors of u_r and u_theta on both walls, relative to u_r at the load.
 
     Finite elements are compared with the Fourier ring. The list has one value per level.
     """
@@ -137,7 +137,7 @@ def wall_errors(context: Context) -> list[float]:
 
 
 def stress_errors(context: Context) -> list[float]:
-    """Largest differences of the three stresses at `stations`, relative to the largest stress.
+    """For each level, the largest error of three stresses at `stations`, relative to the largest.
 
     Finite elements are compared with the Fourier ring. The list has one value per level.
     """
@@ -160,7 +160,7 @@ def finest(
 
 
 def too_soft(context: Context) -> tuple[float, float, str]:
-    """Relative error of Eq. 6 against the FE deflection without indentation; uncertainty; text."""
+    """Relative error of Eq. 6 against deflection without indentation; its uncertainty; a text."""
     q, (h, series) = context.inputs, context.series("load")
     u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
     reference = series[-1] - q.dent

@@ -107,14 +107,14 @@ def pictures(self: SpragLoads) -> Iterator[Picture]:
 
 
 def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
-    """Ratios of wind-up and of peak force by Lamé and Hertz to those by the Fourier ring."""
+    """Ratios of wind-up and of peak force, both by Lamé and Hertz, to those of the Fourier ring."""
     return windup.ratios([
         windup.compliances(q.race(n=n), R=q.R, F=q.F, L=q.L) for q in races
     ])  # fmt: skip
 
 
 def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
-    """Errors of wind-up and peak force over n: of this race and, with `pair`, of both races."""
+    """Table of errors of wind-up and peak force over n: this race and, with `pair`, both races."""
     rows: list[tuple[str | float | None, ...]] = []
     for n in sorted({*LISTED, q.n}):
         if not all(race.room_for(n) for race in (q, *pair)):

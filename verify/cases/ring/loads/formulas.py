@@ -134,7 +134,7 @@ class SpragLoads(LoadsInputs):
 
     @property
     def stress_scale(self) -> float:
-        """Largest of the hoop stresses of the rows [Pa]."""
+        """Largest hoop stress [Pa] of those that the rows compare."""
         return float(np.abs(self._points.sigma_theta[1:]).max())
 
     @property
@@ -157,7 +157,7 @@ class SpragLoads(LoadsInputs):
         ))  # fmt: skip
 
     def dent_to(self, depth: float) -> float:
-        """Approach [m] of the middle of the patch and a point at `depth` [m] in a half-plane."""
+        """Approach [m] of the middle of the patch to a point at `depth` [m] in a half-plane."""
         return float(hertz_line_approach.approach_to_depth(
             depth, P=self.P, a=self.hertz[0], E=self.E, nu=self.nu, assumption="plane stress"
         ))  # fmt: skip

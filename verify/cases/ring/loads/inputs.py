@@ -77,7 +77,7 @@ class LoadsInputs(Case):
         if self.loaded == "bore" and FIT * self.r_i < self.R:
             raise ValueError(
                 f"R must not exceed {FIT} r_i, got R = {self.R * 1e3:g} mm, "
-                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide"
+                f"r_i = {self.r_i * 1e3:g} mm: the contact of a closer fit is too wide; reduce R"
             )
         a, least = self.half_width, min(wall, self.R)
         if a > WIDEST * least:

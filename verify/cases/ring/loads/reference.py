@@ -16,7 +16,7 @@ AWAY = 2.0  # distance from the patch's middle, in half-widths, beyond which res
 
 
 def stations(q: LoadsInputs) -> Array:
-    """Points (2, m) of a polar grid over half a pitch, away from the patch: r [m] and theta."""
+    """Points (r [m], theta), shape (2, m), over half a pitch; those near the patch are omitted."""
     r, theta = np.meshgrid(
         np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
     )
@@ -26,7 +26,7 @@ def stations(q: LoadsInputs) -> Array:
 
 
 def wall_angles(q: LoadsInputs) -> Array:
-    """Angles [rad] of profiles on the walls, from outside the patch to half a pitch, (m,)."""
+    """Angles [rad], (m,), at which walls are evaluated: from outside the patch to half a pitch."""
     return np.linspace(AWAY * q.half_width / q.radius, np.pi / q.n, ALONG)
 
 

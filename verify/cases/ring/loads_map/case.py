@@ -21,7 +21,7 @@ SHARP = 3e-3, "less than a tenth of the smallest step between shades of the map"
 
 
 class Point(NamedTuple):
-    """A race of the map: number of loads, and ratio of outer to inner radius."""
+    """A race of the map: number of loads n, and ratio of outer to inner radius r_o/r_i."""
 
     n: int
     ratio: float

@@ -285,7 +285,10 @@ class RotatingRace(Case):
 
 
 class Small(Claim):
-    """Ratio of Eq. 8 to Eq. 6; not judged, as the paper prints neither speed nor density."""
+    """Ratio of the growth by Eq. 8 to the deflection by Eq. 6; not judged.
+
+    The paper prints neither speed nor density.
+    """
 
     kind = Kind.FACT
 

@@ -17,7 +17,7 @@ T = TypeVar("T", bound=CoaxialRotor)
 
 
 def companion(form: type[T]) -> T:
-    """The companion, built with the case class `form`, which has its formulas or its reference."""
+    """The companion as an instance of the case class `form` (of formulas or reference)."""
     turned = np.deg2rad
     return form(
         speed=5200 * RPM,

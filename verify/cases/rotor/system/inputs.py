@@ -122,7 +122,10 @@ class CoaxialRotor(Case):
         description.check_shafts(self.shafts, self.segments)
         nodes = len(self.segments) + len(self.shafts)
         if nodes > MOST_NODES:
-            raise ValueError(f"the segments have {nodes} nodes; at most {MOST_NODES} are allowed")
+            raise ValueError(
+                f"the segments have {nodes} nodes; at most {MOST_NODES} are allowed: use fewer "
+                "segments"
+            )
         description.check_nodes(
             nodes, discs=self.discs, supports=self.supports, links=self.links,
             unbalances=self.unbalances,

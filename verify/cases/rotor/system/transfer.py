@@ -115,7 +115,9 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
     given = (disc.mass, disc.polar, disc.diametral)
     if disc.d_o is None or disc.width is None:
         if disc.mass is None or disc.polar is None or disc.diametral is None:
-            raise ValueError("requires mass, polar and diametral, or d_o and width of a cylinder")
+            raise ValueError(
+                "give either mass, polar and diametral of the disc, or d_o and width of a cylinder"
+            )
         return disc.mass, disc.polar, disc.diametral
     if not disc.d_i < disc.d_o:
         raise ValueError(
@@ -154,4 +156,7 @@ def check_widths(discs: Sequence[DiscInputs], rotor: TransferMatrixRotor) -> Non
     for (shaft, z, width, k), (other, z2, width2, k2) in pairwise(wide):
         over = (width + width2) / 2 - (z2 - z)
         if shaft == other and width > 0 and width2 > 0 and over > 1e-9 * (width + width2):
-            raise EntryError("discs", k2, "", f"overlaps discs[{k}] by {over * 1e3:.4g} mm")
+            raise EntryError(
+                "discs", k2, "",
+                f"overlaps discs[{k}] by {over * 1e3:.4g} mm: reduce a width, or move a disc",
+            )  # fmt: skip

@@ -122,7 +122,7 @@ class StageFormulas(StagesInputs, Case):
 
     @property
     def tilt(self) -> float:
-        """Angle [rad] at point A between the touching tip and the leaf that it touches."""
+        """Angle [rad] that remains at point A between the touching tip and its leaf."""
         return float(self._bent.tilt)
 
     @shared
