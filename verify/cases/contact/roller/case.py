@@ -52,7 +52,7 @@ class RollerOnRace(CrownedRoller):
         return solve_crowns(self, level, self.best_design, more=more, arrays=best)
 
     def plane_at_middle(self, level: int) -> dict[str, float]:
-        """Plane-strain values of a disc on a rigid flat, under the line load of the mid strip."""
+        """Plane-strain values of a disc on a rigid flat under the line load of the middle strip."""
         from analytic.contact.strips import press_strips
         from verify.cases.contact.line.inputs import FlatInputs
         from verify.cases.contact.line.reference import disc_fem

@@ -113,7 +113,7 @@ def loaded_ends(q: StripRoller) -> Comparison:
 
 
 def end_pressure(q: StripRoller) -> Comparison:
-    """Row: the pressure by strips near the more loaded end (Hertz, mean line load) agrees."""
+    """Row: strips agree on Hertz's pressure of the mean line load near the more loaded end."""
     check = Accepted(name="Hertz's pressure of the mean line load in the more loaded end zone: "
                      f"strips agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
@@ -151,7 +151,7 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
 
 
 def within(key: str, bound: float, scale: Scale) -> Margin:
-    """Function for a margin: positive if the relative error of `key` by strips is below `bound`.
+    """Function that returns a positive margin if strips compute `key` with an error below `bound`.
 
     The error is relative to `scale` if the value of the half-space is nearly zero.
     """

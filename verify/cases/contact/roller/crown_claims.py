@@ -57,7 +57,7 @@ def deviations() -> Iterator[Check]:
 
 
 def extreme(design: int, *, most: bool) -> Margin:
-    """Function for a margin: `design` is the most (or the least) uniform of the designs.
+    """Function that returns a margin: `design` is the most (or the least) uniform of the designs.
 
     The measure is the share of the load that must be moved for a uniform line load. The function
     returns the larger over the smaller share, minus 1.

@@ -203,7 +203,7 @@ class EndFace(Crown):
 
 
 def face(state: State) -> Margin:
-    """Function for a margin: positive if the end face reduces the load near it by over FACE."""
+    """Function that returns the relative load reduction near the end face, minus FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)
@@ -217,7 +217,7 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Function for a margin: positive if the end face matters far more than the finite size."""
+    """Function that returns a positive margin if end faces matter far more than body sizes."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)

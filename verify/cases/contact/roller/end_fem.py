@@ -83,7 +83,7 @@ def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> 
 
 
 def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
-    """Contact of the half y >= 0 of the roller with the race; `more` is a number of cells."""
+    """Contact of the half y >= 0 of roller and race; `more` cells across it are added."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like

@@ -52,7 +52,7 @@ class HalfPlanes(FemClaim):
 def l2_margin(
     name: str, formula: Callable[[Any, float], Any], at: float, scale_at: float
 ) -> Callable[[Context], tuple[float, float]]:
-    """Function for a margin: positive if the relative L2 error of the array `name` is below `L2`.
+    """Function that returns a positive margin if the L2 error of the array `name` is below `L2`.
 
     The error is the difference to `formula` at `at`, relative to the norm of `formula` at
     `scale_at`.

@@ -100,7 +100,7 @@ class SlipFormulas(SlipInputs):
         return partial_slip.traction(x, Q=k * self.mu * self.P, a=self.a, **self.loads)
 
     def cycle_traction(self, x: Any, stage: float) -> Any:
-        """Mindlin's traction [Pa] at x [m] while Q falls from Q_max; then Q = `stage` Q_max."""
+        """Mindlin's traction [Pa] at x [m] when Q, falling from Q_max, reaches `stage` Q_max."""
         Q_max = self.share * self.mu * self.P
         return tangential_cycle.traction(
             x, Q=stage * Q_max, Q_max=Q_max, a=self.a, branch="unloading", **self.loads

@@ -246,7 +246,7 @@ class FreewheelFriction(Pulled):
 
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
-    """Expected error due to `source`: `interval`, or an error of unknown size if it is None."""
+    """Expected error due to `source`: `interval`, or unknown if `interval` is None."""
     return underived(source) if interval is None else Expected(*interval, source)
 
 

@@ -74,7 +74,7 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
 
 
 def onset(context: Context) -> Pair:
-    """tan(alpha) and the smallest friction without slip of both contacts, with uncertainty."""
+    """Pair: tan(alpha), and the friction at which both contacts slip completely; uncertainty."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1

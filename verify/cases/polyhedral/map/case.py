@@ -125,7 +125,7 @@ class PolyhedralMap(MapInputs):
 
 
 def over_map(name: str) -> Callable[[Context], Pair]:
-    """Function for a pair: 1/K by series and by finite elements where they differ most.
+    """Function that returns a pair: 1/K by series and by finite elements where they differ most.
 
     The series is evaluated in some cells of the map: a third of the flats in every second row. The
     uncertainty is that of the rings with wall and fillet of the inputs.

@@ -85,7 +85,7 @@ def held(context: Context) -> tuple[float, float]:
 
 
 def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, float]]:
-    """Function for a margin: `bound` minus element `k` of `array` on the finest mesh."""
+    """Function that returns a margin: `bound` minus element `k` of `array` on the finest mesh."""
     return lambda context: (float(bound - context.fem[-1].arrays[array][k]), 0.0)
 
 

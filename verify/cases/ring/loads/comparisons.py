@@ -137,7 +137,7 @@ def wall_errors(context: Context) -> list[float]:
 
 
 def stress_errors(context: Context) -> list[float]:
-    """For each level, the largest error of three stresses at `stations`, relative to the largest.
+    """Largest errors of three stresses at `stations`, relative to the largest stress.
 
     Finite elements are compared with the Fourier ring. The list has one value per level.
     """

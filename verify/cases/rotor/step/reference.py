@@ -81,7 +81,7 @@ def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
 
 
 def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
-    """Elastic body on springs at the mean motion of the seats; `half`: symmetric at L/2."""
+    """Elastic body; springs act on the mean motion of each seat; `half`: half of the body."""
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)

@@ -73,7 +73,7 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
 
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
-    """Rows that compare pressures under N/2, by slices, with those of strips; unloaded ends."""
+    """Rows that compare pressures by slices with those by strips, under N/2 (ends unloaded)."""
     c, half = ClutchFormulas, State(None, "half", "under half of N")
     for k, (race, symbol, mid, peak) in enumerate(
         (("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o))

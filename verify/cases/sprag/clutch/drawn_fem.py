@@ -15,7 +15,7 @@ def places(q: SpragInputs, n: int) -> Array:
 
 
 def crowned(q: SpragInputs, n: int) -> Array:
-    """Drop [m] of the crown at `places`; the design load is Q or, if Q is not given, static."""
+    """Drop [m] of the crown at `places`; the design load is Q or, by default, the static load."""
     if q.z_m == 0:
         return np.zeros(n)
     Q = q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))

@@ -98,7 +98,7 @@ def slides(context: Context) -> Figure:
 
 
 def zones(context: Context) -> Figure:
-    """Figure of the regions of stick and slip in a plane of torque and friction, weak springs."""
+    """Figure of the regions of stick and slip over torque and friction, for weak springs."""
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
@@ -120,7 +120,7 @@ def zones(context: Context) -> Figure:
 
 
 def wrong(context: Context) -> Figure:
-    """Figure of N(t) by an automatic band, and by a band too narrow for the time step, no guard."""
+    """Figure of N(t) with an automatic band, and without guard with a band that is too narrow."""
     last = context.fem[-1].arrays
     return plot(
         "Force with a band too narrow for the time step, without guard", "t [ms]", "N [kN]",

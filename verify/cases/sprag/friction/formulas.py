@@ -20,7 +20,7 @@ BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """Required friction T_i/N, and tan(nu), at rest under `factor` times T; nan without a rest."""
+    """Required friction T_i/N, and tan(nu), at rest under `factor` times T; nan if none exists."""
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)

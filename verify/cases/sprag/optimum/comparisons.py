@@ -192,7 +192,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """Relative reductions of p_max by the optimal crowns, from no crown, one for each torque."""
+    """Relative reductions of p_max from no crown to the optimal crown, one for each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)

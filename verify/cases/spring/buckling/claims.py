@@ -41,7 +41,7 @@ def one_ratio(context: Context) -> tuple[float, float, str]:
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function for a margin: smallest determinant while a free head is compressed.
+    """Function that returns a margin: smallest determinant while a free head is compressed.
 
     The determinant is relative to that of the unloaded spring and vanishes at a critical point. The
     uncertainty and the text of the row are also returned.
@@ -60,7 +60,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function for a margin: smallest determinant of a hinged head, on a guided head's path."""
+    """Function that returns the smallest determinant with a hinged head, on a guided path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]

@@ -76,7 +76,7 @@ def without(context: Context) -> str:
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """Function: relative difference between a fitted number on both meshes."""
+    """Function that returns the relative difference of a fitted number between both meshes."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -148,7 +148,7 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """Function for a margin: positive if `key` differs from Eq. 10 by less than `figure`."""
+    """Function that returns a positive margin if `key` is within `figure` of Eq. 10."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:

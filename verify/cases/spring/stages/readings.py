@@ -103,7 +103,7 @@ def chosen(q: StagesInputs) -> Reading:
 
 
 def keeps(key: str, figure: float) -> Margin:
-    """Function for a margin: positive if a value differs from Eq. 10 by less than `figure`.
+    """Function that returns a positive margin if a value differs from Eq. 10 by less than `figure`.
 
     The difference is that of k1, k2, U or F (`key`) of the reading with the nearest k_1.
     """

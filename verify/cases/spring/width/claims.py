@@ -76,7 +76,7 @@ def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
 
 
 def at_end(which: int) -> OfContext:
-    """Function for a pair: limit and factor at the narrow (0) or the wide (-1) end of the sweep."""
+    """Function that returns a pair, limit and factor, at the narrow (0) or wide (-1) sweep end."""
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
@@ -119,7 +119,7 @@ def estimates(context: Context) -> Pair:
 
 
 def solids(name: str) -> OfContext:
-    """Function for a pair: relative stiffness of a loop by shell and by solid.
+    """Function that returns a pair: relative stiffness of a loop by shell and by solid.
 
     Each stiffness is relative to the value of its model in plane strain.
     """
@@ -158,7 +158,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Function for a margin: positive if k_1 is within MET of that of the paper's shell."""
+    """Function that returns a positive margin if k_1 is within MET of that of the paper's shell."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM
