@@ -50,7 +50,7 @@ def torsion(context: Context, *, printed: str, note: str) -> Curves:
 
 
 def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves:
-    """Figure of the deviation of both contact forces from the bisector, over `x` (T or F_n)."""
+    """Figure over `x` (T or F_n): deviation of both contact forces from the bisector."""
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def one_pulled(q: "pulled.Pulled") -> Pulled:
-    """Pitch with its loads and its friction."""
+    """Pitch under the loads of `q`, with the friction of `q`."""
     return Pulled(pitch(q), L=q.L, T=q.T, F_ax=q.F_ax, mu=q.mu)
 
 

@@ -65,7 +65,7 @@ def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, st
 
 
 def expanded(q: PolygonRing, z: int) -> Field:
-    """Field of a ring with `z` flats when it has closed the clearance, on a coarse mesh."""
+    """Field of a ring with `z` flats whose flats have closed the clearance, on a coarse mesh."""
     other = q.model_copy(update={"z": z})
     ring = pressed_fem(other, 1, "plane stress")
     cells: dict[str, Any] = ring.cells()

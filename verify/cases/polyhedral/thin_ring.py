@@ -46,5 +46,5 @@ class PolygonSeries(ThinRing, PolygonRing):
 
     @shared
     def factors(self) -> StiffnessFactors:
-        """K by its three definitions: middle of the flats, mean growth, corners."""
+        """K in its three definitions: middle of the flats, mean growth, corners."""
         return bore_pressure.stiffness_factors(sector=self.sector, nu=self.nu, assumption=self.ends)

@@ -86,7 +86,7 @@ def even(context: Context) -> Figure:
 
 
 def ends(context: Context) -> Figure:
-    """Figure of the pressures with both crowns within ten half-widths of the end."""
+    """Figure of pressures within ten half-widths of the end, by crowns for uniform pressure."""
     q, b = context.inputs, context.inputs.b
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):

@@ -101,7 +101,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
-        """Row: largest pressure with the optimal crown, strips against the half-space."""
+        """Row that compares the largest pressure with the optimal crown: strips, half-space."""
 
         def interval() -> tuple[float, float] | None:
             return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)

@@ -171,7 +171,7 @@ class ComparedCrowns(Divided, StripRoller):
         return figures.sketch(self.designed(DESIGNS[0]))
 
     def pictures(self) -> Iterator[Picture]:
-        """Pictures of the pressure on the contact patch with both crowns for uniform pressure."""
+        """Pictures of the pressure on the contact patch, one per crown for uniform pressure."""
         picture = figures.patch()
         for name, words in EVEN.items():
             yield replace(picture, field=name, caption=f"{words}: {picture.caption}")

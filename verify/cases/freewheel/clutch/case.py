@@ -258,7 +258,7 @@ class FreewheelClutch(ClutchInputs):
         return {name: value for name, value in found.items() if np.isfinite(value)}
 
     def reference(self, level: int) -> Level:
-        """Finite elements: sweep over the torque, flats shifted by a few µm, slip near mu_req."""
+        """Finite elements: sweep over the torque, states with shifted flats, slip near mu_req."""
         from verify.cases.freewheel.clutch.reference import solve
 
         return solve(self, level)

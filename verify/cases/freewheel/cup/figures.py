@@ -61,7 +61,7 @@ def sketch(q: Cup) -> Sketch:
 
 
 def figures(q: Cup) -> Iterator[Drawing]:
-    """Figures of torque and angle over the normal force, curves over torque, and pressures."""
+    """Figures: torque and angle over the normal force; values over torque; pressures."""
     yield converged(_torques)
     yield converged(_angles)
     yield over_torque.angle(q, ends="; it decreases.")

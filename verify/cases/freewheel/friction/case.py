@@ -137,7 +137,7 @@ class FreewheelFriction(Pulled):
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:
-        """Finite elements of the sector: under torque only, with axial load, beyond the limit."""
+        """Finite elements of the sector: under torque only, with axial load, beyond slip."""
         from verify.cases.freewheel.friction.reference import solve
 
         return solve(self, level)

@@ -97,7 +97,7 @@ def _of_required(off: float) -> str:
 
 
 def of_contact(context: Context, where: int) -> Pair:
-    """mu_req by Eq. 9 and the friction that the forces of one contact require."""
+    """Pair: mu_req by Eq. 9, and the friction that the forces of one contact require."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
     words = f"off by {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)

@@ -63,7 +63,7 @@ def torque(context: Context) -> tuple[float, float, str]:
 
 
 def at_slip(context: Context, case: int) -> Pair:
-    """Axial amplitude at slip by Eq. 9 and by finite elements, on the finest mesh only."""
+    """Pair of axial amplitudes [N] at slip: by Eq. 9, by finite elements (finest mesh only)."""
     F, half = slips(context, case)
     needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
     words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {SLIP:.0%} accepted"

@@ -229,7 +229,7 @@ class FreewheelTorque(Star):
         )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Figures of angle, wind-up and travel over torque, of forces, and of both pressures."""
+        """Figures: angle, wind-up and travel over torque; forces; pressures of both contacts."""
         yield over_torque.angle(self, ends=".")
         yield converged(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
         yield over_torque.travel(self)

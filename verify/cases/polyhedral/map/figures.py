@@ -21,7 +21,7 @@ def on_map(context: Context, name: str) -> Array | None:
 
 
 def figures(q: Any, context: Context) -> Sequence[Figure]:
-    """Figures: error of K = 1 over walls and fillets (by finite elements if solved); curves."""
+    """Figures: two maps of the error of K = 1 (over walls, over fillets), and curves."""
     wall, fillet = (
         q.flexibility(rings)[:, 0] if (found := on_map(context, name)) is None else found
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet))

@@ -48,7 +48,7 @@ def solve(q: HubRing, level: int) -> Level:
 
 
 def stiffness_fem(q: HubRing, level: int) -> Level:
-    """K by its three definitions, in plane stress, for `level`."""
+    """K in its three definitions, in plane stress, for `level`."""
     ring = pressed_fem(q, level, "plane stress", ARC)
     values = stiffness(q, factors_fem(q, ring))
     return Level(h=1 / level, values=values, u_it=round_off(values, ring.residual))

@@ -212,7 +212,7 @@ class Ring(Case):
             yield picture("plane strain", data, caption, mirror="xy")
 
     def sketch(self) -> Sketch:
-        """Sketch of the ring with both pressures."""
+        """Sketch of the ring with the pressures in its bore and on its rim."""
         inner = self.r_i / self.r_o
         pushed = [f"{p / 1e6:.4g} MPa {where}" for p, where in
                   ((self.p_i, "in the bore"), (self.p_o, "on the rim")) if p]  # fmt: skip

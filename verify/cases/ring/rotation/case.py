@@ -219,7 +219,7 @@ class RotatingRace(Case):
         yield Comparison(check=Small(name=name, symbol="δ_ce/δ_BE", unit="1"), quantity=race.ratio)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Figures: profiles over the wall; growth over speed, and deflection under the sprags."""
+        """Figures: profiles across the wall; growth over speed with the deflection under sprags."""
         thin: dict[str, Any] = self._race | {"assumption": "plane stress"}
         yield from walls.profiles(
             self, "plane stress", lambda r: rotating.stresses(r, **thin),

@@ -22,7 +22,7 @@ THIN = 201  # slices, enough for a smooth curve when slices leave contact
 
 
 def sketch(q: SpragLink) -> Sketch:
-    """Sketch of both races, to scale, with a line for every sprag, inclined by nu."""
+    """Sketch of both races, to scale; each sprag is a line that is inclined by nu."""
     h = q.R_i * math.sin(q.nu)
     turn = q.nu - math.asin(h / q.R_e)
     # seen against +z: angles count from x on, counter-clockwise

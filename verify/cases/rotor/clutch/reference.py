@@ -70,7 +70,7 @@ def solve(q: SpragLink, level: int) -> Level:
 
 
 def series_fem(q: SpragLink, struts: "SpragStruts") -> dict[str, Array]:
-    """Stiffnesses over torque, over wedge angle and over offset.
+    """Arrays of stiffnesses: over torque, over wedge angle, over offset.
 
     With pinned ends, the stiffness is given over the deflection.
     """

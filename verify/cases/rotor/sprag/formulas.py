@@ -71,7 +71,7 @@ def rotor() -> transfer.TransferMatrixRotor:
 
 
 def coupling(offset: float) -> float:
-    """K_xz [N/rad] of the central clutch with an offset of its rings along x.
+    """Coupling K_xz [N/rad] of the central clutch if its rings are offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection.
     """
@@ -79,7 +79,7 @@ def coupling(offset: float) -> float:
 
 
 def uneven(offset: float) -> Array:
-    """Stiffness K (5, 5) of the central clutch with an offset of its rings along x.
+    """Stiffness K (5, 5) of the central clutch if its rings are offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection of 1 µm. K depends on this ratio
     only.

@@ -87,7 +87,7 @@ def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array
 
 
 def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
-    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, solved with both unbalances together."""
+    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19; both unbalances act in one solution."""
     from fem.rotor.response import unbalance_responses
 
     acting = [{DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2} for U_2 in q.unbalances_2.tolist()]

@@ -22,7 +22,7 @@ WORDS = {
 
 @dataclass(frozen=True)
 class Limit:
-    """Limit of the torque: its key in `WORDS` and its value [N m]."""
+    """A limit of the torque: key of its text in `WORDS`, and torque [N m]."""
 
     key: str
     at: float

@@ -92,5 +92,5 @@ def low_friction(q: SpragInputs) -> float:
 
 
 def fast(q: SpragInputs) -> SpragInputs:
-    """Inputs with the outer race at 20,000 r/min; in the paper it is at rest."""
+    """Inputs with the outer race at 20,000 r/min; the paper's outer race is at rest."""
     return q.model_copy(update={"n": FAST})

@@ -27,7 +27,7 @@ Crown = tuple[float, float, float]
 
 
 def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
-    """Inputs of the paper's clutch with `crown`, or without a crown if it is None.
+    """Inputs of the paper's clutch with the crown `crown`; None stands for no crown.
 
     The design load is the static load at 25 N m.
     """

@@ -107,7 +107,7 @@ def along(context: Context) -> Curves:
 
 
 def by_force(context: Context) -> Curves:
-    """Figure of the largest pressures of both crowns of Fig. 12 over the force."""
+    """Figure over the force: ratio of the largest pressure to the uniform pressure, two crowns."""
     q, found = context.inputs, context.fem[-1].arrays
     N = found["swept"]
     base = np.array([even(q, float(x)) for x in N])

@@ -51,7 +51,7 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Ratio of the work by rolling to the work on the deflections, and its expected value 1.
+    """Pair: ratio of the work by rolling to the work on deflections, and its expected value 1.
 
     Both use the same geometric closure.
     """
@@ -124,7 +124,7 @@ def centroids(context: Context) -> tuple[float, float, str]:
 
 
 def balanced(context: Context) -> Pair:
-    """First peak [N] without damping by energy and by time steps.
+    """Pair: first peak [N] without damping, by energy and by time steps.
 
     Both take the ratio N_e/N_i from statics.
     """

@@ -45,7 +45,7 @@ ACROSS = 240  # moments in figures of pressure
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """Results of one level: engagements by steps, statics, oscillation; LSODA on the finest."""
+    """Results of a level: engagements by steps, statics, oscillation; on the finest, LSODA."""
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
     rest = about_rest(q)
@@ -162,7 +162,7 @@ def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
 
 
 def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:
-    """N [N] over time [s] by LSODA with rolling contacts, and N of the steps at these times."""
+    """Arrays of time [s], N [N] by LSODA with rolling contacts, and N of the steps."""
     found = partner_fem(q, wedge(q), q.t_end, unlimited=True, rtol=100 * RTOL)
     every = max(len(found.t) // SHOWN, 1)
     t = found.t[::every]

@@ -43,7 +43,7 @@ STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the guard
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """Results of one level: limits and sliding states by steps; the finest adds LSODA and guard."""
+    """Results of a level: limits and sliding states by steps; on the finest, LSODA and guard."""
     dt = q.dt / level
     boundary, half = boundary_fem(q, dt)
     slides, wide = sliding_fem(q, dt, BELOW * math.tan(q.nu_0), SPEED)

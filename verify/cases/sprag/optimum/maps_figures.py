@@ -41,7 +41,7 @@ def maps(context: Context) -> Sequence[Figure]:
 
 
 def lines(context: Context) -> Curves:
-    """Figure of the largest pressure over K_1 for several z_m, by surrogate and engagements."""
+    """Figure over K_1 of the largest pressure for several z_m: by surrogate, by engagements."""
     found, q = measured(context), context.inputs
     true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
     z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)

@@ -96,6 +96,6 @@ def onset(sweep: Sweep) -> dict[str, float]:
 
 
 def stays(state: State[Place], mu: float) -> bool:
-    """Whether the sprag holds with friction `mu`: some nodes stick at both contacts."""
+    """Whether the sprag holds with friction `mu`, that is, some nodes of each contact stick."""
     sector = Sector(state.sector.q, state.start, state.widths, 4, mu=mu)
     return not sector.at(state.drags).solution.slides

@@ -37,7 +37,7 @@ def combinations(q: Any) -> list[Combination]:
 
 
 def moments(context: Context) -> Iterator[Profile]:
-    """Figure of the bending moments by Eqs. 1-5, and by straight elements at the pieces' ends."""
+    """Figure of bending moments by Eqs. 1-5, with dots of straight elements at ends of pieces."""
     if not context.converging:
         return
     q = context.inputs

@@ -32,7 +32,7 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """Results of one level: a unit and both tails.
+    """Results of a level: stiffnesses of a unit, and the spring with each of both tails.
 
     One of the levels also has paths and further springs.
     """

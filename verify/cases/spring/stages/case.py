@@ -148,7 +148,7 @@ class StageSpring(StageFormulas):
     refusal = too_slender
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Figures of force over displacement by closed form and frame, and with Eq. 10."""
+        """Figures of force over displacement: closed form against frame; comparison with Eq. 10."""
         yield drawn.judged(self)
         yield Drawn(drawn.beside)
 

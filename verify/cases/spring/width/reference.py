@@ -70,7 +70,7 @@ def thread(q: WidthInputs) -> float:
 
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
-    """Widths [m] of the loops that are computed as shell and as solid, by name."""
+    """Widths [m], by name, of the loops that are computed twice: as shell and as solid."""
     return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"given": q.h}
 
 
