@@ -8,7 +8,7 @@ import numpy as np
 
 
 def mean_drop(A: float, K_2: float, z_m: float) -> float:
-    r"""Mean drop [length] of Eq. 1 over the length of the roller.
+    r"""Mean drop [length] of the crown of Eq. 1 over the length of the roller.
 
     .. math:: \bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}\right],
         \qquad c = 1 - e^{-z_m/A}

@@ -108,7 +108,7 @@ def friction_for(duty: Duty, goal: float) -> float:
 
 
 def per_micrometre(duty: Duty) -> dict[str, float]:
-    """Relative change of mu/mu_req by 1 µm on X, r and R; empty if there is no equilibrium."""
+    """Relative change of mu/mu_req if X, r or R grows by 1 µm, by name; empty if no equilibrium."""
     if duty.under is None:
         return {}
     found, step = {}, min(FINE, NARROW * float(duty.clutch.cam.room))

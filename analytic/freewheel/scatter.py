@@ -40,7 +40,7 @@ class Scatter:
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles and shares by name (SI units); shares of 0 are omitted, except for slip."""
+        """Percentiles (SI units) and shares of outcomes, by name; no shares of 0, except slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
         found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}
@@ -72,7 +72,7 @@ def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | Non
 
 @dataclass(frozen=True)
 class Slope:
-    """Sensitivity of alpha_0 to X, r or R [rad/m], and the dimension's share of the variance."""
+    """Slope of alpha_0 over X, r or R [rad/m], and share of this input in the variance."""
 
     name: str
     slope: float

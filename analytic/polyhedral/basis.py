@@ -1,4 +1,4 @@
-r"""Functions of z-fold symmetry with singularities in the hole or in its image beyond the rim.
+r"""Functions of z-fold symmetry, singular in the hole or in the image of the hole beyond the rim.
 
 A potential of the ring is :math:`\phi = \zeta F(\omega)` with :math:`\omega = (\zeta/r_e)^z` and F
 real on the real axis: one revolution of omega is one sector. F is expanded in
@@ -44,7 +44,7 @@ class Basis:
     pairs: Complex
 
     def values(self, omega: Complex) -> tuple[Complex, Complex]:
-        """Values F and z omega F' of every function at the points, each (points, functions)."""
+        """Values F and z omega F' of every function at the points omega, (points, functions)."""
         parts = [self._powers(omega)]
         parts += [_pole(omega, p) for p in (self.rays, 1 / self.rays)]
         for p in (self.pairs, 1 / self.pairs):

@@ -55,7 +55,7 @@ class Values(NamedTuple):
         return Values(self.phi + other.phi, self.dphi + other.dphi, self.psi + other.psi)
 
     def force(self, zeta: Complex) -> Complex:
-        """Force function f, whose differences are i times the force on the arc in between."""
+        """Force function f; the change of f along an arc is i times the force on this arc."""
         return self.phi + zeta * np.conj(self.dphi) + np.conj(self.psi)
 
 

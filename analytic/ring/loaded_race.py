@@ -156,7 +156,7 @@ class LoadedRace:
 
 
 def share(x: ArrayLike) -> Array:
-    """Mean of cos(x t) over the semi-ellipse, 2 J_1(x)/x, for x > 0."""
+    """Mean of cos(x t) with a semi-elliptic weight over -1 < t < 1: 2 J_1(x)/x, for x > 0."""
     x = np.asarray(x, dtype=np.float64)
     return np.asarray(2 * j1(x) / x)
 

@@ -1,4 +1,4 @@
-"""Clutch with simultaneous offset and tilt: coupling of bending forces and tilts.
+"""Clutch with simultaneous offset and tilt: coupling of lateral forces with tilts.
 
 The offset is twice as large at one end of the sprags and zero at the other end. Therefore, the load
 is non-uniform both around the circumference and along the sprags. Eq. 7 then couples a force along
@@ -17,7 +17,7 @@ TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 
 def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
-    """Offset along x [m], at most a quarter of `delta_0`, and the tilt about y [rad] 2 dx/L.
+    """Offset dx along x [m], at most a quarter of `delta_0`, and tilt 2 dx/L about y [rad].
 
     The tilt moves the ends of sprags of length L by the offset.
 

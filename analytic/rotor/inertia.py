@@ -29,7 +29,7 @@ def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: flo
 
 
 def discs_inertia(*, z: Array, mass: Array, polar: Array, diametral: Array) -> Array:
-    """Mass, polar and diametral moment (3,) of thin discs at z (k,) [m] with moments [kg m^2]."""
+    """Mass, polar and diametral moment of inertia about z = 0, (3,), of discs at z (k,) [m]."""
     return np.array([mass.sum(), polar.sum(), (diametral + mass * z**2).sum()])
 
 

@@ -53,7 +53,7 @@ def study(
     rotor: TransferMatrixRotor, names: Sequence[str], speed: float,
     unbalances: Mapping[float, Mapping[int, complex]], count: int,
 ) -> Study:  # fmt: skip
-    """Results at `speed` [rad/s]: `count` modes, critical speeds, response, torsional frequency.
+    """Results: `count` modes and response at `speed` [rad/s], critical speeds, torsional frequency.
 
     `names` are the names of the shafts. `unbalances` [kg m] are given at stations numbered from 0,
     grouped by the speed ratio of their shaft. A shaft that does not rotate causes no excitation.

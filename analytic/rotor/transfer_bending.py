@@ -39,7 +39,7 @@ class Bending:
 
     @staticmethod
     def up_to(rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
-        """Rotor divided for frequencies from 0 to `w` [rad/s], each at the speed in `Omega`."""
+        """Rotor divided for frequencies from 0 to `w` [rad/s], each at its speed in `Omega`."""
         s, b, t = numbers(rotor, w, Omega)
         parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
         return Bending(rotor, tuple(int(n) for n in parts))
@@ -159,7 +159,7 @@ def pairs(spring: Spring) -> tuple[tuple[int, int, float], ...]:
 
 
 def stations_of(rotor: TransferMatrixRotor) -> list[tuple[int, int]]:
-    """Near station and shaft index of each segment."""
+    """Index of the near station and index of the shaft, for each segment."""
     found, node = [], 0
     for k, shaft in enumerate(rotor.shafts):
         found += [(node + j, k) for j in range(len(shaft.segments))]

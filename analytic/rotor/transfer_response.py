@@ -67,7 +67,7 @@ def transfer_unbalance_response(
     *,
     excitation: float = 1.0,
 ) -> TransferResponse:
-    """Response to unbalances m e [kg m] at stations, given as complex numbers with phase.
+    """Response to unbalances m e [kg m] at stations; each is a complex number with its phase.
 
     They rotate at `excitation` times the rotor speed, the speed ratio of their shaft. Raises
     ValueError if a station is unknown, there is no unbalance, or a speed is negative or not finite.

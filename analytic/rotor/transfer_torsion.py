@@ -42,7 +42,7 @@ def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Arra
 
 
 def free_turns(rotor: TransferMatrixRotor) -> int:
-    """Number of rigid-body rotations of the shafts without any torsional restraint."""
+    """Number of independent rotations of the shafts that no torsional stiffness restrains."""
     count = len(rotor.shafts)
     K = np.zeros((count, count))
     for spring in (*rotor.supports, *rotor.links):

@@ -92,7 +92,7 @@ def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mappi
 
 
 def over_box(surrogate: "Largest", box: Box) -> Array:
-    """Pressures [Pa] of the surrogate at all points of `axes`, shape FINE."""
+    """Pressures [Pa] of the surrogate on the grid of `axes`, shape FINE."""
     return np.asarray(surrogate.predict(_points(*axes(box))).reshape(FINE))
 
 

@@ -90,7 +90,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def column(self) -> Column | None:
-        """Sprag as a column between its flanks; None if the sprag is wider than its curves."""
+        """Sprag as a column between its flanks; None if it is wider than its spiral and arc."""
         try:
             return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
         except ValueError:

@@ -24,7 +24,7 @@ from analytic.sprag.search import first_reach
 def spring_equilibrium(
     clutch: SpragClutch, *, K_r: ArrayLike, alpha_max: ArrayLike
 ) -> tuple[Wedged, Array]:
-    """State under N_0, and the force T_e [N] of the outer race.
+    """State in equilibrium with the energizing spring, and the force T_e [N] of the outer race.
 
     K_r [N m/rad] and alpha_max [rad] are the stiffness and the unloaded rotation of the energizing
     spring. N and the geometry of the state are valid, but not the tangential forces of a wedged

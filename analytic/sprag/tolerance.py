@@ -51,7 +51,7 @@ sensitivities = wedge_angle_sensitivities  # its name in version 0.1
 
 
 def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:
-    """Wedge angle and rotation [rad] of a sprag at first contact, with deviations of the races.
+    """Wedge angle and rotation [rad] of a sprag at first contact with races of other radii.
 
     dR_i and dR_e [m] are the deviations of the radii R_i and R_e.
 

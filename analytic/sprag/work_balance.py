@@ -57,7 +57,7 @@ def by_turning(w: RaceSpring) -> float:
 
 
 def left_out(w: RaceSpring, N: float) -> float:
-    """Fraction of the work `stored` that is done on the outward motion of the centroid.
+    """Fraction of the work `stored` that is done on the outward motion of the sprag centroids.
 
     Eq. 14 omits this work. The work is taken up to N [N].
     """

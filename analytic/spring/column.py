@@ -150,7 +150,7 @@ def critical_force(
 
 
 def free_length(*, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike) -> Array:
-    """Distance [length] between the leaves of head and tail along the axis, on the centre line."""
+    """Distance [length] along the axis between the centre lines of the leaves of head and tail."""
     n, R = np.asarray(n), np.asarray(radius, float)
     if np.any(n < 3):
         raise ValueError(f"a spring must have at least 3 segments, got n={n}")

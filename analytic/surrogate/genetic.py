@@ -61,7 +61,7 @@ def decoded(codes: Codes, bits: int) -> Array:
 
 
 def selected(values: Array, rng: np.random.Generator) -> NDArray[np.intp]:
-    """Indices (n,) of selected parents; of two random indices, that with the smaller value."""
+    """Indices (n,) of selected parents; of two random candidates, that with the smaller value."""
     one, other = rng.integers(len(values), size=(2, len(values)))
     return np.asarray(np.where(values[one] <= values[other], one, other))
 

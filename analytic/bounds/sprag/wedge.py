@@ -159,7 +159,7 @@ class Bounds:
         return -size, size
 
     def plane(self) -> Interval:
-        """Interval of the error of the sum of deflections by Hertz's contacts and Eq. 6.
+        """Interval of the error of the sum of deflections, computed by Hertz's contacts and Eq. 6.
 
         The approaches of the contacts are computed down to the depth of the walls and to half the
         height of the sprag.
@@ -176,11 +176,11 @@ class Bounds:
         return times(self.elastic(), 1 - lost / float(yields.H), spread=SLOPES)
 
     def thin(self, which: str) -> Interval:
-        """Interval of the error of Eq. 6 (plane stress) for the mean displacement of long rings."""
+        """Interval of the error of Eq. 6 (plane stress) as the mean displacement of long rings."""
         return times((-SHARP, SHARP), self.thin_mean(which) / self.long_mean(which))
 
     def thin_at_contact(self, which: str) -> Interval:
-        """Interval of the error of Eq. 6 for the deflection of a race under its load."""
+        """Interval of the error of Eq. 6 as the deflection of a race under its load."""
         race = self.races[which == "e"]
         under = race.under / race.mean * self.long_mean(which)
         return times(self.race(which), self.thin_mean(which) / under)
