@@ -16,7 +16,7 @@ Gap = Callable[[Array], Array]  # height over the race at places y from mid-leng
 def logarithmic(
     *, K_1: float, K_2: float, z_m: float, load: float, length: float, E_star: float
 ) -> Gap:
-    """Fujiwara's crown with A = 2 K_1 Q/(pi l E'); the bracket of the formula lies in [0, 1]."""
+    """Fujiwara's crown with A = 2 K_1 Q/(pi l E'); the formula's bracket is limited to [0, 1]."""
     A = 2 * K_1 * load / (np.pi * length * 2 * E_star)
 
     def drop(y: Array) -> Array:

@@ -69,7 +69,10 @@ class Cam(ABC):
 
     @property
     def pop_through(self) -> Array:
-        """Sum d_i + d_o [length] at pop-through (psi = 0); an inner cam has a negative value."""
+        """Sum d_i + d_o [length] at pop-through (psi = 0); an inner cam has a negative value.
+
+        Pop-through does not occur for an inner cam.
+        """
         return np.asarray(-self.sense * (self.race - self.flat) + 2 * self.roller)
 
     @property

@@ -98,9 +98,9 @@ def free_rim(sector: Sector, load: Callable[[Complex, Array], Complex]) -> FreeR
             break
     if not residual < WORST:
         raise ArithmeticError(
-            f"the series has an error of {residual:.1e} of the load on the bore, more than the "
-            f"permissible {WORST:g}: z={sector.z}, d_e={sector.d_e:g} m, d_i={sector.d_i:g} m, "
-            f"rho={sector.rho:g} m are outside its range"
+            f"the series is not accurate for this ring: its error is {residual:.1e} of the load "
+            f"on the bore, permissible {WORST:g}, got z={sector.z}, d_e={sector.d_e:g} m, "
+            f"d_i={sector.d_i:g} m, rho={sector.rho:g} m"
         )
     return FreeRim(sector, fit.basis, coefficients, residual)
 

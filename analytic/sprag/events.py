@@ -273,7 +273,9 @@ def engage_by_events(
             events=system.ends(mode), max_step=1e-4,
         )  # fmt: skip
         if leg.status < 0:
-            raise ArithmeticError(f"LSODA failed at t={leg.t[-1]:.6g} s: {leg.message}")
+            raise ArithmeticError(
+                f"the time integration (LSODA) failed at t={leg.t[-1]:.6g} s: {leg.message}"
+            )
         parts.append((mode, leg.t, leg.y.T))
         for when, what in zip(leg.t_events[1], leg.y_events[1], strict=True):
             peaks.append((when, float(system.sprag.at(what[3])[0][0])))
@@ -283,7 +285,9 @@ def engage_by_events(
         lost = {k: int(np.sign(T[k])) for k in ended if mode[k] == ROLLS}
         if leg.status == 0 or len(leg.t_events[0]):
             return _result(system, parts, peaks, over=bool(len(leg.t_events[0])))
-    raise ArithmeticError(f"the engagement did not end within {EVENTS} events, at t={t:.6g} s")
+    raise ArithmeticError(
+        f"the engagement did not end within {EVENTS} events; the last event was at t={t:.6g} s"
+    )
 
 
 def _result(

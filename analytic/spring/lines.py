@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 @dataclass(frozen=True)
 class Lines:
-    """Curve F = k1 U + c1 up to the intersection with the line F = k2 U + c2, beyond it this line.
+    """Curve F = k1 U + c1 up to the intersection of both lines, and F = k2 U + c2 beyond it.
 
     >>> lines = Lines(k1=2.0, c1=0.0, k2=3.0, c2=-4.0)
     >>> lines.U, lines.F, lines.force([1.0, 5.0]).tolist()

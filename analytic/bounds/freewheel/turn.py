@@ -1,4 +1,4 @@
-"""Expected error of dalpha/dX, the sensitivity of a loaded clamping angle to the flats."""
+"""Expected error of dalpha/dX: how a loaded clamping angle depends on the position of the flats."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -28,7 +28,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True, kw_only=True)
 class RollerOnRing:
-    """Roller of diameter d between a ring and a rigid race; E is E'; SI units.
+    """Roller of diameter d between a ring and a rigid race; SI units; `E` is the modulus E'.
 
     `apothem` is the distance of the flats of the ring from its axis, d_e its outer diameter, j_D
     the diametral clearance. Ring and roller have the same material.

@@ -213,7 +213,8 @@ class Bounds:
         )  # fmt: skip
         if not moved:
             raise ValueError(
-                "the contacts must lie between the flanks of the sprag: bending is not defined"
+                "the contacts must lie between the flanks of the sprag: bending is not defined for "
+                "contacts beyond the flanks"
             )
         return moved
 
