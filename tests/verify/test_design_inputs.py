@@ -57,7 +57,7 @@ WRONG = [
     (spring, {"L_w": "30 mm"}, "L_w must be less than wedge, got L_w = 30 mm, wedge = 27 mm"),
     (spring, {"k_band": None}, "b_tolerance and k_band must be given together: k_band is missing"),
     (spring, {"width_factor": 1.2}, "width_factor = 1.2 must not exceed 1/(1 - ν²) = 1.0989"),
-    (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range must be "first : last : number"'),
+    (spring, {"L1": "10 mm : 14 mm"}, 'L1: a range must be "first : last : number of values"'),
     (spring, {"b": []}, "inputs.b: the list must contain at least one value"),
     (spring, {"n": "4 : 9 : 3"}, "must give whole numbers only"),
     (
@@ -65,7 +65,7 @@ WRONG = [
         {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"},
         "candidates, the maximum is 300",
     ),
-    (crown, {"K_1_range": "5 : 1"}, "K_1_range: the ends of a range must ascend, got 5 to 1"),
+    (crown, {"K_1_range": "5 : 1"}, "K_1_range: low must be less than high, got 5 to 1"),
     (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range must be "low : high"'),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, the maximum is 12"),

@@ -175,7 +175,7 @@ EMPTY = {"code": "", "test": "", "note": ""}
 def test_an_incomplete_ledger_is_refused():
     Paper.model_validate(RAW["belcin"])
     for raw, message in (
-        (changed("equations", -1), "needs Eqs. 1 to 21"),
+        (changed("equations", -1), "equations must be 1 to 21"),
         (changed("equations", 0, **EMPTY | {"status": "implemented"}),
          "status 'implemented' requires code and test"),
         (changed("equations", 0, **EMPTY | {"status": "argued"}), "requires a reason in note"),

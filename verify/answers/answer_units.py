@@ -42,7 +42,7 @@ def dynamic_in_units(found: DynamicResult | None, system: System) -> DynamicResu
 
 
 def outputs_in(outputs: Sequence[Output], system: System) -> tuple[Output, ...]:
-    """Outputs of a case with units of `system`."""
+    """Outputs of a case, in which the units are those of `system`."""
     return tuple(replace(one, unit=unit_in(one.unit, system)) for one in outputs)
 
 

@@ -82,7 +82,7 @@ def with_dynamic(result: CaseResult, dynamic: DynamicResult) -> CaseResult:
 def _ran(part: Dynamic, inputs: Inputs, values: Values, *, drawn: bool) -> DynamicResult:
     raw = dict(part.run(inputs, values))
     if wild := [key for key, value in raw.items() if not math.isfinite(value)]:
-        raise ArithmeticError(f"{wild[0]} is not finite with these inputs")
+        raise ArithmeticError(f"the value {wild[0]} is not finite with these inputs")
     together = {**values, **raw}
     verdict, first = part.overall(inputs, together) if part.overall else ("", ())
     return DynamicResult(

@@ -53,7 +53,8 @@ class Paper(Entry):
         found = [equation.number for equation in self.equations]
         if found != list(range(1, NUMBERED_EQUATIONS[self.key] + 1)):
             raise ValueError(
-                f"{self.key}: needs Eqs. 1 to {NUMBERED_EQUATIONS[self.key]} in order, got {found}"
+                f"{self.key}: equations must be 1 to {NUMBERED_EQUATIONS[self.key]} in order, "
+                f"got {found}"
             )
         return self
 

@@ -95,7 +95,7 @@ class Swept:
 def sweep(
     case: str, name: str, raw: Mapping[str, Any], vary: Sequence[str], result: str, tell: Tell
 ) -> Swept:
-    """A result of the formulas over one or two inputs.
+    """Values of one result of the formulas over one or two varied inputs.
 
     `vary` contains the axes in the form of `freewheel sweep --vary`. `result` is MARGIN, DESIGN or
     the key of a value. Raises InputError for wrong inputs or axes.

@@ -24,7 +24,7 @@ def enable(one: ui.html, on: bool) -> None:
 
 
 class Choice:
-    """A labelled list for the selection of one entry. `value` is its key."""
+    """A labelled list to select one entry; `value` is the key of the selected entry."""
 
     def __init__(
         self, label: str, options: Mapping[str, str], name: str, value: str = "",

@@ -15,7 +15,7 @@ SOURCE = (
 
 
 class CurvedCantilever(vc.Case):
-    """The rate of a strip bent to a quarter circle, from the energy of the bending moment only."""
+    """Spring rate of a strip bent to a quarter circle, from the energy of the bending moment only."""
 
     title = "Rate of a curved cantilever"
     source = "Wahl, Mechanical Springs"
@@ -38,7 +38,7 @@ class CurvedCantilever(vc.Case):
         return 4 * self.E * self.I / (pi * self.R**3)
 
     def reference(self, level: int) -> vc.Level:
-        """Rate by curved Timoshenko elements; their number increases with the level."""
+        """Spring rate by curved Timoshenko elements; their number increases with the level."""
         from fem.beam.curved import solve_curved_frame
         from fem.beam.section import Section
 

@@ -1,4 +1,4 @@
-"""Hoop stress of a pipe: a formula against finite elements. Edit: freewheel verify FILE."""
+"""Hoop stress of a pipe: formula against finite elements. Edit, then: freewheel verify FILE."""
 
 from collections.abc import Iterator
 
@@ -31,7 +31,7 @@ class Pipe(vc.Case):
         return self.p * (self.r_i + self.r_o) / (2 * self.s)
 
     def reference(self, level: int) -> vc.Level:
-        """Hoop stress by finite elements, finer at each level; no formula may be read here."""
+        """Hoop stress by finite elements on a mesh of this level; must not read a formula."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring

@@ -1,4 +1,4 @@
-"""Bending frequency of a shaft: a formula against a rotor model. Edit: freewheel verify FILE."""
+"""Bending frequency of a shaft: formula against rotor model. Edit, then: freewheel verify FILE."""
 
 from collections.abc import Iterator
 from math import pi, sqrt

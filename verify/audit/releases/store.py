@@ -155,7 +155,7 @@ def load(path: Path) -> Release:
         data = json.loads(gzip.decompress(path.read_bytes()))
         names = data["columns"]
         if data["format"] != FORMAT or set(names) - {field.name for field in fields(Kept)}:
-            raise InputError(f"{path} has another format than that of the present version")
+            raise InputError(f"{path}: its format differs from that of the present version")
         rows = {
             f"{case}/{quantity}": _kept(dict(zip(names, line, strict=False)))
             for case, lines in data["rows"].items()

@@ -64,7 +64,7 @@ def _bearing(rotor: Rotor, one: Any) -> dict[str, Any]:
         K, C = one.stiffness, one.damping
         ends = {"n": refined(rotor, one.a), "n_link": refined(rotor, one.b)}
     else:
-        raise ValueError("a bearing for ROSS must have coefficients independent of the speed")
+        raise ValueError("a bearing for ROSS must not depend on the speed of rotation")
     beyond = np.array([np.delete(A, (0, 1), axis=0) for A in (K, C)])
     if np.any(beyond):
         raise ValueError("a bearing for ROSS must act in x and y only")

@@ -56,7 +56,9 @@ class Sweep:
     def _range(self, raw: str, where: str) -> Sequence[float]:
         parts = [part.strip() for part in raw.split(":")]
         if len(parts) != 3:
-            raise InputError(f'{where}: a range must be "first : last : number", got {raw[:60]!r}')
+            raise InputError(
+                f'{where}: a range must be "first : last : number of values", got {raw[:60]!r}'
+            )
         first, last = (self._text(part, where) for part in parts[:2])
         if not parts[2].isdecimal() or not 2 <= int(parts[2][:9]) <= MOST:
             raise InputError(
@@ -65,7 +67,7 @@ class Sweep:
             )
         if not first < last:
             ends = " to ".join(self._shown(end / units.factor(self.unit)) for end in (first, last))
-            raise InputError(f"{where}: the ends of a range must ascend, got {ends}")
+            raise InputError(f"{where}: first must be less than last, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
             raise InputError(f"{where}: {raw[:60]!r} must give whole numbers only")

@@ -126,7 +126,7 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
         raise InputError(f"{where}: inputs: {unable(task) or error}") from error
     except ArithmeticError as error:
         raise InputError(
-            f"{where}: no crown can be chosen, engagements not solved: {error}"
+            f"{where}: no crown can be chosen because engagements were not solved: {error}"
         ) from error
 
 

@@ -42,7 +42,7 @@ class Range:
         low_shown, high_shown = (x / units.factor(self.unit) for x in (low, high))
         if not low < high:
             raise InputError(
-                f"{where}: the ends of a range must ascend, got {self.text(low_shown)} to "
+                f"{where}: low must be less than high, got {self.text(low_shown)} to "
                 f"{self.text(high_shown)}"
             )
         if not (low_shown > self.above and high_shown <= self.most * (1 + 1e-12)):

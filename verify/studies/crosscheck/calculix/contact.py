@@ -75,7 +75,7 @@ class ContactDeck:
     def __post_init__(self) -> None:
         if self.shift is None and any(p.interference for p in self.surfaces.pairs):
             raise ValueError(
-                "a deck models an interference by initially overlapping bodies: give `shift`"
+                "an interference requires `shift`, because a deck models it by overlapping bodies"
             )
 
     @property
