@@ -34,7 +34,7 @@ class Disc(vc.Case):
         return (3 + self.nu) / 8 * self.rho * (self.n * self.R) ** 2
 
     def reference(self, level: int) -> vc.Level:
-        """Stress at the centre by finite elements; the mesh is the upper half of a radial section."""
+        """Stress at the centre by finite elements; mesh: upper half of the meridian section."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.revolution.section import section

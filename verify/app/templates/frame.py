@@ -15,7 +15,7 @@ SOURCE = (
 
 
 class CurvedCantilever(vc.Case):
-    """Spring rate of a strip bent to a quarter circle, from the energy of the bending moment only."""
+    """Spring rate of a strip bent to a quarter circle, from the energy of bending only."""
 
     title = "Rate of a curved cantilever"
     source = "Wahl, Mechanical Springs"

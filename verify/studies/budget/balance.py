@@ -55,7 +55,7 @@ class Balance:
 
     @property
     def large(self) -> tuple[str, ...]:
-        """Names of the causes of which each contributes more than LARGE of the total."""
+        """Names of the causes that each contribute more than LARGE times the total error."""
         return tuple(
             part.name for part in self.parts
             if part.counts and abs(part.contribution or 0.0) > LARGE * abs(self.total)
