@@ -23,7 +23,7 @@ def with_line(message: str, path: Path) -> str:
 
 
 def line_of(place: str, text: str) -> int:
-    """Line number of an input (such as inputs.supports[2].k), or of its table if it is omitted.
+    """Line number of an input (such as inputs.supports[2].k); if omitted, that of its table.
 
     It is 0 if neither is in the text.
 

@@ -150,7 +150,7 @@ def _listed(ids: Sequence[str]) -> str:
 
 
 def row_in_words(row: Row) -> str:
-    """Text of a row and the steps of its judgement, one line each."""
+    """Text with the id of a row and the steps of its judgement, one line each."""
     steps = derive(row).steps
     width = max(len(label) for label, _ in steps)
     head = f"{row.id} ({row.symbol}, {row.kind.value})"

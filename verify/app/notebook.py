@@ -142,7 +142,7 @@ class Part:
 
 
 def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
-    """Solve and judge a case: its name, a case file ("my_pipe.py") or a part ("clutch.toml").
+    """Solve and judge a case, given by name, case file ("my_pipe.py") or part ("clutch.toml").
 
     `inputs` are texts with units, such as {"r_i": "40 mm"}, for inputs other than the default;
     omitted inputs have the values of `freewheel init`. With `cache`, stored results are used. A

@@ -40,7 +40,7 @@ def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
 
 
 def found(out: Path, key: str) -> Reported | None:
-    """Output of the run whose report is in a folder; None if something has changed since then.
+    """Output of the run whose report is in a folder; None if the report is no longer valid.
 
     Removed stored results and changed files of the report also count as changes.
     """

@@ -20,7 +20,7 @@ NO_ROOM = ("full", "disk I/O")  # in messages of SQLite
 
 @dataclass(frozen=True)
 class Database:
-    """An SQLite file whose tables the statements `tables` make.
+    """An SQLite file; the statements `tables` create its tables.
 
     `format` is the number of the format of the file. A file with a later format causes an error.
     """

@@ -56,7 +56,7 @@ class Picture:
 
 @dataclass(frozen=True, kw_only=True)
 class Profile:
-    """Plot of a formula along a line with finite-element values and, below, the difference of both.
+    """Plot of a formula and finite-element values along a line, with their difference below.
 
     `x`, `y` draw the formula. At `x_fem`, the formula gives `y_ref`, and finite elements give
     `y_fem` with standard uncertainty `u`. Differences are divided by `scale`, which has the name

@@ -11,7 +11,7 @@ PREFIX = ".part-"
 
 
 def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
-    """Write a file completely by the function `write`; it then replaces `path`.
+    """Write a new file by the function `write`; the complete file then replaces `path`.
 
     Raises OSError if the file cannot be written.
     """

@@ -76,7 +76,7 @@ def imports(module: str) -> tuple[Imported, ...]:
 
 @cache
 def names(module: str) -> frozenset[str]:
-    """Names that the code of a module reads or binds, except its imports."""
+    """Names that the code of a module reads or binds, except in import statements."""
     return frozenset(n.id for n in nodes(module) if isinstance(n, ast.Name))
 
 
@@ -123,7 +123,7 @@ def named(item: ast.AST, importer: str) -> Iterator[str]:
 
 
 def public_names(stub: ast.Module) -> Mapping[str, str]:
-    """Full names of the public names of a package, from its stub."""
+    """Full name of each public name of a package, from the stub of the package."""
     return {
         alias.asname or alias.name: f"{node.module}.{alias.name}"
         for node in stub.body if isinstance(node, ast.ImportFrom) for alias in node.names

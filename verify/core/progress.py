@@ -30,7 +30,7 @@ Show = Callable[[State], None]
 
 @contextmanager
 def shown(*, quiet: bool) -> Iterator[Show]:
-    """Context with the function that a run calls with its state about four times a second."""
+    """Context with a function that the run calls with its state several times a second."""
     if quiet:
         yield lambda _state: None
     elif sys.stderr.isatty():

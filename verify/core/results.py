@@ -227,7 +227,7 @@ class PaperCell:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperTable:
-    """A table as printed in a paper; if no row compares it, `note` states the reason."""
+    """A table as printed in a paper; if the table has no `rows`, `note` states the reason."""
 
     paper: str
     name: str
@@ -490,7 +490,7 @@ class Drift:
 
     @property
     def unexplained(self) -> tuple[Change, ...]:
-        """Changes that loosen a requirement without a stated reason; they are an error."""
+        """Changes that loosen a requirement without a stated reason; they prevent a release."""
         return tuple(c for c in self.changes if c.loosened and not c.reason)
 
 

@@ -1,4 +1,4 @@
-"""Files of the project by content, and digests of all files on which a module may depend.
+"""Contents of the project's files, and digests of all files on which a module may depend.
 
 A module depends on its file, on the modules in its import statements (including those in
 functions), on the dependencies of these modules, and on data in their folders. Import statements

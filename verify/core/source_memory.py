@@ -1,4 +1,4 @@
-"""Stored hashes of sources, valid until a file changes on which they may depend.
+"""Stored hashes of sources, each valid until a file on which the source may depend changes.
 
 The hash of the code on which a function depends requires the syntax trees of hundreds of modules:
 about ten seconds for all cases. Therefore, hashes are stored with a digest of these files.
@@ -23,7 +23,7 @@ _used: list["Memory"] = []
 
 
 class Memory:
-    """Hashes by name, each with the digest of its files, in the store of a folder."""
+    """Hashes by name, stored in a folder, each with the digest of the files on which it depends."""
 
     def __init__(self, folder: Path) -> None:
         self._store = Store(folder)

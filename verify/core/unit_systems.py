@@ -109,7 +109,7 @@ def text_in(text: str, system: System) -> str:
 
 
 def cells_in(lines: Iterable[Sequence[str]], system: System) -> list[tuple[str, ...]]:
-    """Lines of a table whose cells are converted like sentences."""
+    """Lines of a table, in whose cells numbers with a unit are converted as in `text_in`."""
     return [tuple(text_in(cell, system) for cell in line) for line in lines]
 
 

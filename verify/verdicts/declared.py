@@ -154,7 +154,7 @@ def rows_of_corrected(paper: str, formula: Formula) -> tuple[str, ...]:
 
 @cache
 def safe_sides() -> dict[str, Safe]:
-    """Safe side of each row that is evidence of a formula with a safe side."""
+    """Safe sides, by id, of rows that are evidence of formulas with a safe side."""
     return {
         row: formula.safe
         for paper in declared().values()

@@ -18,7 +18,7 @@ SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
 
 
 def safe_side(plan: Plan, course: Course) -> Safe:
-    """Safe side of a compared quantity: as declared for its formula, or as stated by the case."""
+    """Safe side of a compared quantity, as declared for the formula or stated by the case."""
     declared = safe_sides().get(f"{plan.case.id}/{course.pair.name}")
     if declared is not None:
         return declared

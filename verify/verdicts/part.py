@@ -38,7 +38,7 @@ class Part:
         return [name for name, value in self.values.items() if not _equal(value, centre.get(name))]
 
     def is_varied(self, found: VerdictRange) -> bool:
-        """Whether a study varies, simultaneously, all inputs that differ from its centre."""
+        """Whether a study varies together all inputs that differ from the centre of the study."""
         changed = self.changed(found)
         varied = {side.name for side in found.studied}
         return set(changed) <= varied and not (found.is_star and len(changed) > 1)

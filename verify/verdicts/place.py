@@ -18,7 +18,7 @@ WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdic
 
 
 class Where(StrEnum):
-    """Position of inputs: compared and within a limit, compared and beyond it, or not compared."""
+    """Whether inputs were compared, and whether they are then within a limit or outside it."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"

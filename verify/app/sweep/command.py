@@ -107,7 +107,7 @@ def planned(
 
 
 def announce(plan: Plan) -> None:
-    """Print the number of points to be solved, and how to reduce it."""
+    """Print the numbers of points and rows of a sweep, and how to reduce the computation."""
     part = portion(plan.case, plan.chosen)
     rows = f"{len(plan.chosen)} row{'s' if len(plan.chosen) != 1 else ''}"
     print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)

@@ -48,7 +48,7 @@ class Check:
 
     @property
     def end(self) -> float:
-        """Pressure [Pa] at the last cell of the half-space, the larger of both ends."""
+        """Pressure [Pa] in the outermost cells of the half-space: larger value of both ends."""
         return float(max(self.half.centre_pressure[[0, -1]]))
 
     @property

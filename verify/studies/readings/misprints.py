@@ -6,7 +6,7 @@ from verify.papers.digits import half_last_digit, number
 
 
 def is_misprint(value: float, printed: str) -> bool:
-    """Whether `value`, with as many digits as `printed`, differs from it in exactly one digit.
+    """Whether `value`, rounded to the digits of `printed`, differs from `printed` in one digit.
 
     >>> is_misprint(27.6596, "27.86"), is_misprint(27.6596, "27.66"), is_misprint(7.66, "27.66")
     (True, False, False)

@@ -1,4 +1,4 @@
-"""Output of `freewheel sweep`: solved points; for each formula, error, its place and causes."""
+"""Output of `freewheel sweep`: solved points; error of each formula, its location and causes."""
 
 import math
 import re

@@ -170,7 +170,7 @@ def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
 
 
 def terms(a: Array, b: Array, mixed: Array) -> Array:
-    """Terms (n, 2 + 2 d) whose means give the sensitivity indices.
+    """Terms (n, 2 + 2 d) whose means over the sample give the sensitivity indices.
 
     `a` and `b` (n,) are the results of the matrices A and B, and `mixed` (d, n) those of A with one
     column of B. The mean is subtracted from all results. This does not change the indices, but

@@ -67,7 +67,7 @@ def _broken(by: Break) -> str:
 
 
 def bare(why: str) -> str:
-    """Reason `why` without its prefix, which only repeats that the inputs are refused."""
+    """Reason `why` without the prefix which states that the inputs are refused."""
     return re.sub(rf"^({REFUSED}: )?(inputs(: |\.))?", "", why)
 
 

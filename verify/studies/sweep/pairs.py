@@ -124,13 +124,13 @@ def _offered(text: str, names: Sequence[str]) -> str:
 
 
 def whole(case: Case) -> Portion:
-    """The complete finite-element computation of a case on its coarsest levels, as a portion."""
+    """Portion with all finite-element values of the case, solved on its coarsest levels."""
     keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
     return Portion(name="", fem=case.reference, levels=case.levels[:LEVELS], keys=keys)
 
 
 def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
-    """Smallest finite-element portion of the case that gives the values of the pairs."""
+    """Smallest portion of the case whose finite-element values include those of the pairs."""
     keys = {pair.fem for pair in chosen}
     return next((p for p in case.portions if keys <= set(p.keys)), whole(case))
 
