@@ -67,7 +67,7 @@ def is_convergence(row: Row) -> bool:
 
 
 def tried(check: Check, context: Context) -> list[Tried]:
-    """Rows of a check, each with the perturbations at which it fails."""
+    """Rows of a check, each with the changes of its reference and scale at which it fails."""
     rows = check.rows(context)
     if not any(row.kind in COMPARED for row in rows):
         return [Tried(row) for row in rows]
@@ -108,7 +108,7 @@ def red_names(check: Check, context: Context) -> set[str]:
 
 @contextmanager
 def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Context in which every judged reference is changed by `p` times itself or its scale."""
+    """Context in which every judged reference is changed by `p` times its value or its scale."""
     changed = _Moved(p, of_scale)
     kept = {name: getattr(judge, name) for name in SEAMS}
     try:

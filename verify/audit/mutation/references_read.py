@@ -33,7 +33,7 @@ class Noted(Mapping[str, float]):
 
 @dataclass(frozen=True)
 class Read:
-    """Rows of a check that fail if one value of the formulas is changed.
+    """Rows of a check that fail if a single value of the formulas is changed.
 
     `red` contains, for each key that is read and not zero, the names of failed rows by
     perturbation.

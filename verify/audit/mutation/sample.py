@@ -12,7 +12,7 @@ from verify.audit.mutation.sites import Changed, Source, mutants, owners, source
 def reached(
     modules: Iterable[str], operators: Mapping[str, Operator], functions: Collection[str]
 ) -> list[Changed]:
-    """Mutants of all called functions in the modules, and of constants that they read."""
+    """Mutants of all called functions in `modules`, and of the constants that these read."""
     found: list[Changed] = []
     for module in modules:
         of = source(module)

@@ -43,7 +43,7 @@ class Difference:
 def differences(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """Rows whose status, tolerance or value differs from the baseline on the machine `name`.
+    """Differences of the rows of machine `name` from the baseline, without permissible changes.
 
     If several rows have one id, only the last one is compared; therefore, such rows are reported.
     """
