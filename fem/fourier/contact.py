@@ -49,7 +49,7 @@ class PatchContact:
 
     @property
     def line_load(self) -> Array:
-        """Force per unit length (cells,)."""
+        """Contact force per unit length along z (cells,)."""
         return np.asarray(2 * np.diff(self.across) @ self.p)
 
     @property
@@ -72,7 +72,7 @@ class PatchContact:
         return np.asarray(2 * np.sqrt(moment / q))
 
     def load_between(self, low: float, high: float) -> float:
-        """Force on low <= z <= high, with a uniform line load in each cell."""
+        """Contact force on low <= z <= high, with a uniform line load in each cell."""
         ends = np.clip(self.stations, low, high)
         return float(self.line_load @ np.diff(ends))
 

@@ -128,7 +128,10 @@ class RotatingSolid:
         """
         K, M, size = self.K, self.M, self.K.shape[0]
         if not np.isfinite(speed) or not 1 <= count < size // 2:
-            raise ValueError(f"modes require a finite speed and count >= 1, got {speed:g}, {count}")
+            raise ValueError(
+                "modes require a finite speed and 1 <= count < half of the free unknowns, "
+                f"got {speed:g}, {count}"
+            )
         G = self.G if speed else csr_array((size, size))
 
         last = np.zeros(size)

@@ -28,7 +28,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 
 
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
-    """Value of each cell (cells,), from a single value of all cells or a value of each body.
+    """Value of each cell (cells,), from one value for all cells or one value for each body.
 
     Raises ValueError for unknown bodies, cells without a value, and values that are not finite.
     """

@@ -1,4 +1,4 @@
-"""Evaluation of the cell values of `PlaneSolution.cells`: parts, nodal values, shear stress."""
+"""Evaluation of the values in `PlaneSolution.cells`: a part of the body, means at nodes, shear."""
 
 from collections.abc import Callable, Mapping
 from typing import Any

@@ -146,7 +146,7 @@ class Disc:
 def joint(
     xx: float, yy: float | None, xy: float, yx: float | None, zz: float, tilt: float, turn: float
 ) -> Array:
-    """Matrix (6, 6) of a support, for displacements x, y, z and rotations about x, y, z.
+    """Stiffness or damping matrix (6, 6) of a support, for displacements, then rotations.
 
     `zz` is axial, `tilt` acts about x and y, `turn` about z. If omitted, `yy` equals `xx` and `yx`
     equals `xy`.

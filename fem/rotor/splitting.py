@@ -11,7 +11,7 @@ PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they a
 
 
 class Matrix(Protocol):
-    """Interface of dense and sparse matrices: multiplication by columns."""
+    """Interface of dense and sparse matrices: the product with a matrix of columns."""
 
     def __matmul__(self, other: Array, /) -> Array: ...
 

@@ -1,4 +1,4 @@
-"""Solids in space: second-order hexahedra of strips swept over their width, and of blocks.
+"""Meshes of second-order hexahedra in space: strips swept over their width, and blocks.
 
 All lengths must be in one consistent unit. Messages state metres.
 """

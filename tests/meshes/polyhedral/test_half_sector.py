@@ -37,7 +37,7 @@ def test_the_fine_zone_and_the_hub_are_at_the_specified_places():
         ({"fillet": 0.0}, "sharp corner"),
         ({"fillet": 0.036}, "makes the bore round"),
         ({"refine": 0}, "refine must be at least 1"),
-        ({"zone": 0.006}, "half of two lengths"),
+        ({"zone": 0.006}, "half of each of two lengths"),
         ({"hub": (2e-3, 1e-3)}, "0 < s_0 < s_1"),
         ({"hub": (16e-3, 17.1e-3)}, "half of the flat"),
     ],
