@@ -1,4 +1,4 @@
-"""Nested dissection: order of elimination for small factors of a plane problem."""
+"""Nested dissection: order of elimination that gives small factors of a plane problem."""
 
 import numpy as np
 from skfem import Basis

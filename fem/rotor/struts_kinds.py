@@ -41,7 +41,7 @@ class Pinned:
     def __post_init__(self) -> None:
         if self.a.shape != self.b.shape or self.a.shape[1:] != (3,):
             raise ValueError(
-                f"both ends must have the shape (m, 3), got {self.a.shape} and {self.b.shape}"
+                f"ends a and b must have the shape (m, 3), got {self.a.shape} and {self.b.shape}"
             )
         if (np.linalg.norm(self.a - self.b, axis=1) == 0).any():
             raise ValueError("the length of a strut must be above 0 m, but its ends coincide")

@@ -22,7 +22,7 @@ from fem.rotor.parts import Material
 
 
 class Discs(NamedTuple):
-    """Discs at one `node`: mass [kg], polar and diametral moment [kg m^2], each (m,)."""
+    """Discs at one `node`: mass [kg], polar and diametral moment of inertia [kg m^2], each (m,)."""
 
     node: int
     mass: Array

@@ -1,4 +1,4 @@
-"""Nested dissection of a mesh in space: order of elimination for small factors."""
+"""Nested dissection of a mesh in space: order of elimination that gives small factors."""
 
 import numpy as np
 from scipy.sparse import csr_array

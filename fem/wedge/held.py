@@ -23,7 +23,7 @@ CORRECTIONS = 2  # of a place under another torque
 class Held:
     """Clutch under its torque and successive axial forces.
 
-    Axial forces are given relative to `unit`, the force that friction permits in addition to F_t.
+    Axial forces are given relative to `unit`, the largest that friction permits besides F_t.
     """
 
     one: Pulled

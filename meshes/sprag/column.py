@@ -1,4 +1,4 @@
-"""Mesh of a sprag: a column of equal cells with both contacts, mapped between its outlines."""
+"""Mesh of a sprag: a rectangle with fine zones at both contacts, mapped to the outline."""
 
 from dataclasses import dataclass
 

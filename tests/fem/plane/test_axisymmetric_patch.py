@@ -133,7 +133,7 @@ def test_nodes_off_the_axis_by_round_off_lie_on_it(shape, off):
         ({"mesh": bulging("quad9")}, r"^cell .* reaches r = -0.01: "),
         ({"supports": {}}, r"body 1 of 1 can move rigidly \(\+1 y\): support"),
         ({"supports": {"bottom": {"x": 1e-3, "y": 0.0}}},
-         r"at \(0, 0\), supports 'bottom', 'the axis'"),
+         r"at the node \(0, 0\), the supports 'bottom', 'the axis'"),
     ],
     ids=str,
 )  # fmt: skip

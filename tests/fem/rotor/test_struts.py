@@ -95,7 +95,7 @@ def test_loads_of_a_known_place_lead_back_to_it(struts):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: pinned(b=np.zeros((3, 3))), "both ends must have the shape"),
+        (lambda: pinned(b=np.zeros((3, 3))), "ends a and b must have the shape"),
         (
             lambda: Pinned(a=np.ones((1, 3)), b=np.ones((1, 3))),
             "length of a strut must be above 0 m",
