@@ -27,7 +27,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, kw_only=True)
 class Pressed:
-    """Pressures and displacements of the solved part of the grid.
+    """Pressures and displacements of the solved part of the grid (see `Convolution.half`).
 
     `residual` is the largest violation of the gap condition, relative to the largest displacement.
     """

@@ -54,11 +54,11 @@ class Convolution:
         return self._filter(displacement, 1, self._inverse)
 
     def half(self, field: Array) -> Array:
-        """Solved part of a field that covers the whole grid."""
+        """Part of a field on the whole grid that is solved: half of it along each mirrored axis."""
         return field[tuple(np.s_[n // 2 :] if m else np.s_[:] for n, m in self._axes())]
 
     def whole(self, field: Array) -> Array:
-        """Field on the whole grid, from its solved part."""
+        """Field on the whole grid, completed by symmetry from its solved part."""
         for axis, (_, mirrored) in enumerate(self._axes()):
             if mirrored:
                 field = np.concatenate([np.flip(field, axis), field], axis)

@@ -29,7 +29,7 @@ class RollerParts:
 
     @property
     def p_max(self) -> float:
-        """Largest pressure outside the end zones, by the parabola through three neighbours."""
+        """Largest pressure outside end zones, by the parabola through three neighbouring parts."""
         limit = self.length / 2 - self.d
         at = self.place
         return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))

@@ -79,7 +79,7 @@ class PolyhedralClutch:
 
     @property
     def sigma_tr(self) -> float:
-        """Mean hoop stress [Pa] in the corners under p_1r (Eq. 12)."""
+        """Mean hoop stress [Pa] in the corners under the pressure p_1r (Eq. 12)."""
         return float(expansion.mean_hoop_stress(p=self.p_1r, **self._ring))
 
     @property

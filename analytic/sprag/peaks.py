@@ -50,7 +50,7 @@ class Peaks:
 
     @property
     def objective(self) -> Array:
-        """Larger of both regimes [Pa], (n, m): the objective to be minimised.
+        """Objective to be minimised [Pa], (n, m): the larger of both `regimes`.
 
         It equals `largest` for slices, and for strips if the ends are unloaded.
         """
@@ -58,7 +58,7 @@ class Peaks:
 
     @property
     def end(self) -> Array:
-        """Pressure [Pa] of the first slice, at an end, (n, m); 0 if the end is unloaded."""
+        """Pressure [Pa] of the first slice, at one end, (n, m); 0 if this end is unloaded."""
         return np.asarray(self.pressure[..., 0])
 
     @property

@@ -22,7 +22,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 @dataclass(frozen=True)
 class Sliding:
-    """Normal force N [N] of a sliding sprag, ratio T_i/N, and True if the outer contact slides."""
+    """Normal force N [N] of a sliding sprag, ratio T_i/N, and whether the outer contact slides."""
 
     N: float
     share: float

@@ -63,7 +63,7 @@ class Table:
         return CubicHermiteSpline(knots, self.values.T, self.slopes.T)
 
     def at(self, alpha: ArrayLike) -> dict[str, Array]:
-        """Columns by name at `alpha` [rad]; first contact for alpha < 0, nan beyond `end`."""
+        """Columns by name at `alpha` [rad]; as at first contact for alpha < 0, nan beyond `end`."""
         alpha = np.asarray(alpha, dtype=np.float64)
         inside = np.clip(alpha, 0.0, self.end)
         found = np.where((alpha > self.end)[..., None], np.nan, self._curve(np.sqrt(inside)))

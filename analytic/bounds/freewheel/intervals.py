@@ -69,5 +69,5 @@ def winding(parts: FreewheelParts, T: float, r_1: float, r_2: float) -> float:
 
 
 def tilting(parts: FreewheelParts, P: float, wall: float) -> float:
-    """Angle [rad] by which a half plane tilts at the depth `wall` [length] under P."""
+    """Angle [rad] by which a half plane tilts at the depth `wall` [length] under line load P."""
     return 2 * P * (1 - parts.nu**2) / (math.pi * parts.E * wall)

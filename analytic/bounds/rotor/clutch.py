@@ -44,7 +44,7 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 
 
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
-    """Interval of the error of a coupling that is of first order in eps = dx/delta_0, for Z sprags.
+    """Interval of the error of a coupling of first order in eps = dx/delta_0, for Z sprags.
 
     The error contains the next term of the sum over cos psi and the deflection that the constant
     torque recovers, without squares of eps^2. None if eps is too large for a first-order term, or
