@@ -79,7 +79,7 @@ def test_a_grid_has_all_combinations_and_a_star_one_input_off_its_middle():
     star = grid(CASE, "plate", Plate(), chosen(), ["a=4:6mm:2", "b=1:3mm:2"], star=True)
     rows = [[4e-3, 2e-3], [6e-3, 2e-3], [4e-3, 1e-3], [4e-3, 3e-3]]
     assert star.points == pytest.approx(np.array(rows))
-    with pytest.raises(InputError, match="q: the file must give a value"):
+    with pytest.raises(InputError, match="q: give its value in the file"):
         grid(CASE, "plate", Shaft(), chosen(), ["q=1:2mm:2"], star=True)
 
 
