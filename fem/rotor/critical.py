@@ -38,9 +38,9 @@ def critical_speeds(
     `whirl` is "forward", "backward" or "both". On anisotropic supports, each mode whirls in one of
     the two senses; "both" also includes modes that oscillate in a line. The sense of whirl is
     relative to a positive speed of the rotor. Damping is neglected. For the unbalance of a shaft
-    with another ratio, `excitation` is this ratio. The result has fewer than `count` speeds if no
-    more exist. Raises ValueError for supports that depend on the speed, and for a rotor without
-    sufficient supports.
+    with another speed ratio, `excitation` is this ratio. The result has fewer than `count` speeds
+    if no more exist. Raises ValueError for supports that depend on the speed, and for a rotor
+    without sufficient supports.
     """
     check_count(count)
     if whirl not in WHIRLS:

@@ -56,7 +56,9 @@ class Modal:
 
     def __post_init__(self) -> None:
         if not len(self.ratios) or not all(0 <= z < math.inf for z in self.ratios):
-            raise ValueError(f"damping ratios must not be negative, got {tuple(self.ratios)}")
+            raise ValueError(
+                f"damping ratios must be one or more finite values >= 0, got {tuple(self.ratios)}"
+            )
 
     def matrix(self, M: Array, K: Array) -> Array:
         """Damping matrix C (n, n). Raises ValueError if an unknown of the rotor has no mass."""

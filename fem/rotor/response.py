@@ -102,9 +102,9 @@ def unbalance_response(
     """Response to `unbalances` at nodes: mass times eccentricity [kg m].
 
     The argument of a complex unbalance is its angle on the shaft. Each unbalance rotates with its
-    shaft. All unbalances of one response must therefore be on shafts with the same ratio. Raises
-    ValueError for other unbalances, for nodes that do not exist, and for a rotor without sufficient
-    supports; ArithmeticError at a resonance without damping.
+    shaft. All unbalances of one response must therefore be on shafts with the same speed ratio.
+    Raises ValueError for other unbalances, for nodes that do not exist, and for a rotor without
+    sufficient supports; ArithmeticError at a resonance without damping.
     """
     return unbalance_responses(rotor, speeds, [unbalances])[0]
 
@@ -121,7 +121,7 @@ def unbalance_responses(
         ratios |= own
     if len(ratios) > 1:
         raise ValueError(
-            "all unbalances of a response must be on shafts with the same ratio: compute one "
+            "all unbalances of a response must be on shafts with the same speed ratio: compute one "
             "response for each ratio"
         )
     omega = ratios.pop() * at
