@@ -27,6 +27,7 @@ def plot(
     """Draw a solution and return its Axes; values have the units of the input.
 
     Labels of the axes state these units as "as given".
+
     - plane, axisymmetric and contact solutions: a field over the cells, `value` "von_mises" (the
       default), a stress "xx", "yy", "xy" or "zz" (hoop), or a displacement "x" or "y";
       "pressure" of a contact solution is the contact pressure along each slave surface

@@ -10,7 +10,7 @@ References
 ----------
 .. [1] S. Liu, Q. Wang, G. Liu, Wear 243 (2000) 101-111: convolution by padded transforms.
 .. [2] E. A. H. Vollebregt, J. Optim. Theory Appl. 162 (2014) 931-953: preconditioning by
-transforms.
+   transforms.
 """
 
 import numpy as np
