@@ -290,8 +290,24 @@ def test_a_field_is_displayed_in_space_with_its_scale_and_view(page: Browser) ->
     list.add(new Option("x", "../x")); list.value = "../x";
     list.dispatchEvent(new Event("change", { bubbles: true }))"""
     page.driver.execute_script(forged)
+    for text in ("9" * 400, "9" * 5000):
+        page.driver.execute_script(
+            """const slider = document.getElementById("shape-scale");
+            slider.type = "text"; slider.value = arguments[0];
+            slider.dispatchEvent(new Event("change", { bubbles: true }))""", text
+        )  # fmt: skip
     page.type("p_i", "55 MPa")
     page.until(lambda: "of earlier inputs" in page.text("#fields-old"))
+
+
+def test_the_selection_of_another_case_cancels_its_job(page: Browser, server: Server) -> None:
+    for case in ("polyhedral-clutch", "polyhedral-locking", "contact-flat"):
+        page.choose(case)
+        page.unfold("tool-shape")
+        page.press("fields")
+    page.until(lambda: page.all("#shape-figure canvas"), 300)
+    assert "τ/p_0" in page.text("#shape-range")
+    assert "deleted" not in server.text
 
 
 def test_a_case_without_fields_states_this(page: Browser) -> None:

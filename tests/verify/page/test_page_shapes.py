@@ -11,6 +11,7 @@ from tests.verify.page.answered import RING, quietly
 from verify.app.page import tasks
 from verify.app.page.described import describe
 from verify.app.page.shape_figure import VIEWS, camera, figure
+from verify.app.page.shape_view import about
 from verify.app.page.shapes import Shape, shapes
 from verify.app.page.toml_text import as_values
 from verify.core.figures import Field, Picture
@@ -70,6 +71,13 @@ def test_a_window_contains_its_cells_with_displacements_relative_to_their_mean()
     assert np.ptp(found.displacement[:, 0]) == pytest.approx(100)
 
 
+def test_edges_at_which_a_window_cuts_the_body_are_not_edges_of_the_body() -> None:
+    found = shape_of(SQUARES, window=(1.5, 0.2, 1.9, 0.8))
+    ends = found.points[found.edges]
+    assert len(ends) == 3
+    assert not (ends[:, :, 0] == 1000).all(axis=1).any()
+
+
 def test_the_proposed_scale_is_that_of_the_picture() -> None:
     assert shape_of(SQUARES, share=0.5).factor == 1  # displacements are to scale
     small = replace(SQUARES, point_data={"displacement": SQUARES.point_data["displacement"] / 100})
@@ -83,6 +91,11 @@ def test_a_line_with_a_width_is_a_ribbon() -> None:
     ]  # fmt: skip
     assert found.values is None
     assert not found.is_plane
+
+
+def test_a_line_without_a_width_is_refused() -> None:
+    with pytest.raises(ValueError, match="needs a width"):
+        shape_of(LINE, data="")
 
 
 def test_the_figure_has_all_cells_the_colours_and_the_scale() -> None:
@@ -121,6 +134,18 @@ def test_the_box_has_the_proportions_of_the_body() -> None:
     assert x / y == pytest.approx(2080 / 1080)
     for view in VIEWS:
         assert np.linalg.norm(list(camera(view)["eye"].values())) == pytest.approx(1)
+
+
+def test_the_box_contains_the_undeformed_edges_of_a_body_that_shrinks() -> None:
+    shape = shape_of(SQUARES)
+    small = replace(shape, displacement=-shape.points / 2)
+    scene = figure(small, 1, view="front")["layout"]["scene"]
+    assert scene["xaxis"]["range"] == pytest.approx((-40, 2040))
+
+
+def test_the_title_and_the_label_below_the_figure_are_escaped() -> None:
+    shape = shape_of(SQUARES, symbol="<i>", caption="a < b")
+    assert about(shape) == "a &lt; b<br>&lt;i&gt; [MPa]: smallest 2, largest 4"
 
 
 def test_a_case_without_fields_is_refused_before_it_is_solved() -> None:

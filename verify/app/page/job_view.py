@@ -66,11 +66,15 @@ class JobView:
         finally:
             self._jobs.finish(worker)
             self._worker = None
-            self._timer.deactivate()
-            enable(self._run, True)
-            enable(self._cancel, False)
-            seconds = f"done in {duration(time.monotonic() - self._start)}"
-            self._progress.set_content(message(reason) or seconds)
+            if not self._run.is_deleted:
+                self._ended(reason)
+
+    def _ended(self, reason: str) -> None:
+        self._timer.deactivate()
+        enable(self._run, True)
+        enable(self._cancel, False)
+        seconds = f"done in {duration(time.monotonic() - self._start)}"
+        self._progress.set_content(message(reason) or seconds)
 
     def _take(self, state: Any) -> None:
         self._state = state

@@ -41,6 +41,7 @@ class Screen:
         self.client = ui.context.client
         self.session = Session(State(FIRST, f"my {FIRST}"))
         self.case: Described
+        self.tools: Tools
         self.changed = Answering(self).changed
 
     async def build(self, link: str) -> None:
@@ -118,6 +119,8 @@ class Screen:
             self.undo = button("Undo", self._undo, name="undo")
             self.redo = button("Redo", self._redo, name="redo")
             FileView(self)
+        if hasattr(self, "tools"):
+            self.tools.cancel()
         self.body.clear()
         with self.body:
             html(Markup("<h2>{}</h2>").format(self.case.title))

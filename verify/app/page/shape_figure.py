@@ -42,7 +42,10 @@ def figure(
             _surface(shape, points, colours), _lines(shape, points, colours["ink"]),
             *([_lines(shape, shape.points, colours["ink"], dash="dash")] if moved else []),
         ],
-        "layout": _layout(points, view, colours, is_plane=shape.is_plane),
+        "layout": _layout(
+            np.concatenate([points, shape.points]) if moved else points, view, colours,
+            is_plane=shape.is_plane,
+        ),
         "config": {"displaylogo": False, "responsive": True, "scrollZoom": True,
                    "modeBarButtonsToRemove": ["tableRotation", "resetCameraLastSave3d"]},
     }  # fmt: skip

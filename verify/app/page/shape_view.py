@@ -3,8 +3,10 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from markupsafe import Markup
 from nicegui import ui
 
+from reports.svg import MINUS
 from verify.app.page import tasks
 from verify.app.page.jobs import Worker
 from verify.app.page.shape_figure import VIEWS, figure
@@ -14,6 +16,7 @@ from verify.core.console import raised
 
 STEPS = 20  # of the slider up to the proposed scale
 LARGEST = 2  # scale of displacements at the end of the slider, in proposed scales
+DIGITS = 3  # of the slider; a forged message of a browser can contain more
 HEIGHTS = {"": "coordinates", "values": "values as height"}
 
 
@@ -30,7 +33,9 @@ class ShapeView:
         """Display the fields of the present inputs."""
         asked = self.screen.asked(self.screen.session.state)
         self.shapes = await worker.ask(tasks.fields, *asked, tell=tell)
-        self.dark = await is_dark()
+        self.dark = not self.body.is_deleted and await is_dark()
+        if self.body.is_deleted:  # another case was selected
+            return
         self.body.clear()
         with self.body:
             self._lay_out()
@@ -77,7 +82,7 @@ class ShapeView:
 
     def _scaled(self, event: Any) -> None:
         text = str(event.args)
-        self.share = min(int(text) / STEPS, LARGEST) if text.isdecimal() else 1.0
+        self.share = min(int(text[:DIGITS]) / STEPS, LARGEST) if text.isdecimal() else 1.0
         self._draw()
 
     def _draw(self) -> None:
@@ -86,7 +91,7 @@ class ShapeView:
         if self.shape.factor:
             self.times.set_content(f"× {self.share * self.shape.factor:g}")
         self.plot.update_figure(self._figure(self.share))
-        self.range.set_content(_extremes(self.shape))
+        self.range.set_content(about(self.shape))
 
     def _figure(self, share: float) -> Mapping[str, Any]:
         return figure(
@@ -95,9 +100,11 @@ class ShapeView:
         )  # fmt: skip
 
 
-def _extremes(shape: Shape) -> str:
-    """The smallest and the largest value, with the label of the field."""
+def about(shape: Shape) -> str:
+    """The whole title, and the smallest and the largest value with the label of the field."""
+    title = Markup("{}<br>").format(raised(shape.title))
     if shape.values is None:
-        return ""
+        return title
     low, high = (10**v if shape.decades else v for v in (shape.values.min(), shape.values.max()))
-    return f"{shape.label}: smallest {low:.4g}, largest {high:.4g}"
+    smallest, largest = (f"{v:.4g}".replace("-", MINUS) for v in (low, high))
+    return title + f"{shape.label}: smallest {smallest}, largest {largest}"

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from reports import ramps
 from reports.bodies import Body, body
 from reports.outlines import edges
-from reports.scene import READABLE, exaggeration, in_window
+from reports.scene import READABLE, Box, exaggeration, in_window
 from verify.core.figures import Array, Field, Picture
 
 Indices = NDArray[np.int64]
@@ -53,11 +53,14 @@ def shapes(fields: Sequence[Field], pictures: Sequence[Picture]) -> tuple[Shape,
 
 
 def _shape(field: Field, picture: Picture) -> Shape:
-    shown = body(field, picture)
+    whole = shown = body(field, picture)
+    free = _free_edges(whole)
     if picture.window is not None and field.points.shape[1] == 2:
-        shown, _mean = in_window(shown, picture.window, field.name)
+        shown, _mean = in_window(whole, picture.window, field.name)
+        free = _in_part(free, whole, picture.window, field.name)
     factor = exaggeration(shown, picture.window, picture.share or READABLE)
-    free = _free_edges(shown)
+    if shown.cells.shape[1] == 2 and not picture.width:
+        raise ValueError(f"field {field.name!r} has lines: its picture needs a width")
     if picture.width and shown.cells.shape[1] == 2:
         shown = _swept(shown, picture.width)
         free = np.concatenate([shown.cells[:, :2], shown.cells[:, 2:]])
@@ -78,6 +81,18 @@ def _free_edges(shown: Body) -> Indices:
         return np.zeros((0, 2), dtype=np.int64)
     found, counts, _ = edges(shown.cells)
     return np.asarray(found[counts == 1])
+
+
+def _in_part(pairs: Indices, whole: Body, window: Box, name: str) -> Indices:
+    """Edges of the whole body in the part in the window, with the numbers of its points.
+
+    Edges at which the window cuts the body are not edges of the body.
+    """
+    numbered = replace(whole, values=np.arange(len(whole.cells), dtype=float))
+    part, _mean = in_window(numbered, window, name)
+    assert part.values is not None
+    used = np.unique(whole.cells[part.values.astype(np.int64)])
+    return np.asarray(np.searchsorted(used, pairs[np.isin(pairs, used).all(axis=1)]))
 
 
 def _swept(line: Body, width: float) -> Body:

@@ -44,9 +44,11 @@ def fields(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> tuple[Sh
     """The fields of the finest mesh as bodies; InputError if the case has none."""
     file = _file(case, name, raw)
     if not file.case.pictures(file.inputs):
-        raise InputError("this case has no field to display: its reference has only numbers")
+        raise InputError("this case has no field to display: it states no pictures of fields")
     result = _solved(file, tell).result
-    return shapes(result.fields, result.pictures)
+    if found := shapes(result.fields, result.pictures):
+        return found
+    raise InputError("the solution has none of the fields that the pictures of this case name")
 
 
 def _solved(file: ParameterFile, tell: Tell) -> Checked:

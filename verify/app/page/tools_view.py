@@ -32,6 +32,7 @@ class Tools:
         self.screen = screen
         self.old: dict[str, ui.html] = {}
         self.made: dict[str, Any] = {}  # inputs of a job's result
+        self.jobs: list[JobView] = []
         with tool("Check with finite elements", "tool-fem"):
             html(Markup('<p class="soft">{}</p>').format(screen.case.method))
             self._job("Check with finite elements", "fem", self._fem)
@@ -55,8 +56,13 @@ class Tools:
 
     def _job(self, text: str, name: str, work: Any) -> None:
         kept = "" if name == "sweep" else "; finished levels are stored"
-        JobView(text, name, self.screen.place.jobs, work, kept=kept)
+        self.jobs.append(JobView(text, name, self.screen.place.jobs, work, kept=kept))
         self.old[name] = html(css="error").props(f'id="{name}-old" role="status"')
+
+    def cancel(self) -> None:
+        """Cancel all jobs, because another case is selected."""
+        for job in self.jobs:
+            job.cancel()
 
     def tell_old(self) -> None:
         """Mark the result of a job if it does not belong to the present inputs."""
@@ -114,7 +120,9 @@ class Tools:
             )
         except InputError as error:
             raise InputError(str(error).removeprefix("--vary ")) from error
-        dark = await is_dark()
+        dark = not self.figure.is_deleted and await is_dark()
+        if self.figure.is_deleted:  # another case was selected
+            return
         self.figure.clear()
         with self.figure:
             ui.echart(options(found, dark=dark)).classes(f"figure {'dark' if dark else 'light'}")
