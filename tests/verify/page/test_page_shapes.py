@@ -118,6 +118,12 @@ def test_values_as_heights_are_means_at_points_in_proportion_to_the_extent() -> 
     assert heights == pytest.approx({0: 0, 1000: 300, 2000: 600})
 
 
+def test_values_as_heights_change_nothing_of_a_body_in_space() -> None:
+    ribbon = replace(shape_of(LINE, data="", width=0.5), factor=1.0)
+    as_height, usual = (figure(ribbon, 1, view="front", as_height=k) for k in (True, False))
+    assert as_height == usual
+
+
 def test_logarithms_have_powers_of_ten_at_the_colour_bar() -> None:
     shape = shape_of(replace(SQUARES, cell_data={"stress": np.array([0.5, 2.2])}), factor=1.0,
                      decades=True)  # fmt: skip

@@ -34,9 +34,9 @@ def figure(
     the body remains turned as the user has turned it.
     """
     colours = DARK if dark else LIGHT
-    points, moved = shape.deformed(factor), factor > 0 and not as_height
+    points, moved = shape.deformed(factor), factor > 0
     if as_height and shape.is_plane and shape.values is not None:
-        points = _raised(points, shape.values)
+        points, moved = _raised(points, shape.values), False
     return {
         "data": [
             _surface(shape, points, colours), _lines(shape, points, colours["ink"]),
