@@ -12,7 +12,7 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 
 @dataclass(frozen=True)
 class AtRest:
-    """Small displacements of an unloaded frame, with errors due mainly to rounded node coordinates.
+    """Solver of small displacements from the unloaded shape, accurate to rounded node coordinates.
 
     `strain`, `stretch` and `tangent` describe the undeformed `elements`; `free` are the unknowns
     that can move. Strains and residuals are computed in extended precision, because the strains of

@@ -19,7 +19,7 @@ def pull(v, w):
 
 
 def turn_of(n: int) -> float:
-    """Integral of cos^2(n t), or sin^2(n t), over the circumference: 2 pi or pi [rad]."""
+    """Integral of cos^2(n t) over the circumference [rad]: 2 pi for n = 0, otherwise pi."""
     return 2 * np.pi if n == 0 else np.pi
 
 

@@ -119,7 +119,7 @@ class Rotor:
 
     @property
     def M(self) -> Array:
-        """Mass matrix (n, n), with six unknowns per node; numbered nodes come first."""
+        """Mass matrix (n, n), six unknowns per node; nodes inside of elements are last."""
         return self.system.M
 
     @property

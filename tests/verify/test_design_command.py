@@ -66,7 +66,10 @@ def test_the_chosen_spring_passes_check_and_is_one_of_the_front(tmp_path, capsys
     assert float(line["k1 [N/mm]"]) == pytest.approx(values["k1"] / 1e3, rel=1e-4)  # axial strain
     assert float(line["U_A [mm]"]) == pytest.approx(values["U_A"] * 1e3, rel=1e-4)
     assert run(["design", str(task(tmp_path)), "--choose=99"]) == 2
-    assert re.search(r"--choose must be a member number, 1 to \d+, got ", capsys.readouterr().err)
+    assert re.search(
+        r"--choose must be the number of a design of the Pareto front, 1 to \d+, got ",
+        capsys.readouterr().err,
+    )
 
 
 def test_an_impossible_task_ends_with_1_states_what_to_relax_and_clears_the_old_spring(

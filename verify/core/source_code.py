@@ -54,7 +54,7 @@ def modules_of(function: Any) -> tuple[str, ...]:
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code that a function uses in its module, by name, and all modules that it reaches."""
+    """Code by name that a function uses in its module, and all modules that it depends on."""
     used, start = _used(function, whole=True)
     return used, sorted(_reached(start, whole=True))
 

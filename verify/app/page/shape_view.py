@@ -17,7 +17,7 @@ from verify.core.console import raised
 STEPS = 20  # of the slider up to the proposed scale
 LARGEST = 2  # scale of displacements at the end of the slider, in proposed scales
 DIGITS = 3  # of the slider; a forged message of a browser can contain more
-HEIGHTS = {"": "coordinates", "values": "values as height"}
+HEIGHTS = {"": "flat", "values": "values as height"}
 
 
 class ShapeView:
@@ -46,7 +46,7 @@ class ShapeView:
             self.field = Choice("Field", titles, "shape-field", on_change=self._other)
             self.view = Choice("View", {name: name for name in VIEWS}, "shape-view",
                                self._usual_view, on_change=self._draw)  # fmt: skip
-            self.height = Choice("Third coordinate", HEIGHTS, "shape-height", on_change=self._draw)
+            self.height = Choice("Plane bodies", HEIGHTS, "shape-height", on_change=self._draw)
         self.scale = ui.element("div").classes("row")
         self.plot = ui.plotly(self._figure(1.0)).classes("figure space").props('id="shape-figure"')
         self.plot.props('role="img" aria-label="field on the deformed body"')

@@ -45,7 +45,7 @@ def demand(row: Row) -> float:
 
 
 def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) -> Step:
-    """Step for the expanded uncertainty U, from three standard uncertainties."""
+    """Line of the explanation: expanded uncertainty U from three standard uncertainties."""
     return (
         "U",
         f"2 √(u_num² + u_ref² + u_input²) = 2 √({short(u_num)}² + {short(u_ref)}² + "

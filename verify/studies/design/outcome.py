@@ -60,7 +60,10 @@ def carry_out(
     if not members:
         return Outcome(found, (), None)
     if choose is not None and not 1 <= choose <= len(members):
-        raise InputError(f"--choose must be a member number, 1 to {len(members)}, got {choose}")
+        raise InputError(
+            f"--choose must be the number of a design of the Pareto front, 1 to {len(members)}, "
+            f"got {choose}"
+        )
     if not use_fem:
         return Outcome(found, (), (choose or 1) - 1)
     with progress.shown(quiet=quiet) as show:

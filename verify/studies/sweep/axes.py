@@ -209,7 +209,8 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
     values[0], values[-1] = a, b
     if whole and any(abs(v - round(v)) > 1e-9 for v in values):
         raise InputError(
-            f"{where}: must give whole numbers only, got {parts[2]} values from {a:g} to {b:g}"
+            f"{where}: takes whole numbers only, but {parts[2]} values from {a:g} to {b:g} "
+            "include fractions: change the number of values"
         )
     return [float(round(v)) if whole else v for v in values], "log" if len(parts) == 4 else "even"
 

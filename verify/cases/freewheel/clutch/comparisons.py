@@ -28,7 +28,7 @@ def expected(q: ClutchInputs) -> StarBounds:
 
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
-    """Interval of the error of dalpha/dX under torque, from the error bounds of the approaches."""
+    """Interval of the error of dalpha/dX under torque, from error bounds of contact approaches."""
     ends = [moved(q, dX) for dX in (-q.off, q.off)]
     return of_turn(ends, expected(q), off=q.off, F_t=q.T / (q.z * q.R))
 

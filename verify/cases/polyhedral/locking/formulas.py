@@ -130,7 +130,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
 
     def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:
-        """State of the ring under the pressure p [Pa] between rollers of the diameter d [m]."""
+        """State under the pressure p [Pa] of the ring that is between rollers of diameter d [m]."""
         own: dict[str, Any] = {"E": self.E, "nu": self.nu} if self.elastic else {}
         return locked(sector=self.sector, roller=Roller(d=d, j_D=self.j_D, **own), p=p, E=self.E,
                       nu=self.nu, assumption="plane stress", hub=hub)  # fmt: skip

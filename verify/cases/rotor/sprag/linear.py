@@ -102,7 +102,7 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Positive margin if the printed node with the highest peak is not that of unbalance 1.
+    """Margin: positive if unbalance 1 is not at the node that the paper states as the highest peak.
 
     The text states in how many sets node 11 has the highest peak, with unbalance 1 at node 4
     (figure) and at node 11 (text of the paper). The text of the row is also returned.

@@ -1,4 +1,4 @@
-"""Plane body of quadratic cells of the spring, loaded by shear forces of 1 N at head and tail."""
+"""The spring as a plane body of quadratic cells; shear forces of 1 N act at head and tail."""
 
 import math
 from collections.abc import Callable
