@@ -98,7 +98,7 @@ def test_without_the_option_it_does_not_run_and_is_refused_where_there_is_none(c
 def test_what_has_no_answer_ends_with_one_line_and_status_two(check, tmp_path):
     for what, fault, words in (
         ("run", raising(ArithmeticError("dt is 1e-05 s,\ntoo long")), "dt is 1e-05 s, too long"),
-        ("run", lambda q, v: {"peak": float("nan"), "time": 1.0}, "peak is not finite"),
+        ("run", lambda q, v: {"peak": float("nan"), "time": 1.0}, "the value peak is not finite"),
         ("findings", raising(ValueError("no peak")), "no peak"),
         ("figures", raising(ValueError("no path")), "no path"),
     ):
