@@ -142,7 +142,7 @@ def test_exaggeration_is_round_and_makes_displacements_readable_and_a_window_is_
     [
         ({"cells": np.zeros((0, 4), dtype=np.int64)}, None, "no cells"),
         ({"cell_data": {}}, None, "no data 's'; it has displacement"),
-        ({"cell_data": {"s": np.full(8, np.nan)}}, None, "not all finite"),
+        ({"cell_data": {"s": np.full(8, np.nan)}}, None, "must be finite"),
         ({}, (7, 7, 8, 8), "no cells in the window"),
     ],
 )
@@ -220,7 +220,7 @@ def test_where_pyvista_fails_matplotlib_draws(stub, source, reason):
                    **({"seconds": 1} if "sleep" in source else {}))  # fmt: skip
     assert drawn.by.startswith("matplotlib")
     assert reason in drawn.why
-    assert drawn.why.endswith("drawn by matplotlib; install libegl1")
+    assert drawn.why.endswith("matplotlib was used; install libegl1")
     assert "\n" not in drawn.why
     assert not flaw(drawn.image, drawn.width, drawn.height)
 
