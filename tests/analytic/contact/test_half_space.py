@@ -85,7 +85,7 @@ def test_a_series_of_loads_gives_what_each_alone_gives() -> None:
 
 
 def test_failed_convergence_is_reported() -> None:
-    with pytest.raises(ArithmeticError, match=r"did not converge: the residual is .* after 3 iterations"):
+    with pytest.raises(ArithmeticError, match=r"residual is .* after 3 iterations"):
         press_half_space(rough(9), cell=(1e-6, 2e-6), E_star=E_STAR, load=5.0, limit=3)
 
 
