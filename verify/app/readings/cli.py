@@ -15,9 +15,10 @@ def search(
     rounded: bool = False,
     json: bool = False,
 ) -> int:
-    """Find the reading that reproduces a printed number: diameter or radius, half or whole, etc.
+    """Find the interpretation of a formula that reproduces a printed number.
 
-    A reading is an interpretation of an input or formula. The command tries all combinations of
+    A reading is an interpretation of an input or formula: a symbol can be a radius or a
+    diameter, a state can be plane stress or plane strain. The command tries all combinations of
     readings, and states how many of them would fit by chance. Exit status 0: the formula or a
     reading reproduces the number; 1: no reading does.
 
