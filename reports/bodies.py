@@ -40,7 +40,7 @@ def body(field: Field, picture: Picture) -> Body:
     and other scalars keep their sign. A shear stress (column 2 of the four columns xx, yy, xy, zz)
     changes sign at "x" and at "y", and component k of a vector changes sign at axis k. Shear in
     separate data of one column would keep its sign, which is wrong: give shear as the third of four
-    columns.
+    columns. Lengths along y are multiplied by the `stretch` of the picture.
 
     Raises
     ------
@@ -51,8 +51,9 @@ def body(field: Field, picture: Picture) -> Body:
         raise ValueError(f"field {field.name!r} has no cells to draw")
     used, cells = np.unique(field.cells, return_inverse=True)
     u = field.point_data.get(picture.displacement)
-    points = _solid(field.points)[used]
-    shift = np.zeros_like(points) if u is None else _solid(u)[used]
+    drawn = np.array([1.0, picture.stretch, 1.0])
+    points = _solid(field.points)[used] * drawn
+    shift = np.zeros_like(points) if u is None else _solid(u)[used] * drawn
     shown = Body(points=points, displacement=shift, cells=cells.reshape(field.cells.shape),
                  values=None)  # fmt: skip
     if picture.data:

@@ -35,8 +35,9 @@ class Picture:
     = 0. `width` extends a line to a ribbon that can be rotated [unit of the points]. `share` is the
     ratio of the drawn largest displacement to the size of the body, if the default would hide the
     shape. `window` (left, bottom, right, top) selects a part of the undeformed body; displacements
-    are then relative to their mean in this part. With `decades`, the data are logarithms to base
-    ten, and the colour bar has powers of ten in `unit`.
+    are then relative to their mean in this part. Lengths along y are drawn `stretch` times as large
+    as lengths along x. With `decades`, the data are logarithms to base ten, and the colour bar has
+    powers of ten in `unit`.
     """
 
     field: str
@@ -51,6 +52,7 @@ class Picture:
     width: float | None = None
     window: tuple[float, float, float, float] | None = None
     share: float | None = None
+    stretch: float = 1.0
     decades: bool = False
 
 

@@ -71,6 +71,21 @@ def test_a_window_contains_its_cells_with_displacements_relative_to_their_mean()
     assert np.ptp(found.displacement[:, 0]) == pytest.approx(100)
 
 
+def test_lengths_magnified_along_y_are_drawn_larger_with_their_true_values() -> None:
+    plain, tall = (
+        shape_of(SQUARES, displacement=""),
+        shape_of(SQUARES, displacement="", stretch=4.0),
+    )
+    assert np.array_equal(tall.points, plain.points)
+    scene = figure(tall, 0, view="front")["layout"]["scene"]
+    (x_low, x_high), (y_low, y_high) = scene["xaxis"]["range"], scene["yaxis"]["range"]
+    drawn = scene["aspectratio"]
+    magnified = drawn["y"] / (y_high - y_low) * (x_high - x_low) / drawn["x"]
+    assert magnified == pytest.approx(4)
+    assert y_low > -50
+    assert scene["yaxis"]["title"]["text"] == "y [mm], magnified 4 times"
+
+
 def test_edges_at_which_a_window_cuts_the_body_are_not_edges_of_the_body() -> None:
     found = shape_of(SQUARES, window=(1.5, 0.2, 1.9, 0.8))
     ends = found.points[found.edges]

@@ -44,7 +44,7 @@ def figure(
         ],
         "layout": _layout(
             np.concatenate([points, shape.points]) if moved else points, view, colours,
-            is_plane=shape.is_plane,
+            is_plane=shape.is_plane, stretch=shape.stretch,
         ),
         "config": {"displaylogo": False, "responsive": True, "scrollZoom": True,
                    "modeBarButtonsToRemove": ["tableRotation", "resetCameraLastSave3d"]},
@@ -129,21 +129,27 @@ def _bar(shape: Shape, colours: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _layout(
-    points: Array, view: str, colours: Mapping[str, str], *, is_plane: bool
+    points: Array, view: str, colours: Mapping[str, str], *, is_plane: bool, stretch: float
 ) -> dict[str, Any]:
-    """Axes of equal scale around the body, without the third one for a plane body."""
+    """Axes around the body, without the third one for a plane body.
+
+    Their scales are equal, but lengths along y are drawn `stretch` times as large.
+    """
     axis = {
         "color": colours["ink"], "gridcolor": colours["line"], "showbackground": False,
         "zeroline": False, "nticks": LENGTH_TICKS, "showspikes": False,
     }  # fmt: skip
     low, high = points.min(axis=0), points.max(axis=0)
-    room = MARGIN * (high - low).max()
-    extent = high - low + 2 * room
+    drawn = np.array([1.0, stretch, 1.0])
+    room = MARGIN * ((high - low) * drawn).max() / drawn
+    extent = (high - low + 2 * room) * drawn
     axes = {
-        f"{k}axis": axis | {"title": {"text": f"{k} [mm]"}, "range": [start - room, end + room]}
-        for k, start, end in zip("xyz", low.tolist(), high.tolist(), strict=True)
+        f"{k}axis": axis | {"title": {"text": f"{k} [mm]"}, "range": [start, end]}
+        for k, start, end in zip("xyz", (low - room).tolist(), (high + room).tolist(), strict=True)
     }
     axes["zaxis"]["visible"] = not is_plane
+    if stretch != 1:
+        axes["yaxis"]["title"] = {"text": f"y [mm], magnified {stretch:g} times"}
     return {
         "scene": {
             **axes, "aspectmode": "manual", "camera": camera(view), "dragmode": "orbit",

@@ -23,7 +23,8 @@ class Shape:
     `points` and `displacement` (k, 3) [mm]; `cells` (m, 3 or 4) are vertices of triangles or
     quadrilaterals; `values` (k,) in the unit of `label`, None for a body of one colour; `edges`
     (n, 2) are vertices at the ends of free edges. `factor` is the proposed scale of displacements,
-    0 without displacements. With `decades`, the values are logarithms to base ten.
+    0 without displacements. Lengths along y are drawn `stretch`
+    times as large as lengths along x. With `decades`, the values are logarithms to base ten.
     """
 
     title: str
@@ -36,6 +37,7 @@ class Shape:
     scale: ramps.Scale
     factor: float
     is_plane: bool
+    stretch: float = 1.0
     decades: bool = False
 
     def deformed(self, factor: float) -> Array:
@@ -65,13 +67,15 @@ def _shape(field: Field, picture: Picture) -> Shape:
         shown = _swept(shown, picture.width)
         free = np.concatenate([shown.cells[:, :2], shown.cells[:, 2:]])
     separate = _separate(shown)
+    drawn = MM * np.array([1.0, picture.stretch, 1.0])
     unit = "" if picture.unit == "1" else f" [{picture.unit}]"
     return Shape(
         title=picture.caption, label=f"{picture.symbol}{unit}", decades=picture.decades,
-        points=separate.points / MM, displacement=separate.displacement / MM,
+        points=separate.points / drawn, displacement=separate.displacement / drawn,
         cells=separate.cells, values=separate.values, edges=_renumbered(free, shown.cells),
         scale=ramps.plain() if shown.values is None else ramps.scale(shown.values),
         factor=factor, is_plane=field.points.shape[1] == 2 and not picture.width,
+        stretch=picture.stretch,
     )  # fmt: skip
 
 

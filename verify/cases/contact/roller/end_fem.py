@@ -7,7 +7,6 @@ import numpy as np
 
 from verify.case import Level
 from verify.cases.contact.roller import profiles
-from verify.cases.contact.roller.inputs import STRETCH
 from verify.cases.contact.window import grid, named
 from verify.core.figures import Array, Field
 
@@ -132,9 +131,9 @@ def edge_fem(level: int) -> tuple[Array, Array]:
 
 
 def patch(found: "PatchContact") -> Field:
-    """Field of the pressure on the contact patch of both halves, magnified across."""
+    """Field of the pressure on the contact patch of both halves."""
     s = np.concatenate([-found.across[:0:-1], found.across])
     y = np.concatenate([-found.stations[:0:-1], found.stations])
     p = np.hstack([found.p[:, ::-1], found.p])
     p = np.vstack([p[::-1], p])
-    return grid("patch", y, s * STRETCH, p.T.ravel())
+    return grid("patch", y, s, p.T.ravel())

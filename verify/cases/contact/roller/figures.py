@@ -127,5 +127,5 @@ def patch() -> Picture:
     return Picture(
         field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
         caption="Pressure on the contact patch. Horizontal: along the roller; vertical: across it, "
-        f"magnified {STRETCH:.0f} times", displacement="",
+        f"magnified {STRETCH:.0f} times", displacement="", stretch=STRETCH,
     )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from verify.cases.contact.roller import profiles
-from verify.cases.contact.roller.inputs import STRETCH, Design, Roller
+from verify.cases.contact.roller.inputs import Design, Roller
 from verify.cases.contact.window import grid
 from verify.core.case import FemResult
 from verify.core.figures import Array, Field
@@ -91,10 +91,10 @@ def along(found: "Ridge") -> dict[str, Array]:
 
 
 def patch(found: "Ridge", name: str = "patch") -> Field:
-    """Field of the pressure on the contact patch, magnified across; cells along are merged."""
+    """Field of the pressure on the contact patch; cells along the roller are merged."""
     loaded = found.contact.contact
     many = math.gcd(loaded.pressure.shape[1], loaded.pressure.shape[1] // SHOWN or 1)
     p = loaded.pressure.reshape(len(loaded.pressure), -1, many).mean(axis=2)
     x = (np.arange(p.shape[0] + 1) - p.shape[0] / 2) * loaded.cell[0]
     y = (np.arange(p.shape[1] + 1) - p.shape[1] / 2) * loaded.cell[1] * many
-    return grid(name, y, x * STRETCH, p.T.ravel())
+    return grid(name, y, x, p.T.ravel())
