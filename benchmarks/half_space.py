@@ -166,11 +166,11 @@ def version(python: str) -> str:
     """The version of tamaas in that Python; ends the run if tamaas is not installed."""
     words = [python, "-c", "import tamaas; print(tamaas.__version__)"]
     try:
-        said = subprocess.run(words, capture_output=True, text=True, check=True)  # noqa: S603
+        done = subprocess.run(words, capture_output=True, text=True, check=True)  # noqa: S603
     except (OSError, subprocess.CalledProcessError):
         print(f"TAMAAS_PYTHON must name a Python that has tamaas, got {python}", file=sys.stderr)
         raise SystemExit(2) from None
-    return said.stdout.strip()
+    return done.stdout.strip()
 
 
 def main() -> None:

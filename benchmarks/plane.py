@@ -78,7 +78,7 @@ def measure(kind: str, around: int, peer: bool) -> dict[str, Any]:
     return row
 
 
-def tell(row: dict[str, Any]) -> None:
+def print_row(row: dict[str, Any]) -> None:
     print(f"{row['kind']}, {row['unknowns']} unknowns")
     for side, wall in (("ours", "seconds"), ("ours", "process"), ("calculix", "calculix")):
         if wall in row:
@@ -109,7 +109,7 @@ def main() -> None:
     for kind in KINDS:
         for around in SIZES:
             rows.append(measure(kind, around, peer))
-            tell(rows[-1])
+            print_row(rows[-1])
     (OUT / "plane.json").write_text(json.dumps({"peer": words, "rows": rows}, indent=1), "utf-8")
     draw(rows, OUT / "plane.svg", OUT / "plane.png")
 

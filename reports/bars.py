@@ -19,7 +19,7 @@ def bars(b: Bars) -> Markup:
     """SVG of horizontal bars; the text of a bar is beyond its end, wrapped if it is long."""
     values = [value for _, value, _ in b.items]
     names = [textwrap.wrap(name, NAME) for name, _, _ in b.items]
-    words = [textwrap.wrap(said, WORDS) for _, _, said in b.items]
+    words = [textwrap.wrap(text_of_bar, WORDS) for _, _, text_of_bar in b.items]
     low, high = min(0.0, *values), max(0.0, *values)
     row = LINE * max(map(len, names + words), default=1) + GAP
     height = TOP + row * len(values) + BELOW

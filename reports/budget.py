@@ -27,7 +27,7 @@ class Bar:
     start: float
     end: float
     u: float
-    said: str
+    label: str
     css: str
 
 
@@ -100,8 +100,8 @@ def waterfall(row: RowBudget) -> Markup:
     axes.body.append(svg.line(axes.X(0.0), TOP, axes.X(0.0), height - BELOW, "axis"))
     axes.base(svg.ticks(*axes.x, 4), svg.plain)
     axes.titles("formula/FE − 1 [%]", "")
-    said = f"{row.quantity}: {found[0].said}, of which {found[-1].said} remain"
-    return svg.drawing(WIDTH, height, axes.body, said, "chart waterfall")
+    label = f"{row.quantity}: {found[0].label}, of which {found[-1].label} remain"
+    return svg.drawing(WIDTH, height, axes.body, label, "chart waterfall")
 
 
 def _drawn(axes: Axes, i: int, bar: Bar, line: float, *, last: bool) -> list[Markup]:
@@ -114,7 +114,7 @@ def _drawn(axes: Axes, i: int, bar: Bar, line: float, *, last: bool) -> list[Mar
             for k, words in enumerate(name)
         ),
         svg.rectangle(left, y - THICK / 2, max(right - left, 0.8), THICK, bar.css),
-        svg.text(WIDTH, y + 4, bar.said, "tick", "end"),
+        svg.text(WIDTH, y + 4, bar.label, "tick", "end"),
     ]
     if not last:  # the next bar starts where this one ends
         found.append(svg.line(x_1, y + THICK / 2, x_1, y + line - THICK / 2, "grid"))
@@ -149,8 +149,8 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
 
 def _contribution(part: BudgetPart) -> tuple[str, str]:
     if part.contribution is None:
-        said = dict.fromkeys(filter(None, (part.what, part.note)))
-        return "; ".join(said), "–"
+        label = dict.fromkeys(filter(None, (part.what, part.note)))
+        return "; ".join(label), "–"
     return part.what, _number(part)
 
 
@@ -214,9 +214,9 @@ def outside(one: CaseBudget) -> list[RowBudget]:
 def left(one: CaseBudget) -> str:
     """Sentence about the rows whose difference the computations do not explain, by reason."""
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
-    said = [
+    label = [
         f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
         f"({why or UNKNOWN})"
         for why in reasons
     ]
-    return f"The differences of these rows are not decomposed: {'; '.join(said)}." if said else ""
+    return f"The differences of these rows are not decomposed: {'; '.join(label)}." if label else ""

@@ -78,8 +78,8 @@ def _some_points(figure: Curves) -> bool:
 
 def nothing(title: str) -> Markup:
     """SVG in place of a figure without points."""
-    said = "no values to draw with these inputs"
-    words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, said, "tick", "middle")
+    message = "no values to draw with these inputs"
+    words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, message, "tick", "middle")
     return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")
 
 

@@ -114,8 +114,8 @@ def values(row: Row) -> Shown:
     if row.kind == "fact" and row.formal_order is not None:  # observed order and order of theory
         return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}")
     name = reference_name(row)
-    told = name != FE and row.reference is not None and not _is_printed(row)
-    by = name if told else ""
+    named = name != FE and row.reference is not None and not _is_printed(row)
+    by = name if named else ""
     found = row.reference if by else row.fem
     if row.kind == "fact" or found is None or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6

@@ -23,8 +23,8 @@ def spread(
     half = np.asarray(room, dtype=float) / 2
     offsets = np.concatenate([[0.0], np.cumsum(half[:-1] + half[1:])])
     blocks: list[list[float]] = []  # means of wishes less offsets, and how many
-    for wish in np.asarray(targets, dtype=float) - offsets:
-        blocks.append([float(wish), 1])
+    for target in np.asarray(targets, dtype=float) - offsets:
+        blocks.append([float(target), 1])
         while len(blocks) > 1 and blocks[-2][0] >= blocks[-1][0]:
             mean, count = blocks.pop()
             before, more = blocks[-1]

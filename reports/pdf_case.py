@@ -108,15 +108,15 @@ def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
 
 def _problem(problem: Problem) -> list[Run]:
     """Sentence about results of a second solver that belong to no single row."""
-    said: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
+    sentence: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
     for i, check in enumerate(problem.lines):
-        said += [
+        sentence += [
             ": " if i == 0 else "; ",
             *prose(check.quantity),
             " ",
             *runs(second.difference(check)),
         ]
-    return [*said, "."]
+    return [*sentence, "."]
 
 
 def _caption(title: str) -> list[Run]:

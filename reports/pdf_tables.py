@@ -29,8 +29,8 @@ def quantity(row: Row) -> list[Run]:
 
 def budget(rows: Sequence[Row]) -> Data:
     """Lines for the derivation of tolerances, and the reasons for required sensitivities."""
-    said = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
-    marks = {reason: _letter(i) for i, reason in enumerate(said)}
+    reasons = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
+    marks = {reason: _letter(i) for i, reason in enumerate(reasons)}
     return {
         "rows": [_budget_line(row, marks.get(row.demand_reason, "")) for row in rows],
         "reasons": [[mark, prose(reason)] for reason, mark in marks.items()],

@@ -64,10 +64,10 @@ def _drawn(
             continue
         from reports import raster  # matplotlib takes half a second that pyvista does not need
 
-        said = f"pyvista cannot draw on this machine ({why}); matplotlib was used"
+        message = f"pyvista cannot draw on this machine ({why}); matplotlib was used"
         drawn[name] = _result(
             scene, raster.draw(scene), f"matplotlib {version('matplotlib')}",
-            f"{said}; {hint}" if hint else said,
+            f"{message}; {hint}" if hint else message,
         )  # fmt: skip
     return drawn
 

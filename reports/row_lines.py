@@ -19,8 +19,8 @@ class Line:
     @property
     def reason(self) -> str:
         """Text below the line; empty for a plain PASS."""
-        said = self.row.kind == "fact" or self.row.status is not Status.PASS
-        return self.row.reason if said else ""
+        is_stated = self.row.kind == "fact" or self.row.status is not Status.PASS
+        return self.row.reason if is_stated else ""
 
     @property
     def rank(self) -> int:

@@ -19,8 +19,8 @@ def summary(drift: Drift) -> str:
         (without, "of these without a reason"),
         (drift.tightened, "row{} tightened"),
     ]
-    told = [f"{n} {words.format('s' * (n > 1))}" for n, words in counts if n]
-    return ", ".join([f"{drift.compared} rows compared", *(told or ["no changes"])])
+    counts_in_words = [f"{n} {words.format('s' * (n > 1))}" for n, words in counts if n]
+    return ", ".join([f"{drift.compared} rows compared", *(counts_in_words or ["no changes"])])
 
 
 def shown(drift: Drift) -> list[Change]:

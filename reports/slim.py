@@ -29,8 +29,8 @@ Point = tuple[int, int]  # in tenths of a pixel
 
 def slim(page: str) -> str:
     """The page without parts that a browser does not need for the drawing."""
-    for said in NEEDLESS:
-        page = page.replace(said, "")
+    for packed in NEEDLESS:
+        page = page.replace(packed, "")
     page = _once(page, BAND, "band")
     return _STRAIGHT.sub(lambda path: steps(path[0]), _equations_once(page))
 
@@ -99,15 +99,15 @@ def steps(path: str) -> str:
 
 def _part(written: Iterable[str]) -> str:
     points = list(_corners(_tenths(point) for point in written))
-    (x, y), said, last = points[0], [], ""
+    (x, y), packed, last = points[0], [], ""
     for (x0, y0), (x1, y1) in pairwise(points):
         dx, dy = x1 - x0, y1 - y0
         name = "v" if not dx else "h" if not dy else "l"
         numbers = [_short(d) for d in (dx, dy) if d] or ["0"]
         again = name == last
-        said.append(_packed([] if again else [name], numbers, after=again))
+        packed.append(_packed([] if again else [name], numbers, after=again))
         last = name
-    return f"M{_packed([], [_short(x), _short(y)])}{''.join(said)}"
+    return f"M{_packed([], [_short(x), _short(y)])}{''.join(packed)}"
 
 
 def _tenths(point: str) -> Point:
@@ -142,7 +142,7 @@ def _short(tenths: int) -> str:
 
 def _packed(name: list[str], numbers: list[str], *, after: bool = False) -> str:
     """Text of numbers, with a comma only if no sign separates them."""
-    said = "".join(name)
+    packed = "".join(name)
     for i, number in enumerate(numbers):
-        said += "," * ((i > 0 or after) and number[0] != "-") + number
-    return said
+        packed += "," * ((i > 0 or after) and number[0] != "-") + number
+    return packed

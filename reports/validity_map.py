@@ -167,28 +167,28 @@ def _key(
 ) -> tuple[list[Markup], float]:
     """SVG of the scale and of the meaning of each mark, and the height of the drawing."""
     drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
-    said: list[tuple[str, str]] = []
+    entries: list[tuple[str, str]] = []
     names = [f"{100 * limit:.4g}" for limit in m.limits]
     lines = [min(m.error.shape) >= LEAST and _passed(m, limit) for limit in m.limits]
-    said += [(f"iso i{k}", f"{name} %") for k, name in enumerate(names) if lines[k] or every]
+    entries += [(f"iso i{k}", f"{name} %") for k, name in enumerate(names) if lines[k] or every]
     if every or undecided(m.error, m.U, m.limits).any():
-        said.append(("hatch", "error bar across a limit"))
+        entries.append(("hatch", "error bar across a limit"))
     if m.unsafe.any():
-        said.append(("unsafe", f"more than {100 * m.limits[-1]:.4g} % on the unsafe side"))
+        entries.append(("unsafe", f"more than {100 * m.limits[-1]:.4g} % on the unsafe side"))
     if every or not np.isfinite(m.error).all():
-        said.append(("unsolved", "no solution"))
+        entries.append(("unsolved", "no solution"))
     if m.box is not None:
-        said.append(("region", m.box_name))
+        entries.append(("region", m.box_name))
     if marked or has_nominal(m):
-        said.append(("at", "inputs of the file"))
+        entries.append(("at", "inputs of the file"))
     left, y = 12.0, top + 48
-    for style, words in said:
+    for style, words in entries:
         wide = 24 + LETTER * len(words) + 14
         if left > 12.0 and left + wide > WIDTH:
             left, y = 12.0, y + LINE
         drawn += [*_swatch(style, left, y), svg.text(left + 24, y, words, "tick")]
         left += wide
-    return drawn, y + 8 if said else top + 32
+    return drawn, y + 8 if entries else top + 32
 
 
 def _passed(m: Measured, limit: float) -> bool:

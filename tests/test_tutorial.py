@@ -10,9 +10,9 @@ TUTORIAL = Path(__file__).parents[1] / "docs" / "contact_tutorial.py"
 
 
 def test_the_foot_takes_the_load_the_pressure_has_its_bounds_and_friction_its_limit():
-    told = runpy.run_path(str(TUTORIAL))
-    touch, R, play, F = told["touch"], told["R"], told["PLAY"], told["LOAD"]
-    x, y, _ = told["step"].plane.reaction("foot")
+    names = runpy.run_path(str(TUTORIAL))
+    touch, R, play, F = names["touch"], names["R"], names["PLAY"], names["LOAD"]
+    x, y, _ = names["step"].plane.reaction("foot")
     assert abs(x) < 1e-8 * F + abs(touch.force[0])
     assert y == pytest.approx(-touch.force[1], rel=1e-8)
     assert y == pytest.approx(F, rel=1e-5)  # the parabolas' pin is not quite a circle

@@ -39,7 +39,7 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
     return loads[-1], abs(loads[-1] - loads[-2]) + PLACES * loads[-1]
 
 
-def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
+def buckling_state(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
     """Smallest displacement of a guided head at which the head buckles if it is released there.
 
     The results are this displacement, its round-off error, and the state. The result is NaN and

@@ -51,8 +51,8 @@ class Supports:
 
     def __init__(self, bodies: Bodies, supports: Mapping[str, Support], anchors: Anchors) -> None:
         self._bodies, self._supports = bodies, {k: components(s) for k, s in supports.items()}
-        told: Any = {"turn": bodies.turn, "tied": bodies.tied}
-        self.conditions: Conditions = collect(bodies.basis, supports, anchors, **told)
+        options: Any = {"turn": bodies.turn, "tied": bodies.tied}
+        self.conditions: Conditions = collect(bodies.basis, supports, anchors, **options)
         for name in bodies.means:
             if name in self._supports or name in bodies.obstacles:
                 raise ValueError(
@@ -65,7 +65,7 @@ class Supports:
         numbered: dict[str, Support] = {
             name: {c: self._number[name, c] for c in held} for name, held in self._supports.items()
         }
-        self._of = collect(bodies.basis, numbered, anchors, **told).value
+        self._of = collect(bodies.basis, numbered, anchors, **options).value
         rest = np.arange(len(supports), len(self.conditions.owners))
         self._of[np.isin(self.conditions.owner, rest)] = 0.0
 

@@ -45,10 +45,10 @@ class AlongInterface:
 
     def check_held(self) -> None:
         """Raise ValueError if neither supports nor friction prevent a shift of a body along z."""
-        felt = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
+        resistance = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
         own = np.abs(self.C).max(initial=0.0)
-        if np.any(felt <= UNHELD * own):
-            self.bodies.refuse(self.bodies.words[int(np.argmin(felt))])
+        if np.any(resistance <= UNHELD * own):
+            self.bodies.refuse(self.bodies.words[int(np.argmin(resistance))])
 
 
 def _slips(mortar: Mortar, columns: Indices) -> csr_array:

@@ -81,8 +81,8 @@ class ContactSystem:
     def scales(self) -> tuple[Array, Array]:
         """Scales of multipliers (n,) and motions (k,) that bring all entries to about one."""
         own = 1 / self.reach
-        felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
-        return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
+        reactions = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
+        return own, 1 / np.maximum(reactions, BARE * reactions.max(initial=BARE))
 
     @cached_property
     def stiffness(self) -> float:

@@ -107,8 +107,8 @@ def _compressed(
     all_motions = np.zeros((rows.shape[1], count, n))
     for i in (0, 1):
         all_motions[nodes[i], of_node] = shapes[:, i]
-    said = rows @ all_motions.reshape(rows.shape[1], -1)
-    return np.linalg.qr(np.vstack([said, np.zeros((n * count, n * count))]))[1]
+    constrained = rows @ all_motions.reshape(rows.shape[1], -1)
+    return np.linalg.qr(np.vstack([constrained, np.zeros((n * count, n * count))]))[1]
 
 
 def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:

@@ -161,6 +161,6 @@ def sheets_of(paper: bytes) -> int:
     return int(re.search(rb"/Type/Pages/Count (\d+)", paper)[1])
 
 
-def said(runs) -> str:
+def plain_text(runs) -> str:
     """Words in a cell of the PDF, without markup."""
-    return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)
+    return "".join(run if isinstance(run, str) else plain_text(run[1:]) for run in runs)

@@ -12,8 +12,8 @@ TAKES = {"M": 2, "l": 2, "h": 1, "v": 1, "z": 0}
 def walked(path: str) -> list[list[tuple[int, int]]]:
     """Points of each piece in tenths of a pixel, by the rules of SVG for M, l, h, v and z."""
     pieces, x, y = [], 0, 0
-    for name, said in COMMAND.findall(path):
-        numbers = [round(10 * float(n)) for n in NUMBER.findall(said)]
+    for name, coordinates in COMMAND.findall(path):
+        numbers = [round(10 * float(n)) for n in NUMBER.findall(coordinates)]
         if name == "z":
             continue
         assert len(numbers) % TAKES[name] == 0

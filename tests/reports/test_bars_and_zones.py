@@ -37,9 +37,9 @@ def test_bars_begin_at_zero_and_no_word_leaves_the_picture_or_runs_into_another(
     assert x2 + w2 == pytest.approx(x, abs=0.11)
     words = "60 % of the wind-up, 3.4 deg"
     for name, value in (("X", 60.0), (LONG, -60.0)):
-        for left, right, _, said in texts(bar_chart((name, 40.0, words), ("r", value, "r"))):
-            assert left >= 0, said
-            assert right <= WIDTH, said
+        for left, right, _, message in texts(bar_chart((name, 40.0, words), ("r", value, "r"))):
+            assert left >= 0, message
+            assert right <= WIDTH, message
     page = bar_chart(*((LONG, value, "word " * 9) for value in (1.0, 2.0, 3.0)))
     names = sorted(y for *_, y, words in texts(page) if words in LONG)
     assert len(names) >= 3 * 3

@@ -81,17 +81,17 @@ def test_lines_name_each_cause_and_what_is_not_subtracted_last():
     assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][::2] == ("remainder", "−2.00 ± 0.2 %")
     assert found[-1][1] == "plane strain (shared assumption, not subtracted)"
-    assert any(cause == "together" and said.startswith("+0.300 %") for cause, _, said in found)
+    assert any(cause == "together" and label.startswith("+0.300 %") for cause, _, label in found)
 
 
 def test_shares_have_as_many_digits_as_their_uncertainty_allows():
-    for value, u, said in (
+    for value, u, label in (
         (-0.24834, 3.6e-7, "−24.8 ± 4·10⁻⁵ %"), (0.0, None, "0 %"),
         (7.2e-8, 7e-8, "+7·10⁻⁶ ± 7·10⁻⁶ %"), (None, None, "–"),
         (0.00018, 1.2e-4, "+0.0180 ± 0.01 %"), (0.003, 9.96e-3, "+0.300 ± 1 %"),
         (9.9996, 0.2, "+1000 ± 20 %"), (-0.1596, 0.0, "−16.0 %"),
     ):  # fmt: skip
-        assert percent(value, u) == said
+        assert percent(value, u) == label
 
 
 def test_the_others_stand_side_by_side_and_identities_are_one_sentence():

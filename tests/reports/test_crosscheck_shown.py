@@ -15,7 +15,7 @@ from reports.pdf_data import document
 from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import COLUMNS, seconds
-from tests.reports.conftest import said, section
+from tests.reports.conftest import plain_text, section
 from verify.core.results import Crosscheck, CrossState, Report
 
 AGREES = Crosscheck(
@@ -63,12 +63,12 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert "5522 unknowns: 21.7673 µm; project: 21.7672 µm" in cell
     assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
     (first,) = crosscheck_data((AGREES, OUTSIDE))
-    assert [said(row[-1]) for row in first["rows"]] == [
+    assert [plain_text(row[-1]) for row in first["rows"]] == [
         "+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !",
     ]  # fmt: skip
     data = document(checked, {})
     (sentence,) = data["crosschecks_left"]
-    assert said(sentence).startswith("Not measured for the present code")
+    assert plain_text(sentence).startswith("Not measured for the present code")
     assert data["crosschecks_told"] == counts_in_words(checked.crosschecks)
 
 
@@ -88,7 +88,7 @@ def test_a_case_that_no_solver_takes_has_its_reason(checked):
     assert "1 case has no second solver (reasons below)" in text
     assert "()" not in text
     (sentence,) = left_out_data([ALONE])
-    assert said(sentence) == "Nobody's: ring-lame, no second solver."
+    assert plain_text(sentence) == "Nobody's: ring-lame, no second solver."
 
 
 def test_tables_and_records_have_the_second_solver_beside_the_row(checked, schema):

@@ -219,8 +219,8 @@ def test_answers_are_those_of_an_interpolation_in_python(answers, explored):
     given += [(on_line, *one[:2], one[-1]) for one in LINE]
     for (interpolated, case, q, at), found in zip(given, answers, strict=False):
         wanted = interpolated(explored, case, named(explored, case, q), *at)
-        told = found["error"], found["bar"]
-        assert told == pytest.approx(wanted, rel=1e-6, abs=2 * STEP), found
+        stated = found["error"], found["bar"]
+        assert stated == pytest.approx(wanted, rel=1e-6, abs=2 * STEP), found
 
 
 def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(answers):

@@ -144,8 +144,8 @@ def test_what_was_judged_can_be_read_off_the_page(report, text):
         decimals = len(fem.partition(".")[2])
         last = 10.0**-decimals  # u keeps two digits, where nine of the value have room for them
         assert abs(float(fem) - row.fem) <= max(row.u_num / 5, 0.51 * last)
-        told = float(u.rstrip(")")) * last
-        assert abs(told - max(row.u_num, last)) <= max(0.06 * row.u_num, 0.51 * last)
+        printed_value = float(u.rstrip(")")) * last
+        assert abs(printed_value - max(row.u_num, last)) <= max(0.06 * row.u_num, 0.51 * last)
 
 
 def test_the_first_page_has_each_verdict_once_and_equal_formulas_in_one_line(made):

@@ -10,7 +10,7 @@ from reports import formats
 from reports.html import page
 from reports.paper_rows import MOST_CLAIMS, printed_row, printed_table, used_as_inputs
 from reports.pdf_data import document
-from tests.reports.conftest import said
+from tests.reports.conftest import plain_text
 from verify.app.report import make_report
 from verify.cases.registry import find
 from verify.core.results import PaperCell, PaperClaim, PaperTable, Report, Status
@@ -166,5 +166,7 @@ def test_the_pdf_has_the_same_columns(report, rendered):
     (table,) = (t for t in document(report, {})["ledgers"]["tables"] if "Wang" in t["name"])
     for block, row in zip(rendered["wang2023", "Table 1"][1], table["rows"], strict=True):
         claimed = [line[:4] for line in block.below if "input" not in line]
-        expected = [[said(runs).replace("−", "-") for runs in c["formulas"]] for c in row["claims"]]
+        expected = [
+            [plain_text(runs).replace("−", "-") for runs in c["formulas"]] for c in row["claims"]
+        ]
         assert sorted(claimed) == sorted(expected)

@@ -78,15 +78,15 @@ def test_the_head_counts_points_and_why_some_have_no_answer_and_nothing_runs(of_
 
 def test_sentence_table_and_map_have_where_the_formula_holds_and_what_breaks_it(of_two):
     found, value = of_two
-    said = value.formulas[0].verdict
-    verdict, _, said = said.partition(". ")
+    sentences = value.formulas[0].verdict
+    verdict, _, sentences = sentences.partition(". ")
     assert verdict == "Verdict over this sweep: accurate in part of the range: within 10 %"
-    assert said.startswith(
+    assert sentences.startswith(
         "The error is within 10 % at all 67 points that are solved; within 5 % for "
     )
-    assert "z 4..10" in said
-    assert "first exceeded for z above 10" in said
-    assert "The largest error is +6.00 ± 0.10 % at z = 12, δ_1 = 2 mm" in said
+    assert "z 4..10" in sentences
+    assert "first exceeded for z above 10" in sentences
+    assert "The largest error is +6.00 ± 0.10 % at z = 12, δ_1 = 2 mm" in sentences
     table = value.formulas[0].tables[0]
     assert [row[0] for row in table.rows] == ["2 %", "5 %", "10 %"]
     # |z - 6| < 2, < 5 (z = 11 is on the limit, and its bar beyond), all; less what isn't solved

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from reports.pdf_data import document
 from reports.validity import figure, signed
-from tests.reports.conftest import said, section
+from tests.reports.conftest import plain_text, section
 from verify.core.results import (
     Validity,
     ValidityAxis,
@@ -73,14 +73,14 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     over = REGION.over.replace("_", "")
     (subject,) = document(one, {})["validity"]
     (case,) = subject["cases"]
-    first, second = ([said(cell) for cell in row] for row in case["rows"])
+    first, second = ([plain_text(cell) for cell in row] for row in case["rows"])
     assert first == [
         f"K of the paper{over}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
         "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 points without a "
                          "solution",
     ]  # fmt: skip
     assert second[:2] == [over, ""]
-    assert "largest difference −0.00029 ± 0.00001 %" in said(case["exact"])
+    assert "largest difference −0.00029 ± 0.00001 %" in plain_text(case["exact"])
 
 
 def test_a_map_has_each_error_in_its_cell():

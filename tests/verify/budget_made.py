@@ -75,8 +75,8 @@ RESULT = CaseResult(
     id=CASE.id, title="", paper="", place="", lead="", inputs=(), equations=(), assumptions=(),
     readings=(), rows=(),
 )  # fmt: skip
-SAYS = Statement(reruns=(NARROW, NEAR, STRAIN, TIGHT), finer=8)
+STATEMENT = Statement(reruns=(NARROW, NEAR, STRAIN, TIGHT), finer=8)
 
 
-def plan(says=SAYS, case=CASE):
-    return Plan(case, says, rows(case))
+def plan(statement=STATEMENT, case=CASE):
+    return Plan(case, statement, rows(case))

@@ -29,8 +29,8 @@ def measured_here(tmp_path, monkeypatch):
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
     def measure(*reruns, again=False, finer=8):
-        says = replace(made.SAYS, finer=finer, **({"reruns": reruns} if reruns else {}))
-        monkeypatch.setattr("verify.cases.budgets.STATEMENTS", {made.CASE.id: says})
+        statement = replace(made.STATEMENT, finer=finer, **({"reruns": reruns} if reruns else {}))
+        monkeypatch.setattr("verify.cases.budgets.STATEMENTS", {made.CASE.id: statement})
         measuring.plan_of.cache_clear()
         assert measuring.BUDGET.measure_missing([made.CASE], Here(1), again=again)
         plan = measuring.plan_of(made.CASE.id)
@@ -99,9 +99,12 @@ def test_measuring_goes_on_where_it_was_and_a_record_stays_where_processes_die(
 def test_a_record_of_other_code_or_of_another_statement_does_not_count(measured_here, monkeypatch):
     plan, _ = measured_here()
     corrected = (Corrected("stiffness", "same"),)
-    for says in (replace(made.SAYS, finer=16), replace(made.SAYS, reruns=made.SAYS.reruns[:-1]),
-                 replace(made.SAYS, corrected=corrected)):  # fmt: skip
-        assert kept.measured(made.plan(says)) is None
+    for statement in (
+        replace(made.STATEMENT, finer=16),
+        replace(made.STATEMENT, reruns=made.STATEMENT.reruns[:-1]),
+        replace(made.STATEMENT, corrected=corrected),
+    ):  # fmt: skip
+        assert kept.measured(made.plan(statement)) is None
     monkeypatch.setattr(source_code, "whole_source_of", lambda _code: "other")
     kept._hash.cache_clear()
     shown = of_case(plan, made.RESULT)

@@ -27,8 +27,8 @@ def budgets_of(plan):
 
 def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
     right = budgets_of(made.plan())[0].balance
-    says = replace(made.SAYS, corrected=(Corrected("stiffness", "k corrected"),))
-    row = budgets_of(Plan(CASE, says, rows(CASE)))[0]
+    statement = replace(made.STATEMENT, corrected=(Corrected("stiffness", "k corrected"),))
+    row = budgets_of(Plan(CASE, statement, rows(CASE)))[0]
     part, *others = row.balance.parts
     fe = K / (1 + right.total)
     assert (part.name, part.u) == ("formula: as printed, beside the corrected one", 0.0)
@@ -49,8 +49,8 @@ def test_what_is_large_is_decomposed_or_not():
 
 def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
     monkeypatch.setattr(records, "FOLDER", tmp_path)
-    says = replace(made.SAYS, left=(Left(("*",), "for a reason"),))
-    wrong = Plan(CASE, says, rows(CASE))
+    statement = replace(made.STATEMENT, left=(Left(("*",), "for a reason"),))
+    wrong = Plan(CASE, statement, rows(CASE))
     kept.keep(wrong, budgets_of(wrong), 12.34)
     assert kept.measured(wrong).seconds == 12.3
     found = {row.quantity: (row.apart, row.why) for row in of_case(wrong, made.RESULT).rows}
@@ -59,15 +59,15 @@ def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypa
 
 def check_statement(case, plan, names):
     """Reruns and corrections are about rows, levels and values that there are."""
-    for rerun in plan.says.reruns:
+    for rerun in plan.statement.reruns:
         assert any(rerun.about(name) for name in names), rerun.what
         plan.before(rerun)
-    assert plan.says.headline in ("", *names)
-    assert plan.says.finer == 0 or plan.says.finer > case.levels[-1]
+    assert plan.statement.headline in ("", *names)
+    assert plan.statement.finer == 0 or plan.statement.finer > case.levels[-1]
     for step in first(plan):
         inputs_of(plan, step)
-    values = case.analytic(case.inputs()) if plan.says.corrected else {}
-    for one in plan.says.corrected:
+    values = case.analytic(case.inputs()) if plan.statement.corrected else {}
+    for one in plan.statement.corrected:
         assert one.key in values
         assert one.key != names[one.row].analytic, one.row
 
@@ -75,8 +75,8 @@ def check_statement(case, plan, names):
 def check_reasons(plan, found):
     """Every row that is not decomposed has a reason, and every reason such a row."""
     names = [one.pair.name for one in found.rows if not apart(one.balance)]
-    assert [name for name in names if not plan.says.reason(name)] == []
-    for left in plan.says.left:
+    assert [name for name in names if not plan.statement.reason(name)] == []
+    for left in plan.statement.left:
         for pattern in left.rows:
             alone = Statement(left=(Left((pattern,), left.why),))
             assert any(alone.reason(name) for name in names), pattern

@@ -69,15 +69,15 @@ def test_fits_and_facts_are_judged_equally_again_and_state_their_numbers():
 def test_the_index_has_its_numbers_put_in():
     """By hand: p = log2(24/6) = 2, GCI = 1.25 0.006/(4 - 1) = 0.0025 µm, U = 2 GCI/2."""
     row, _ = rows_of(identity(), MONOTONE, analytic=VALUES)
-    said = dict(steps(row))
-    assert said["GCI"] == "F |v1 − v2|/(r^p − 1) = 1.25 × 0.006/(2^2.0000 − 1) = 0.0025 µm"
-    assert said["U"].endswith("= 2 √(0.00125² + 0² + 0²) = 0.0025 µm")
-    assert said["test"] == "|d| ≤ U, that is 0.002 ≤ 0.0025: holds"
-    assert said["detects"].startswith("(U + |d|)/scale = (0.0025 + 0.002)/5 = 0.090 %")
+    printed = dict(steps(row))
+    assert printed["GCI"] == "F |v1 − v2|/(r^p − 1) = 1.25 × 0.006/(2^2.0000 − 1) = 0.0025 µm"
+    assert printed["U"].endswith("= 2 √(0.00125² + 0² + 0²) = 0.0025 µm")
+    assert printed["test"] == "|d| ≤ U, that is 0.002 ≤ 0.0025: holds"
+    assert printed["detects"].startswith("(U + |d|)/scale = (0.0025 + 0.002)/5 = 0.090 %")
     # p = log2(0.09/0.009) = 3.32 against 2 takes the larger factor: 3 0.009/(2^2 - 1) = 0.009 µm
     row, _ = rows_of(identity(), FAR, analytic=VALUES)
-    said = dict(steps(row))
-    assert said["F"] == "3: observed and theory differ by 1.3, beyond 0.5"
+    printed = dict(steps(row))
+    assert printed["F"] == "3: observed and theory differ by 1.3, beyond 0.5"
     # a row without a result has its verdict alone
     skipped, _ = identity().skipped("ring-made-up", "quick")
     row = replace(skipped, status=Status.FAIL, reason="level 2: MemoryError")

@@ -84,8 +84,8 @@ def test_an_older_or_newer_python_is_refused_in_one_line(monkeypatch):
     assert environment.python_problem(OLDEST) == environment.python_problem((*NEWEST, 7)) == ""
     monkeypatch.setattr(environment.shutil, "which", lambda name: name == "python3.12")
     for version in ((3, 10, 13), (NEWEST[0], NEWEST[1] + 1, 0)):
-        said = environment.python_problem(version)
-        assert said.endswith(f", but this is {version[0]}.{version[1]}: make PYTHON=python3.12")
+        message = environment.python_problem(version)
+        assert message.endswith(f", but this is {version[0]}.{version[1]}: make PYTHON=python3.12")
 
 
 def test_what_may_crash_is_tried_in_a_separate_process():

@@ -103,8 +103,8 @@ def test_what_has_no_answer_ends_with_one_line_and_status_two(check, tmp_path):
         ("figures", raising(ValueError("no path")), "no path"),
     ):
         part = replace(SWINGS, **{what: fault})
-        status, said, error = check("--dynamic", "--out", tmp_path / "out", part=part)
-        assert (status, said, error.count("\n")) == (2, "", 1)
+        status, message, error = check("--dynamic", "--out", tmp_path / "out", part=part)
+        assert (status, message, error.count("\n")) == (2, "", 1)
         assert f"ring.toml: the swing: {words}" in error
 
 
@@ -125,19 +125,19 @@ def test_json_and_the_report_have_its_values_findings_and_figures(check, tmp_pat
 
 
 def test_the_verdict_of_both_parts_together_comes_first(check):
-    said = ("holds at rest, breaks as it swings", "at rest: holds")
-    part = replace(SWINGS, overall=lambda q, v: ("breaks", said))
+    message = ("holds at rest, breaks as it swings", "at rest: holds")
+    part = replace(SWINGS, overall=lambda q, v: ("breaks", message))
     status, out, _ = check("--dynamic", part=part)
     lines = out.splitlines()
     at = lines.index("notes")
-    assert (status, lines[0]) == (1, f"ring: fails: {said[0]}")
-    assert lines[at + 1 : at + 4] == [*(f"  {words}" for words in said), "  swings to 2 times"]
+    assert (status, lines[0]) == (1, f"ring: fails: {message[0]}")
+    assert lines[at + 1 : at + 4] == [*(f"  {words}" for words in message), "  swings to 2 times"]
     found = json.loads(check("--json", "--dynamic", part=part)[1])
-    assert (found["details"]["verdict"], found["findings"]) == ("breaks", list(said))
+    assert (found["details"]["verdict"], found["findings"]) == ("breaks", list(message))
 
 
 def test_a_slow_part_is_reported_while_it_runs(capsys):
-    with progress.told_if_slow("compiles", quiet=False, after=0.02):
+    with progress.message_if_slow("compiles", quiet=False, after=0.02):
         time.sleep(0.2)
         print("over", file=sys.stderr)
     first, second, third = capsys.readouterr().err.splitlines()

@@ -138,10 +138,10 @@ def test_any_wrong_value_is_refused_in_one_short_line(key):
     for value in (16**5000, "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100):
         with pytest.raises(InputError) as caught:
             build(Beam, GOOD | {key: value}, "my.toml")
-        said = str(caught.value)
-        assert said.startswith(f"my.toml: inputs.{key}")
-        assert said.isprintable()
-        assert len(said) < 250
+        printed = str(caught.value)
+        assert printed.startswith(f"my.toml: inputs.{key}")
+        assert printed.isprintable()
+        assert len(printed) < 250
 
 
 # Files
@@ -192,20 +192,20 @@ def test_a_wrong_file_is_named_with_its_fault(content, message, written):
     path = written(content)
     with pytest.raises(InputError) as caught:
         read_parameter_file(path)
-    said = str(caught.value)
-    assert said.startswith(f"{path}: {message}")
-    assert said.isprintable()
+    printed = str(caught.value)
+    assert printed.startswith(f"{path}: {message}")
+    assert printed.isprintable()
     if b"60 mm\n" in path.read_bytes():  # a value without quotes is repeated with them
-        assert said.endswith('quotes are missing, r_i = "60 mm"')
+        assert printed.endswith('quotes are missing, r_i = "60 mm"')
 
 
 def test_what_is_no_file_or_has_no_number_as_its_value_is_refused(tmp_path, written, monkeypatch):
-    for path, said in (
+    for path, printed in (
         (tmp_path, r"is a directory, expected a TOML file$"),
         (tmp_path / "nope.toml", r"nope\.toml: cannot be read: No such file or directory$"),
         (tmp_path / "a\0b", "embedded null"),
     ):
-        with pytest.raises(InputError, match=said):
+        with pytest.raises(InputError, match=printed):
             read_parameter_file(path)
     wild = replace(LAME, analytic=lambda q: {"u": 1.0, "stress": math.inf})
     monkeypatch.setattr(parameter_file, "find", lambda name: wild)

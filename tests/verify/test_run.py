@@ -162,16 +162,16 @@ def test_what_is_stored_is_not_solved_again(tmp_path):
 
 
 def test_a_disk_that_fills_is_mentioned_once_and_the_run_continues(tmp_path, monkeypatch):
-    tried, said = [], []
+    tried, message = [], []
 
     def full(*_):
         tried.append(1)
         raise OSError(28, os.strerror(28), "somewhere")
 
     monkeypatch.setattr(cache, "store", full)
-    result = beside(CASE, cache_folder=tmp_path, warn=said.append)
+    result = beside(CASE, cache_folder=tmp_path, warn=message.append)
     assert {row.status for row in result.rows} == {Status.PASS}
-    (line,) = said
+    (line,) = message
     assert "No space left on device" in line
     assert len(tried) == 1  # and nothing is tried again
 

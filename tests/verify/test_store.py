@@ -203,9 +203,9 @@ def test_levels_of_an_earlier_version_move_into_the_store_and_other_files_stay(
         (tmp_path / place).write_bytes(content)
     os.utime(path, (1e9, 1e9))
     assert run(["store", "--json"]) == 0
-    said = capsys.readouterr()
-    assert said.err.startswith("freewheel: 1 results of an earlier version were moved into")
-    (group,) = json.loads(said.out)["groups"]
+    printed = capsys.readouterr()
+    assert printed.err.startswith("freewheel: 1 results of an earlier version were moved into")
+    (group,) = json.loads(printed.out)["groups"]
     assert (group["kind"], group["subject"], group["oldest"]) == ("level", "ring-lame", 1e9)
     assert not path.parent.exists()
     assert {place: (tmp_path / place).read_bytes() for place in files} == files

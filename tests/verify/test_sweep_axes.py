@@ -35,7 +35,7 @@ def test_an_axis_is_read_and_has_its_input():
 
 
 def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
-    for read, text, said in (
+    for read, text, message in (
         (axis, "a=1mm:2mm", "write NAME=a:b:n"),
         (axis, "a=1mm:2mm:1", "n must be an integer from 2 to 1000, got '1'"),
         (axis, "a=2mm:2mm:3", "all values must be different"),
@@ -56,7 +56,7 @@ def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
         with pytest.raises(InputError, match=rf"^{option} ") as error:
             read(Shaft(), text)
         assert text in str(error.value)
-        assert said in str(error.value)
+        assert message in str(error.value)
         assert "\n" not in str(error.value)
 
 
@@ -92,10 +92,10 @@ def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
         rest = [j for j in range(3) if j != k]
         assert (one[:, rest] == a[:, rest]).all()
     assert (a != b).all()
-    for count, tolerances, said in (
+    for count, tolerances, message in (
         ("sobol:12", ["a=±1mm"], "N must be a power of two from 8"),
         ("sobol", ["a=±1mm"], "--sample must be sobol:N"),
         ("sobol:8", ["a=±1mm", "a=±2mm"], "a must be given only once"),
     ):
-        with pytest.raises(InputError, match=said):
+        with pytest.raises(InputError, match=message):
             sample(CASE, "plate", Plate(), chosen(), count, tolerances)

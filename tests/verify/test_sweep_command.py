@@ -65,11 +65,11 @@ def test_a_sweep_with_a_point_that_failed_ends_with_one_and_has_its_files(
 
 
 def test_options_that_make_no_sweep_are_refused_in_a_line(ring, capsys):
-    for options, said in (
+    for options, message in (
         ("", "give --vary NAME=a:b:n, or --sample"),
         ("--vary z=3:4:2 --sample sobol:8", "--vary (a grid) and --sample cannot"),
         ("--star --sample sobol:8", "--star requires --vary"),
     ):
         assert run(["sweep", str(ring), *options.split()]) == 2
         (line,) = capsys.readouterr().err.splitlines()
-        assert said in line
+        assert message in line

@@ -12,7 +12,7 @@ from tests.verify.sweep_made import CASE, Here, Plate, chosen, course, outcome
 from verify.cases import registry
 from verify.studies.sweep import outcome as outcomes
 from verify.studies.sweep import point, tables
-from verify.studies.sweep.console import told as printed
+from verify.studies.sweep.console import lines_of as printed
 from verify.studies.sweep.plan import grid, sample
 from verify.studies.sweep.records import record
 from verify.studies.sweep.run import solve

@@ -33,9 +33,9 @@ def client(folder, *options):
 
 def ended(process):
     """Exit status and standard error of a process that ends by itself."""
-    _, said = process.communicate(timeout=SECONDS)
-    assert "Traceback" not in said
-    return process.returncode, said
+    _, message = process.communicate(timeout=SECONDS)
+    assert "Traceback" not in message
+    return process.returncode, message
 
 
 def points(folder):
@@ -83,11 +83,11 @@ def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_num
         workers[0].kill()  # the scheduler has another
         wait_for_points(tmp_path, points(tmp_path) + 2)
         scheduler.kill()
-        status, said = ended(process)
+        status, message = ended(process)
     stored = points(tmp_path)
     assert status == 2
     gone = f"freewheel: the scheduler at {address} is gone; {CONTINUES.format(stored)}"
-    assert said.splitlines()[-1] == gone
+    assert message.splitlines()[-1] == gone
     assert stored < POINTS
     with listening() as (_, _, address):
         assert ended(client(tmp_path, "--engine", "dask", "--scheduler", address))[0] == 0

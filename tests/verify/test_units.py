@@ -80,9 +80,9 @@ REFUSED = [
 def test_what_is_no_quantity_is_refused_in_one_short_line(text, unit, message):
     with pytest.raises(ValueError, match=message) as caught:
         units.parse(text, unit)
-    said = str(caught.value)
-    assert said.isprintable()  # and so one line
-    assert len(said) < 120
+    printed = str(caught.value)
+    assert printed.isprintable()  # and so one line
+    assert len(printed) < 120
 
 
 def test_a_mistyped_quantity_is_refused_at_once():

@@ -65,10 +65,10 @@ class Run:
         """One line with the case, whether it passed, and the deciding row."""
         failed = [row for row in self.rows if row.status in FAILED]
         main = failed[0] if failed else next((r for r in self.rows if r.analytic is not None), None)
-        told = f"; {_row_in_line(main)}" if main else ""
+        main_row = f"; {_row_in_line(main)}" if main else ""
         passed = sum(row.status is Status.PASS for row in self.rows)
         status = f"{'FAIL' if failed else 'PASS'}, {passed} of {len(self.rows)} rows pass"
-        return f"<Run {self.result.id}: {status}{told}>"
+        return f"<Run {self.result.id}: {status}{main_row}>"
 
     def __str__(self) -> str:
         lines = [title(self.rows), *aligned(row_cells(self.rows)), *sentences(self.rows)]

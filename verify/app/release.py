@@ -102,6 +102,6 @@ def _git(root: Path, *words: str) -> str:
     except (OSError, subprocess.SubprocessError) as error:
         raise InputError(f"a release requires git: {error}") from error
     if done.returncode:
-        said = (done.stderr.strip() or done.stdout.strip() or "it failed").splitlines()[0]
-        raise InputError(f"git {words[0]} failed: {said}")
+        message = (done.stderr.strip() or done.stdout.strip() or "it failed").splitlines()[0]
+        raise InputError(f"git {words[0]} failed: {message}")
     return done.stdout.strip()

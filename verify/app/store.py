@@ -43,12 +43,14 @@ def _adopt(folder: Path) -> None:
     """Move results of an earlier version into the store; errors are only reported."""
     try:
         if moved := adopt(folder):
-            _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
+            _print_message(
+                f"{moved} results of an earlier version were moved into {Store(folder).path}"
+            )
     except OSError as error:
-        _say(str(error))
+        _print_message(str(error))
 
 
-def _say(message: str) -> None:
+def _print_message(message: str) -> None:
     print(f"freewheel: {message}", file=sys.stderr)
 
 
@@ -87,7 +89,7 @@ def _clear(store: Store, which: str) -> None:
         known = ", ".join(sorted({g.kind for g in groups})) or "none"
         raise InputError(f"--clear {which}: no such results are stored; stored kinds: {known}")
     store.clear(kind, subject)
-    _say(f"removed: {sum(g.entries for g in gone):,} results, {size(gone)}")
+    _print_message(f"removed: {sum(g.entries for g in gone):,} results, {size(gone)}")
 
 
 def size(groups: list[Group]) -> str:

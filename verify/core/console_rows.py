@@ -61,20 +61,20 @@ def closing(rows: Sequence[Row]) -> list[str]:
     found += [
         _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
     ]
-    said = ["; ".join(filter(None, found))]
+    found_lines = ["; ".join(filter(None, found))]
     if (row := largest(list(rows))) is not None:
         text, allowed = difference_texts(row)
         judged = f"; {row.status.value}, not judged" if row.status in UNJUDGED else ""
         judged += f"; expected {allowed}" if "to" in allowed else ""
-        said.append(
+        found_lines.append(
             f"largest difference of all comparisons: {text} "
             f"({row.quantity}; reference: {_full_name(row)}{judged})"
         )
     limits = [row.detects for row in rows if row.kind in COMPARED and row.detects is not None
               and row.status not in UNJUDGED]  # fmt: skip
     if limits:
-        said.append(f"detection limit of the judged rows: {percent(max(limits))}")
-    return [*said, *_unjudged(rows)]
+        found_lines.append(f"detection limit of the judged rows: {percent(max(limits))}")
+    return [*found_lines, *_unjudged(rows)]
 
 
 def _counted(rows: Sequence[Row], what: str) -> str:

@@ -93,8 +93,8 @@ def probe(script: str, seconds: float) -> str:
         return ""
     if done.returncode < 0:
         return f"killed by {signal.Signals(-done.returncode).name}"
-    said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-    return said[-1] if said else f"exit status {done.returncode}"
+    messages = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    return messages[-1] if messages else f"exit status {done.returncode}"
 
 
 def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:

@@ -93,13 +93,13 @@ class Inputs(BaseModel):
 
 def _entry(table: str, number: int, entry: Inputs) -> InputValue:
     """One entry of a table as a line with the values that differ from the defaults."""
-    told = [
+    parts = [
         f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
         for name, field in type(entry).model_fields.items()
         if (value := getattr(entry, name)) is not None and value != meta(field)["omitted"]
     ]
     return InputValue(
-        name=f"{table}[{number}]", symbol=f"{table}[{number}]", what=", ".join(told), value="",
+        name=f"{table}[{number}]", symbol=f"{table}[{number}]", what=", ".join(parts), value="",
         unit="1",
     )  # fmt: skip
 
@@ -269,13 +269,13 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
 def missing(model: type[Inputs], needed: Sequence[str]) -> str:
     """Text for required inputs that a file omits: their names, then their descriptions."""
     about = {name: meta(model.model_fields[name]) for name in needed}
-    told = [
+    parts = [
         f"{name}: {one['what']}"
         + (f", symbol {one['symbol']}" if one["symbol"] not in ("", name) else "")
         + ("" if one["unit"] == "1" else f", in {one['unit']}")
         for name, one in about.items()
     ]
-    return f"missing {', '.join(needed)} ({'; '.join(told)})"
+    return f"missing {', '.join(needed)} ({'; '.join(parts)})"
 
 
 def _meant(key: str, model: type[Inputs]) -> str:

@@ -108,7 +108,7 @@ def duration(seconds: float) -> str:
 
 
 @contextmanager
-def told_if_slow(message: str, *, quiet: bool, after: float = FIRST) -> Iterator[None]:
+def message_if_slow(message: str, *, quiet: bool, after: float = FIRST) -> Iterator[None]:
     """Context that prints `message` on stderr if its body takes more than `after` seconds.
 
     At the end, it prints the duration.

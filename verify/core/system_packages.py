@@ -138,7 +138,7 @@ def _without_venv() -> bool:
 def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
     """Install missing packages; returns "", or a message with the command to run."""
     packages = packages_for(libraries, venv)
-    _say(f"installing with apt-get ({FORBIDDEN}=1 forbids it): {' '.join(packages)}")
+    _print_message(f"installing with apt-get ({FORBIDDEN}=1 forbids it): {' '.join(packages)}")
     problem = apt_install(packages)
     if not problem:
         return ""
@@ -168,7 +168,7 @@ def check(machine: Machine) -> str:
     if venv or missing_libraries(MESHES):
         return f"missing {what}; run: {line}"
     if missing:
-        _say(f"without {what}, reports have fewer pictures; run: {line}")
+        _print_message(f"without {what}, reports have fewer pictures; run: {line}")
     return ""
 
 
@@ -176,14 +176,16 @@ def main() -> int:
     try:
         problem = check(this_machine())
     except KeyboardInterrupt:
-        _say("the installation of system libraries was interrupted; the next make continues it")
+        _print_message(
+            "the installation of system libraries was interrupted; the next make continues it"
+        )
         return 130
     if problem:
-        _say(problem)
+        _print_message(problem)
     return 2 if problem else 0
 
 
-def _say(message: str) -> None:
+def _print_message(message: str) -> None:
     print(f"freewheel: {message}", file=sys.stderr, flush=True)
 
 

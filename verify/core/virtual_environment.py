@@ -153,7 +153,9 @@ def install(folder: Path, lock: str, others: set[str]) -> None:
             group = Path(place) / "requirements.txt"
             group.write_text("".join(todo[start : start + GROUP]), "utf-8")
             last = min(start + GROUP, len(todo))
-            say(f"installing packages {start + 1} to {last} of {len(todo)} into {folder.name}")
+            print_message(
+                f"installing packages {start + 1} to {last} of {len(todo)} into {folder.name}"
+            )
             pip(folder, "--require-hashes", "-r", str(group))
 
 
@@ -164,7 +166,7 @@ def install_downloaded(folder: Path, lock: str) -> None:
     whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]
     once = {path.name: str(path) for path in whole}
     if once:
-        say(f"installing packages that were downloaded before: {len(once)}")
+        print_message(f"installing packages that were downloaded before: {len(once)}")
         pip(folder, "--no-index", *once.values())
     shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
 
@@ -190,7 +192,7 @@ def alone() -> Iterator[None]:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            say("another set-up of this folder is running: waiting for its end")
+            print_message("another set-up of this folder is running: waiting for its end")
             fcntl.flock(handle, fcntl.LOCK_EX)
         yield
     finally:
@@ -206,7 +208,7 @@ def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> N
     for name in (READY, FAILED):
         (folder / name).unlink(missing_ok=True)
     if not usable(folder):
-        say(f"making {folder.name} with Python {sys.version.split()[0]}, about a minute")
+        print_message(f"making {folder.name} with Python {sys.version.split()[0]}, about a minute")
         create(folder)
     remove_incomplete(site_packages(folder))
     others: set[str] = set()
@@ -220,7 +222,7 @@ def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> N
     shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
     version = "{}.{}".format(*sys.version_info[:2])
     (folder / READY).write_text(f"{ROOT} {version}\n", "utf-8")
-    say(f"{folder.name} is complete")
+    print_message(f"{folder.name} is complete")
 
 
 def main() -> int:
@@ -238,17 +240,19 @@ def main() -> int:
         with alone():
             set_up(folder, ROOT / words.lock, project=words.project, shared=shared)
     except KeyboardInterrupt:
-        say(f"the set-up of {folder.name} was interrupted; the next make continues it")
+        print_message(f"the set-up of {folder.name} was interrupted; the next make continues it")
         return 130
     except (SetUpError, OSError) as error:
         if folder.is_dir():
             (folder / FAILED).write_text(f"{error}\n", "utf-8")
-        say(f"the set-up of {folder.name} is not complete ({error}); the next make continues it")
+        print_message(
+            f"the set-up of {folder.name} is not complete ({error}); the next make continues it"
+        )
         return 2
     return 0
 
 
-def say(message: str) -> None:
+def print_message(message: str) -> None:
     print(f"freewheel: {message}", file=sys.stderr, flush=True)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from verify.core.case import Case, Dynamic, Output, Values
 from verify.core.figures import Figure, FormulaValue
 from verify.core.inputs import InputError, Inputs
-from verify.core.progress import told_if_slow
+from verify.core.progress import message_if_slow
 from verify.core.results import CaseResult
 from verify.papers.case_report import shown_values
 
@@ -54,7 +54,7 @@ def run_dynamic(
     part = asked_for(case, where)
     try:
         with (
-            told_if_slow(f"{part.what}: compiled the first time, some seconds", quiet=quiet),
+            message_if_slow(f"{part.what}: compiled the first time, some seconds", quiet=quiet),
             np.errstate(all="ignore"),
         ):
             return _ran(part, inputs, values, drawn=drawn)

@@ -34,7 +34,7 @@ def solve(
     folder = _cache_folder() if use_cache and any(job.use_fem for job in work) else None
     with shown(quiet=quiet) as show:
         return run(
-            work, engine=where.entered(), cache_folder=folder, show=show, warn=_say,
+            work, engine=where.entered(), cache_folder=folder, show=show, warn=_print_message,
             judged=judged if where.engine == "local" else None,
         )  # fmt: skip
 
@@ -59,9 +59,9 @@ def _cache_folder() -> Path | None:
     try:
         store.check()
         if moved := adopt(folder):
-            _say(f"{moved} results of an earlier version were moved into {store.path}")
+            _print_message(f"{moved} results of an earlier version were moved into {store.path}")
     except OSError as error:
-        _say(f"{error}: going on without")
+        _print_message(f"{error}: going on without")
         return folder if _is_readable(store) else None
     return folder
 
@@ -73,5 +73,5 @@ def _is_readable(store: Store) -> bool:
         return False
 
 
-def _say(message: str) -> None:
+def _print_message(message: str) -> None:
     print(f"freewheel: {message}", file=sys.stderr, flush=True)

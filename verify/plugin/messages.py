@@ -18,8 +18,8 @@ def failure(row: Row, file: str) -> str:
     """Text for a failed row: numbers in its unit, and the recommended next step."""
     lines = [f"{row.status.value}: {row.reason}", _compared(row), *_judged(row)]
     name = row.quantity.removesuffix(CONVERGENCE)
-    told = shlex.join(["freewheel", "explain", name, file])
-    return "\n".join([*lines, f"next: {_next(row)}", f"each step of the judgement: {told}"])
+    command = shlex.join(["freewheel", "explain", name, file])
+    return "\n".join([*lines, f"next: {_next(row)}", f"each step of the judgement: {command}"])
 
 
 def _compared(row: Row) -> str:

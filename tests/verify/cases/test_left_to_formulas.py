@@ -67,8 +67,8 @@ def left_out(case, q):
 def test_what_finite_elements_cannot_compare_is_left_to_the_formulas(case_id, changes, words):
     case = find(case_id)
     q = own(case, **changes)
-    said = left_out(case, q)
-    assert words in said
-    assert "\n" not in said
+    message = left_out(case, q)
+    assert words in message
+    assert "\n" not in message
     assert case.equations(q, case.analytic(q))
     assert not left_out(case, own(case))

@@ -12,7 +12,7 @@ TEXTS = ("", " ", "0", "-1", "1e30", "3,5", "nan", "5 furlongs", "12", "0.3", "4
 RING = {"r_i": "60 mm", "r_o": "80 mm", "p_i": "100 MPa", "E": "210 GPa", "nu": "0.3"}
 
 
-def quietly(_told: Any) -> None:
+def quietly(_state: Any) -> None:
     """Progress that no one sees."""
 
 

@@ -75,9 +75,9 @@ def test_answers_are_those_of_the_command_line_for_random_inputs(tmp_path: Path)
             except InputError:
                 assert found.verdict == ""
                 continue
-            told = json.loads(output.getvalue())
+            printed = json.loads(output.getvalue())
             checked = check_part(read(path), "my", Options(json=True), ThisProcess())
-            assert found.verdict == told["answer"]["verdict"] == str(checked.answer.verdict)
+            assert found.verdict == printed["answer"]["verdict"] == str(checked.answer.verdict)
             assert {v[0]: v[1] for v in found.values} == {
                 v.symbol: f"{v.value:.6g}" for v in checked.result.values
             }

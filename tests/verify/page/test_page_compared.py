@@ -18,7 +18,7 @@ def side_by_side(case: str, a: dict[str, Any], b: dict[str, Any]) -> str:
 
 
 def _shown(case: str, raw: dict[str, Any]) -> Shown:
-    return shown(case, "my part", raw, False, lambda _told: None)
+    return shown(case, "my part", raw, False, lambda _state: None)
 
 
 def rows(html: str) -> list[list[str]]:

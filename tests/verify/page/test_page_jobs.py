@@ -37,9 +37,9 @@ def sleeping(_tell: Tell) -> None:
 
 
 async def _all(worker: Worker) -> None:
-    told: list[Any] = []
-    assert await worker.ask(doubled, 4, tell=told.append) == 8
-    assert told == ["half"]
+    states: list[Any] = []
+    assert await worker.ask(doubled, 4, tell=states.append) == 8
+    assert states == ["half"]
     with pytest.raises(InputError, match="needs a length"):
         await worker.ask(wrong)
     with pytest.raises(FailedError, match="SystemExit: 3"):

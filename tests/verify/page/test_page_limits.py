@@ -56,8 +56,8 @@ def test_variant_b_is_computed_again_only_where_it_has_changed() -> None:
         ("1", None), ("1", one), ("3", one), ("4", two), ("4", two), ("4", None), ("4", one),
     )]  # fmt: skip
     found = [asyncio.run(answering._of_stored(state)) for state in states]
-    told = [None if one is None else one.design for one in found]
-    assert told == [None, str(one), str(one), str(two), str(two), None, str(one)]
+    designs = [None if one is None else one.design for one in found]
+    assert designs == [None, str(one), str(one), str(two), str(two), None, str(one)]
     assert asked == [one, two, one]
     asyncio.run(answering._of_stored(State("b", "my", {"x": "4"}, one)))
     assert asked[3:] == [one]  # of another case

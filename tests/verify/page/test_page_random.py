@@ -41,7 +41,7 @@ def text_of(made: random.Random, before: str) -> str:
     return f"{float(number) * made.uniform(0.95, 1.05):.5g}{made.choice((f' {unit}', unit, ''))}"
 
 
-def told(state: State, folder: Path) -> tuple[str, dict[str, str]]:
+def printed_answer(state: State, folder: Path) -> tuple[str, dict[str, str]]:
     """Verdict and values of `freewheel check --json`; "" where the inputs are refused."""
     path, output = folder / "my.toml", io.StringIO()
     path.write_text(parameter_file(state), "utf-8")
@@ -98,7 +98,7 @@ def test_answers_after_random_edits_are_those_of_the_command_line(
         assert before is not None
         field, place, text, state = edited(case, before, made)
         put(page, field, place, text)
-        expected = (state.raw, *told(state, tmp_path))
+        expected = (state.raw, *printed_answer(state, tmp_path))
         with contextlib.suppress(AssertionError):  # the next line tells what differs
             page.until(lambda: displayed(page) == expected, 20)  # noqa: B023
         assert displayed(page) == expected

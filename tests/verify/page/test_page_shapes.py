@@ -175,5 +175,5 @@ def test_a_case_without_fields_is_refused_before_it_is_solved() -> None:
         tasks.fields("spring-curve", "my", as_values(case.raw, case.whole), _never)
 
 
-def _never(_told: Any) -> None:
+def _never(_state: Any) -> None:
     raise AssertionError("a mesh is solved")

@@ -81,7 +81,7 @@ def output(project):
 
 @pytest.mark.slow("pytest in a separate process on cases that are solved")
 def test_a_failure_states_what_is_wrong_without_a_traceback(output):
-    for file, says in (
+    for file, message in (
         ("case_wrong.py: stress at the inner edge", "FAIL: model error +4.58"),
         ("case_wrong.py: stress at the inner edge", "value 81.1151 MPa, reference 77.5628 MPa"),
         ("case_wrong.py: stress at the inner edge", "next: check the formula"),
@@ -101,7 +101,7 @@ def test_a_failure_states_what_is_wrong_without_a_traceback(output):
         ("mistyped.toml: check", "inputs.T"),
     ):  # fmt: skip
         assert file in output
-        assert says in output.partition(f" {file} _")[2].partition("\n____")[0] + "\n"
+        assert message in output.partition(f" {file} _")[2].partition("\n____")[0] + "\n"
     assert "Traceback" not in output
     assert "INTERNALERROR" not in output
     assert output.count("install it") == 1  # no extra contains the other missing module
@@ -153,8 +153,10 @@ def test_junit_has_status_verdict_and_margin_of_a_part(project):
 def test_the_plugin_loads_no_library_of_the_suite_before_a_file_is_collected():
     code = "import pytest, sys; known = {*sys.modules}; import verify.plugin; " \
         "print(*{*sys.modules} - known)"  # fmt: skip
-    told = subprocess.run((sys.executable, "-c", code), capture_output=True, text=True, check=True)
-    assert set(told.stdout.split()) == {"verify", "verify.plugin"}
+    process = subprocess.run(
+        (sys.executable, "-c", code), capture_output=True, text=True, check=True
+    )
+    assert set(process.stdout.split()) == {"verify", "verify.plugin"}
     assert {kind.value for kind in Kind} == set(KINDS)
 
 

@@ -58,8 +58,8 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
     _print(lines, {cross.id for cross, _ in standing}, broken)
     for name in SOLVERS:
         print(f"{name}: {there[name].missing or there[name].version}")
-    for said in _counts(lines, [found for _, found in standing], left):
-        print(said)
+    for printed in _counts(lines, [found for _, found in standing], left):
+        print(printed)
     outside = sum(line.state is CrossState.OUTSIDE for line in lines)
     return 1 if outside or broken else 0
 
@@ -135,9 +135,9 @@ def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
         (cross, folder / cross.file / f"deck.{'inp' if cross.solver == CALCULIX else 'json'}")
         for cross in crosses
     ]
-    said = [f"cd {c.file} && {rerun(c.solver, deck)}" for c, deck in decks if deck.exists()]
-    if said:
-        (folder / "RERUN.txt").write_text("\n".join(said) + "\n", "utf-8")
+    printed = [f"cd {c.file} && {rerun(c.solver, deck)}" for c, deck in decks if deck.exists()]
+    if printed:
+        (folder / "RERUN.txt").write_text("\n".join(printed) + "\n", "utf-8")
 
 
 def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:

@@ -54,8 +54,8 @@ def run_design(
     if out is not None:
         made = files(outcome, command(path, choose, use_fem=use_fem))
         _write(made, out)
-        told = f"written: {', '.join(str(out / name) for name in made)}"
-        print(told, file=sys.stderr if as_json else sys.stdout)
+        message = f"written: {', '.join(str(out / name) for name in made)}"
+        print(message, file=sys.stderr if as_json else sys.stdout)
     return EXIT_STATUS[found.verdict] if outcome.passed else EXIT_STATUS[Verdict.FAILS]
 
 

@@ -69,8 +69,8 @@ def run_design(
                 write_whole(out / name, partial(_fill, text))
             except OSError as error:
                 raise OSError(f"{out / name} cannot be written: {error.strerror}") from error
-        told = f"written: {', '.join(str(out / name) for name in made)}"
-        print(told, file=sys.stderr if as_json else sys.stdout)
+        message = f"written: {', '.join(str(out / name) for name in made)}"
+        print(message, file=sys.stderr if as_json else sys.stdout)
     return EXIT_STATUS[found.verdict] if outcome.passed else EXIT_STATUS[Verdict.FAILS]
 
 

@@ -68,7 +68,7 @@ class Answering:
         self.screen.busy.set_content("")
         self._display(found)
         self.screen.tools.show_compared(found, other)
-        self.screen.tools.tell_old()
+        self.screen.tools.mark_outdated()
         ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
 
     async def _asked(self, state: State) -> Shown:

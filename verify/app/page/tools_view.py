@@ -64,14 +64,14 @@ class Tools:
         for job in self.jobs:
             job.cancel()
 
-    def tell_old(self) -> None:
+    def mark_outdated(self) -> None:
         """Mark the result of a job if it does not belong to the present inputs."""
         for name, raw in self.made.items():
             self.old[name].set_content(OLD if raw != self.screen.session.state.raw else "")
 
     def _is_made(self, name: str, raw: Any) -> None:
         self.made[name] = raw
-        self.tell_old()
+        self.mark_outdated()
 
     async def _fem(self, worker: Worker, tell: Tell) -> None:
         state = self.screen.session.state

@@ -54,8 +54,8 @@ def run_sweep(
         print(made["sweep.json"].decode(), end="")
     else:
         print_outcome(found, verdict_in_words)
-    told = f"written: {', '.join(str(folder / name) for name in made)}"
-    print(told, file=sys.stderr if as_json else sys.stdout)
+    message = f"written: {', '.join(str(folder / name) for name in made)}"
+    print(message, file=sys.stderr if as_json else sys.stdout)
     return 1 if any(map(_has_failed, (found.problems, *(c.problems for c in found.courses)))) else 0
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from verify.audit.mutation import groups, references, score
 from verify.audit.mutation.baseline import Notes
 from verify.audit.mutation.campaign import Campaign
-from verify.audit.mutation.console import told
+from verify.audit.mutation.console import print_score
 from verify.audit.mutation.digest import digest
 from verify.audit.mutation.outcomes import Outcomes
 from verify.audit.mutation.workload import loads
@@ -46,11 +46,11 @@ def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> in
 def _references(show: Show) -> Any:
     start = time.monotonic()
 
-    def told(done: int, every: int, case: str) -> None:
+    def show_progress(done: int, every: int, case: str) -> None:
         left = (time.monotonic() - start) / max(done, 1) * (every - done)
         show(State(done, every, (case,) * bool(case), left, what="references moved, cases"))
 
-    return references.measured(CASES, cache.default_folder(), show=told)
+    return references.measured(CASES, cache.default_folder(), show=show_progress)
 
 
 def _concluded(found: dict[str, Any], code: str, *, is_kept: bool) -> int:
@@ -58,7 +58,7 @@ def _concluded(found: dict[str, Any], code: str, *, is_kept: bool) -> int:
         if is_kept:
             score.keep(name, one, code)
     caught = score.caught(found)
-    told(caught)
+    print_score(caught)
     complaints = score.complaints(caught)
     for complaint in complaints:
         print(complaint)

@@ -6,7 +6,7 @@ from typing import Any
 from verify.core.results import Caught, MutantGroup, Survivor
 
 
-def told(caught: Caught) -> None:
+def print_score(caught: Caught) -> None:
     """Print the counts of each group and the undetected mutants, those without a reason first."""
     if caught.references:
         for line in moved(caught.references):

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from verify.audit.mutation import resolve as anew
+from verify.audit.mutation import resolve as resolving
 from verify.audit.mutation import trial
 from verify.audit.mutation.baseline import Noted, Notes
 from verify.audit.mutation.sample import is_constant, reached, readers, sample
@@ -138,7 +138,7 @@ def _of(changed: Changed, benches: Mapping[str, list[Bench]]) -> list[Bench]:
 def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
     def task(changed: Changed) -> Task:
         mine = _of(changed, benches)
-        stored, quick, _ = anew.split(changed.mutant.module, mine)
+        stored, quick, _ = resolving.split(changed.mutant.module, mine)
         return _task(changed, stored, quick)
 
     return task
@@ -146,14 +146,14 @@ def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
 
 def _solving_last(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task | None]:
     def task(changed: Changed) -> Task | None:
-        *_, slow = anew.split(changed.mutant.module, _of(changed, benches))
+        *_, slow = resolving.split(changed.mutant.module, _of(changed, benches))
         return _task(changed, [], slow) if slow else None
 
     return task
 
 
 def _task(changed: Changed, stored: Sequence[Bench], moved: Sequence[Bench]) -> Task:
-    known = sum(bench.before.seconds for bench in (*stored, *moved)) + anew.seconds(moved)
+    known = sum(bench.before.seconds for bench in (*stored, *moved)) + resolving.seconds(moved)
     work = partial(trial.tried, changed, stored, moved)
     return Task(changed.mutant.id, work, LEAST + FACTOR * known)
 

@@ -76,17 +76,17 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
     error of the model changes all levels by the same amount.
     """
     case, load = bench.load.case, bench.load
-    anew: dict[int, FemResult] = {}
+    solved_levels: dict[int, FemResult] = {}
     try:
         for level in levels:
-            anew[level] = case.reference(load.inputs, level)
+            solved_levels[level] = case.reference(load.inputs, level)
     except Exception as error:
         by = By.REFUSED if refuses(error) else By.CRASHED
         return [by.value, f"{case.id}: {named(error)}"[:200]]
     first = case.levels.index(levels[0])
-    shifts = Shift(load.levels[first], anew[levels[0]])
+    shifts = Shift(load.levels[first], solved_levels[levels[0]])
     results = tuple(
-        anew[level] if level in anew else shifts.of(stored)
+        solved_levels[level] if level in solved_levels else shifts.of(stored)
         for level, stored in zip(case.levels, load.levels, strict=True)
     )
     judged = Load(case, load.inputs, results, load.values).judged()

@@ -104,10 +104,10 @@ def _shares(one: Figure) -> tuple[str, str]:
     """
     most = RECORDED_DIGITS + 1 if one.stated else 4
     for digits in range(4, most + 1):
-        told = share(one.was, digits), share(one.now, digits)
-        if told[0] != told[1]:
+        texts = share(one.was, digits), share(one.now, digits)
+        if texts[0] != texts[1]:
             break
-    return told
+    return texts
 
 
 def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) -> tuple[str, str]:
@@ -116,10 +116,10 @@ def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) ->
     The number of digits distinguishes both runs. The last digit is at most 1e-4 of the width.
     """
     for more in range(RECORDED_DIGITS):
-        told = _range(was, more), _range(now, more)
-        if told[0] != told[1]:
+        texts = _range(was, more), _range(now, more)
+        if texts[0] != texts[1]:
             break
-    return told
+    return texts
 
 
 def _range(interval: tuple[float, float] | None, more: int) -> str:

@@ -41,8 +41,8 @@ def summary(found: Drift) -> str:
         (len(found.unexplained), "{} of them without a reason"),
         (found.tightened, "{} tightened"),
     ]
-    told = [words.format(n) for n, words in counts if n]
-    return ", ".join([f"{found.compared} rows compared", *(told or ["no changes"])])
+    parts = [words.format(n) for n, words in counts if n]
+    return ", ".join([f"{found.compared} rows compared", *(parts or ["no changes"])])
 
 
 def line(change: Change) -> str:

@@ -43,7 +43,7 @@ def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
     return CaseBudget(
         case=plan.case.id, title=plan.case.title, date=found.date, seconds=found.seconds,
         rows=tuple(
-            _row(one, rows, plan.says.reason(one.pair.name), headline=one.pair.name == drawn)
+            _row(one, rows, plan.statement.reason(one.pair.name), headline=one.pair.name == drawn)
             for one in found.rows
         ),
     )  # fmt: skip
@@ -54,8 +54,8 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 
     This is the row named in the plan or, by default, the first approximation.
     """
-    if plan.says.headline:
-        return plan.says.headline
+    if plan.statement.headline:
+        return plan.statement.headline
     first = (one for one in rows if one.pair.kind is Kind.APPROXIMATION)
     return next((one.pair.name for one in first), "")
 

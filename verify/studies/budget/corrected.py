@@ -18,11 +18,11 @@ from verify.studies.sweep.pairs import Pair
 
 def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
     """Budgets of all rows that have values of formula and finite elements on the finest mesh."""
-    says = {pair.name: plan.says.correction(pair.name) for pair in plan.rows}
-    twins = tuple(_twin(pair, says[pair.name]) for pair in plan.rows)
+    statement = {pair.name: plan.statement.correction(pair.name) for pair in plan.rows}
+    twins = tuple(_twin(pair, statement[pair.name]) for pair in plan.rows)
     mine = {pair.name: pair for pair in plan.rows}
     return tuple(
-        one if (by := says[one.pair.name]) is None
+        one if (by := statement[one.pair.name]) is None
         else _printed(mine[one.pair.name], one, by, plan, solutions)
         for one in found.budgets(replace(plan, rows=twins), solutions)
     )  # fmt: skip

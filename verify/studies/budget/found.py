@@ -82,7 +82,7 @@ class _Reader:
         return found
 
     def discretisation(self, pair: Pair) -> Part:
-        levels, finer = self.plan.case.levels, self.plan.says.finer
+        levels, finer = self.plan.case.levels, self.plan.statement.finer
         mine = [self.values(pair, (AS_IT_IS,), k) for k in levels]
         h = [self.solutions[Step(self.plan.case.id, (AS_IT_IS,), k)].h for k in levels]
         order = sums.observed(h, [v.fe for v in mine], pair.claim.formal, mine[-1].scale)

@@ -22,14 +22,14 @@ class Plan:
     """A case, its statements on the budget, and its rows with a budget."""
 
     case: Case
-    says: Statement
+    statement: Statement
     rows: tuple[Pair, ...]
 
     @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
         """Reruns that remove one cause each, by the name of the cause."""
-        own = self.says.reruns
-        causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
+        own = self.statement.reruns
+        causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.statement.without)}
         levels = next((rerun.levels for rerun in own), ())  # the same levels as the other reruns
         generic = () if Cause.CONTACT in causes else contact(self.case, levels)
         return {rerun.name: rerun for rerun in (*generic, *own)}
@@ -37,7 +37,7 @@ class Plan:
     @property
     def without(self) -> tuple[Without, ...]:
         """Causes that do not exist in the case, as stated by the case or in general."""
-        own = {one.cause: one for one in self.says.without}
+        own = {one.cause: one for one in self.statement.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
@@ -85,8 +85,8 @@ def first(plan: Plan) -> tuple[Step, ...]:
     """Steps of the first round: unchanged, finer, tighter tolerances, single causes removed."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
-    if plan.says.finer:
-        found.append(Step(case.id, (FINER,), plan.says.finer))
+    if plan.statement.finer:
+        found.append(Step(case.id, (FINER,), plan.statement.finer))
     if tolerances(case, TIGHTER):
         found.append(Step(case.id, (TIGHT,), case.levels[0]))
     for name, rerun in plan.reruns.items():

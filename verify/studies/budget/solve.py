@@ -64,8 +64,10 @@ def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
     except Exception as error:  # gmsh raises Exception itself
         if of_machine(error):
             raise
-        said = str(error) if unsolved(error) else named(error)
-        found = Solution({}, {}, {}, math.nan, time.perf_counter() - start, " ".join(said.split()))
+        reason = str(error) if unsolved(error) else named(error)
+        found = Solution(
+            {}, {}, {}, math.nan, time.perf_counter() - start, " ".join(reason.split())
+        )
     if store is not None and not found.problem:
         content = json.dumps(asdict(found)).encode()
         store.store(KIND, plan.case.id, {key(plan, step): content})

@@ -64,16 +64,16 @@ def keep(plan: Plan, found: Sequence[RowBudget], seconds: float) -> None:
 
 def _made_by(plan: Plan) -> dict[str, Any]:
     """All data on which the numbers depend."""
-    case, says = plan.case, plan.says
+    case, statement = plan.case, plan.statement
     return {
         "arithmetic": _hash(*ARITHMETIC),
         "inputs": case.inputs().model_dump(),
         "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.reference)],
-        "levels": [*case.levels, says.finer],
+        "levels": [*case.levels, statement.finer],
         "rows": [pairs.signature(pair) for pair in plan.rows],
         "reruns": [_signature(plan, name) for name in plan.reruns],
         "without": [f"{one.cause}: {one.why}" for one in plan.without],
-        **({"corrected": [_hash(corrected), *_corrections(plan)]} if says.corrected else {}),
+        **({"corrected": [_hash(corrected), *_corrections(plan)]} if statement.corrected else {}),
     }
 
 
@@ -83,7 +83,7 @@ def _hash(*modules: ModuleType) -> str:
 
 
 def _corrections(plan: Plan) -> list[list[str]]:
-    return [[one.row, one.key, one.what] for one in plan.says.corrected]
+    return [[one.row, one.key, one.what] for one in plan.statement.corrected]
 
 
 def _signature(plan: Plan, name: str) -> list[Any]:

@@ -18,8 +18,8 @@ def halved(name: str, symbol: str = "") -> Reading:
     return _scaled(name, symbol, 0.5, f"{symbol or name}/2 for {symbol or name}")
 
 
-def _scaled(name: str, symbol: str, factor: float, said: str) -> Reading:
-    return Reading(name=said, of=symbol or name, inputs=lambda q: {name: q[name] * factor})
+def _scaled(name: str, symbol: str, factor: float, description: str) -> Reading:
+    return Reading(name=description, of=symbol or name, inputs=lambda q: {name: q[name] * factor})
 
 
 def length(name: str, symbol: str = "") -> list[Reading]:
@@ -37,8 +37,8 @@ def angle(name: str, symbol: str = "") -> list[Reading]:
         f"radians taken as degrees in {s}": math.radians,
     }
     return length(name, symbol) + [
-        Reading(name=said, of=s, inputs=lambda q, f=f: {name: f(q[name])})  # type: ignore[misc]
-        for said, f in changes.items()
+        Reading(name=description, of=s, inputs=lambda q, f=f: {name: f(q[name])})  # type: ignore[misc]
+        for description, f in changes.items()
     ]
 
 
@@ -73,11 +73,11 @@ def result() -> list[Reading]:
         "over π": 1 / math.pi,
     }
     return [
-        Reading(name=said, of=ROOT, result=lambda v, _q, f=f: v * f)  # type: ignore[misc]
-        for said, f in factors.items()
+        Reading(name=description, of=ROOT, result=lambda v, _q, f=f: v * f)  # type: ignore[misc]
+        for description, f in factors.items()
     ]
 
 
-def switched(name: str, said: str, **values: object) -> Reading:
+def switched(name: str, description: str, **values: object) -> Reading:
     """Reading with other `values` of the inputs that select the option `name` of the formula."""
-    return Reading(name=said, of=name, inputs=lambda _q: values)
+    return Reading(name=description, of=name, inputs=lambda _q: values)

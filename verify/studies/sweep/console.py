@@ -42,11 +42,11 @@ def print_outcome(found: Outcome, verdict: Verdict = lambda *_: "") -> None:
 
     `verdict` returns the verdict on a row of a grid in words.
     """
-    for line in told(found, verdict):
+    for line in lines_of(found, verdict):
         print(line)
 
 
-def told(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
+def lines_of(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
     """Lines of `print_outcome`, at most WIDE characters wide.
 
     Rows are described in full until there are LINES lines.

@@ -46,12 +46,12 @@ def table(found: Outcome) -> tuple[list[str], bool]:
         lines = [line[:-1] for line in lines]
         short = shortened(names, max(NAME, _room(lines)))
     heads = ("", *short)
-    told_of = aligned([(head, *line[1:]) for head, line in zip(heads, lines, strict=True)])
+    printed = aligned([(head, *line[1:]) for head, line in zip(heads, lines, strict=True)])
     if more := worst(found)[len(shown) :]:
         errors = [largest(course) is not None for course in more]
         what = "smaller errors" + " or none" * (not all(errors)) if any(errors) else "no error"
-        told_of.append(f"({counted(len(more), 'more row')} with {what} in points.csv)")
-    return told_of, placed
+        printed.append(f"({counted(len(more), 'more row')} with {what} in points.csv)")
+    return printed, placed
 
 
 def _room(lines: Sequence[tuple[str, ...]]) -> int:

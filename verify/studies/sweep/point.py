@@ -106,7 +106,7 @@ def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
         values = case.analytic(inputs)
         return replace(found, formulas={key: float(value) for key, value in values.items()})
     except Exception as error:  # any error concerns only this point
-        problem = _said("formulas", error)
+        problem = _message("formulas", error)
         return replace(found, problem_formulas=problem, lost=of_machine(error))
 
 
@@ -116,7 +116,7 @@ def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
         try:
             levels.append(part.fem(inputs, level))
         except Exception as error:  # gmsh raises Exception itself
-            problem = _said(f"level {level}", error)
+            problem = _message(f"level {level}", error)
             return replace(found, problem_fe=problem, lost=of_machine(error))
     keys = dict.fromkeys(key for one in levels for key in one.values)
     return replace(
@@ -127,7 +127,7 @@ def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
     )
 
 
-def _said(where: str, error: Exception) -> str:
+def _message(where: str, error: Exception) -> str:
     if unsolved(error):
         return f"not converged: {where}: {' '.join(str(error).split())}"
     return f"{where}: {named(error)}"

@@ -89,9 +89,9 @@ def _points(found: Outcome) -> dict[str, Any]:
 
 def _counts(found: Outcome) -> dict[str, Any]:
     of = statuses(found)
-    told = Counter(reason for reason in reasons(found) if reason)
+    counts = Counter(reason for reason in reasons(found) if reason)
     return {status: of.count(status) for status in (SOLVED, REFUSED, FAILED)} | {
-        "reasons": [{"reason": reason, "points": count} for reason, count in told.most_common()]
+        "reasons": [{"reason": reason, "points": count} for reason, count in counts.most_common()]
     }
 
 

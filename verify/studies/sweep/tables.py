@@ -32,13 +32,13 @@ def statuses(found: Outcome) -> tuple[str, ...]:
 
 def reasons(found: Outcome) -> tuple[str, ...]:
     """For each point, why some or all rows cannot be compared; empty for most points."""
-    told = []
+    texts = []
     for n, problem in enumerate(found.problems):
         rows = Counter(course.problems[n] for course in found.courses if course.problems[n])
         some = (f"{problem} in {count} of {len(found.courses)} rows" if len(found.courses) > 1
                 else problem for problem, count in rows.items())  # fmt: skip
-        told.append(problem.removeprefix(f"{REFUSED}: ") or "; ".join(some))
-    return tuple(told)
+        texts.append(problem.removeprefix(f"{REFUSED}: ") or "; ".join(some))
+    return tuple(texts)
 
 
 def largest(course: Course) -> int | None:

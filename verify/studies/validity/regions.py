@@ -59,9 +59,9 @@ def _range(one: Range) -> str:
 
 def _alone(ranges: Sequence[Range]) -> str:
     """Text of the ranges of single inputs; inputs without a restriction come last."""
-    told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
+    texts = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
-    return "; ".join([*told, f"{whole} alone throughout"] if whole else told)
+    return "; ".join([*texts, f"{whole} alone throughout"] if whole else texts)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:

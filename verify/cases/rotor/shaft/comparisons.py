@@ -47,9 +47,9 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
     first = BeamTheories.at_rest(1)
     yield limit(first, "Euler's beam as d/L goes to 0", "ω", points=partial(_euler_limit, beam),
                 exponent=2)  # fmt: skip
-    anew = FormulasLimit(name="Timoshenko's beam as d/L goes to 0", symbol="ω", unit="1",
+    limit_check = FormulasLimit(name="Timoshenko's beam as d/L goes to 0", symbol="ω", unit="1",
                          points=lambda _: _timoshenko_limit(beam), exponent=4)  # fmt: skip
-    yield Comparison(check=anew, quantity=first)
+    yield Comparison(check=limit_check, quantity=first)
     yield from _orders(beam)
     stated: dict[str, Any] = {"symbol": "ω", "unit": "rad/s", "source": SUBJECT}
     within = Agreement(name="Timoshenko's beam is within 0.2 % of the elastic body, modes 1 to 3",

@@ -38,7 +38,7 @@ def solve(q: BucklingInputs, level: int) -> Level:
     """
     from fem.beam.pressed import PLACES
     from fem.beam.pressed_path import both_paths, deflected, drifts
-    from fem.beam.released import gives_way, linear_load
+    from fem.beam.released import buckling_state, linear_load
 
     values: dict[str, float] = unit_fem(q, level)
     u_it: dict[str, float] = {}
@@ -46,7 +46,7 @@ def solve(q: BucklingInputs, level: int) -> Level:
     fields: list[Field] = []
     for tail in TAILS:
         one = spring(q, q.path | {"tail": tail}, q.b, level)
-        U, u, state = gives_way(one, LAST * q.length)
+        U, u, state = buckling_state(one, LAST * q.length)
         if state is None:  # the elastica has a critical point, else the case refuses the inputs
             raise ArithmeticError(
                 "the spring with a free head has no critical point up to a displacement of "
@@ -78,13 +78,13 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
 
     The varied inputs are b on one centre line, n at a given L_0/b, n, and both n and L_1.
     """
-    from fem.beam.released import gives_way
+    from fem.beam.released import buckling_state
 
     own = q.path | {"tail": "arc"}
     by_b = []
     for share in THICKNESSES:
         one = spring(q, own, share * q.b, SWEPT)
-        U, _, state = gives_way(one, LAST * q.length)
+        U, _, state = buckling_state(one, LAST * q.length)
         by_b.append((share * q.b, U, one.force(state) if state else math.nan))
     ratio = []
     for n in SAME_RATIO:
@@ -104,9 +104,9 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
 
 def shortening(one: "PressedFrame", length: float) -> float:
     """Relative shortening at which a spring with a free head buckles; nan if it does not."""
-    from fem.beam.released import gives_way
+    from fem.beam.released import buckling_state
 
-    return gives_way(one, LAST * length)[0] / length
+    return buckling_state(one, LAST * length)[0] / length
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:

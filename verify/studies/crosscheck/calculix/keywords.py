@@ -72,8 +72,8 @@ def equation(deck: TextIO, terms: Sequence[Term]) -> None:
 
     calculix eliminates the first term, and reads four terms per line.
     """
-    said = [f"{node},{component},{factor:.12e}" for node, component, factor in terms]
-    rows = [",".join(said[i : i + 4]) for i in range(0, len(said), 4)]
+    entries = [f"{node},{component},{factor:.12e}" for node, component, factor in terms]
+    rows = [",".join(entries[i : i + 4]) for i in range(0, len(entries), 4)]
     deck.write("*EQUATION\n" + "\n".join([str(len(terms)), *rows, ""]))
 
 

@@ -100,11 +100,11 @@ def run(problem: Problem, deck: Path, limit: float = 300.0) -> Answer:
 
 def answer(problem: Problem, deck: Path, seconds: float = 0.0) -> Answer:
     """Results of a solved deck, from the files in its folder."""
-    said = deck.with_suffix(".dat")
-    u = np.array(blocks(said, "displacements"))[:, :, 1:3]
+    output = deck.with_suffix(".dat")
+    u = np.array(blocks(output, "displacements"))[:, :, 1:3]
     force = np.zeros((0, 2))
     if moved_by(problem):
-        force = np.array(blocks(said, "total force"))[:, 0, :2] / problem.width
+        force = np.array(blocks(output, "total force"))[:, 0, :2] / problem.width
     return Answer(u, force, seconds)
 
 

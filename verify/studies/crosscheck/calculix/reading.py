@@ -45,8 +45,8 @@ def blocks(dat: Path, title: str) -> list[Array]:
 
     Raises LookupError if the file contains no such table.
     """
-    said = dat.read_text("ascii")
-    heads = re.findall(rf" {title}[^\n]*\n\s*\n((?:[ ]+[-+.\dE]+[^\n]*\n)+)", said)
+    text = dat.read_text("ascii")
+    heads = re.findall(rf" {title}[^\n]*\n\s*\n((?:[ ]+[-+.\dE]+[^\n]*\n)+)", text)
     if not heads:
         raise LookupError(f"{dat.name} has no table of {title}")
     return [np.array([[float(x) for x in row.split()] for row in h.splitlines()]) for h in heads]

@@ -36,8 +36,8 @@ def executable() -> str | None:
 
 def version() -> str:
     """Version that calculix prints."""
-    said = subprocess.run([str(executable()), "-v"], capture_output=True, text=True, check=False)  # noqa: S603
-    return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
+    output = subprocess.run([str(executable()), "-v"], capture_output=True, text=True, check=False)  # noqa: S603
+    return " ".join(re.findall(r"Version\s+(\S+)", output.stdout)) or "unknown"
 
 
 def start() -> float:
@@ -57,10 +57,10 @@ def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
     log = deck.with_suffix(".log")
     before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    with log.open("w", encoding="utf-8") as said:
+    with log.open("w", encoding="utf-8") as output:
         try:
             done = subprocess.run(  # noqa: S603
-                command, cwd=deck.parent, env=environment, stdout=said,
+                command, cwd=deck.parent, env=environment, stdout=output,
                 stderr=subprocess.STDOUT, check=False, timeout=limit,
             )  # fmt: skip
         except subprocess.TimeoutExpired:

@@ -101,8 +101,8 @@ def posed(
         }
         if unbalance:
             masses: dict[int, complex] = {}
-            told = zip(*(unbalance[k] for k in ("nodes", "magnitudes", "phases")), strict=True)
-            for node, size, phase in told:
+            forces = zip(*(unbalance[k] for k in ("nodes", "magnitudes", "phases")), strict=True)
+            for node, size, phase in forces:
                 masses[node] = masses.get(node, 0.0) + size * np.exp(1j * phase)
             axes = unbalance_response(rotor, np.array(speeds), masses).major(unbalance["probe"])
             found |= {f"orbit, speed {i}": float(a) for i, a in enumerate(axes, 1)}
