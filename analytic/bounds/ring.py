@@ -25,11 +25,12 @@ Interval = tuple[float, float]
 def smeared_error(
     *, mean: float, at: float, load: float, indentation: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Interval of the error of `mean` + `added` against the reference `at` - `indentation`.
+    """Interval of the error of the displacement of a loaded wall by Eq. 6.
 
-    The displacements [length] are those of the loaded wall: `mean` by Eq. 6, `at` the evaluated
-    place, and `load` at a load. The tolerance is ACCEPTED. None if `at` minus `indentation` is less
-    than PART of the displacement at a load.
+    The formula is `mean` + `added`, and the reference is `at` - `indentation`. The displacements
+    [length] are those of the loaded wall: `mean` by Eq. 6, `at` the evaluated place, and `load` at
+    a load. The tolerance is ACCEPTED. None if `at` minus `indentation` is less than PART of the
+    displacement at a load.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)

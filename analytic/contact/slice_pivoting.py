@@ -27,10 +27,11 @@ ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps co
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Forces of slices for S (cases, n, n), f (cases, n); derivatives if f changes at `rate`.
+    """Forces q of slices with S q = f where loaded, and their derivatives if f changes at `rate`.
 
-    `carries` is the initial set of loaded slices; it is changed in place to the final set. Raises
-    ArithmeticError if the search does not terminate.
+    The shape of S is (cases, n, n), that of f and `rate` (cases, n). `carries` is the initial set
+    of loaded slices; it is changed in place to the final set. Raises ArithmeticError if the search
+    does not terminate.
     """
     q, growth = np.zeros_like(f), np.zeros_like(f)
     best = np.full(len(f), f.shape[1] + 1)

@@ -44,9 +44,10 @@ class Solved:
 
 @dataclass(frozen=True)
 class Response:
-    """Displacements u (N, n) under s, bands (M, N, n) of u/s and du/ds near the diagonal, far part.
+    """Displacements u (N, n) under the loads s, and the matrices u/s and du/ds.
 
-    For m > 0, the bands are differences from the logarithm of far[0].
+    `ratios` and `slopes` (M, N, n) are the bands of both matrices near the diagonal; for m > 0,
+    they are differences from the logarithm of far[0]. `far` are the matrices of distant strips.
     """
 
     u: Array

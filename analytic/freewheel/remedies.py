@@ -49,7 +49,7 @@ def ratios(duty: Duty, clutch: RollerClutch) -> Array:
 
 
 def moved_to(duty: Duty, goal: float) -> float:
-    """Smallest outward shift dX [m] of the flats with mu/mu_req = `goal`; nan if there is none."""
+    """Smallest outward shift dX [m] of the flats at which mu/mu_req is `goal`; nan if none is."""
     return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
 
 

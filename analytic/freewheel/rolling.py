@@ -25,7 +25,7 @@ from analytic.freewheel.cam import Cam
 
 
 def integrated(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-    """Change [length], from no load on, of the term x + y G of R phi; sign of an inner cam."""
+    """Change of x + y G [length] from zero load on: a part of R phi of an inner cam."""
     (x_0, y_0), (x, y) = cam.centre(d_i=0.0, d_o=0.0), cam.centre(d_i=d_i, d_o=d_o)
     return np.asarray(x - x_0 + y * np.arcsinh(x / y) - y_0 * np.arcsinh(x_0 / y_0))
 

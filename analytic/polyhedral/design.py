@@ -113,7 +113,7 @@ class PolyhedralClutch:
 
     @property
     def direction(self) -> float:
-        """Angle gamma [rad] from the normal of the flat to the projection of R, as selected."""
+        """Angle gamma [rad] between the flat's normal and the direction on which R is projected."""
         return 0.0 if self.gamma == "normal" else self.parts.psi
 
     @property

@@ -23,7 +23,7 @@ POINTS = 40
 
 
 def weights(m: Array, alpha: float) -> Array:
-    """Fourier coefficients J_m of a semi-elliptic pressure over its mean; 1 for a zero width."""
+    """Fourier coefficients J_m of a semi-elliptic pressure of mean 1; 1 for a zero width."""
     return np.asarray(2 * j1(m * alpha) / (m * alpha))
 
 

@@ -28,7 +28,7 @@ Compliances = tuple[float, float, float]
 
 
 def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliances:
-    """Compliances [length/force]: c by Eq. 6 plus Hertz's indentation, c by the Fourier ring, g.
+    """Compliances [length/force] c by Eq. 6 with indentation, c by the Fourier ring, and g.
 
     The deflection under N is N (c - g ln(N/N_0)). Each sprag has the radius R at the contact and
     the force N_0 = F on the length L. Both values of c contain the indentation of the sprag.

@@ -85,7 +85,7 @@ def dynamic_stiffness(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> Array:
 
 
 def pieces(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> NDArray[np.int64]:
-    r"""Number of equal pieces with which a clamped piece has no natural frequency below omega.
+    r"""Number of equal pieces of a shaft, each without a natural frequency below omega if clamped.
 
     By Poincaré's inequality, with \|r'\|² <= 2\|r' - phi\|² + 2\|phi\|², the energy of a clamped
     piece stays positive where 2 s b <= pi² and 2 b/pi² + t <= pi²; n pieces have s n², b/n⁴, t/n².

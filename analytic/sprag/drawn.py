@@ -33,7 +33,7 @@ def middles(length: float, n: int) -> Array:
 
 
 def crown_drop(y: Array, *, length: float, A: float, K_2: float, z_m: float) -> Array:
-    """Drop [m] of a crown of depth A [m] at the distance y from mid-length (Eq. 1 in its range)."""
+    """Drop [m] of a crown of depth A [m] at the distance y [m] from mid-length (by Eq. 1)."""
     crowns = K_2 * length / 2
     t = np.clip((np.abs(y) - (length / 2 - crowns)) / crowns, 0.0, 1.0)
     return np.asarray(-A * np.log(1 - (1 - math.exp(-z_m / A)) * t**2))

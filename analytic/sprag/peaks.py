@@ -42,7 +42,7 @@ class Peaks:
 
     @property
     def regimes(self) -> tuple[Array, Array]:
-        """Weighted pressure [Pa] of the end slice, largest one [Pa] of the others, each (n, m).
+        """Weighted pressure of the end slice, and largest pressure of other slices [Pa], (n, m).
 
         Both are regimes of a surrogate. Strips do not accept a crown with loaded ends: see END.
         """

@@ -30,7 +30,7 @@ def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
 
 
 def over_smeared(p: SpragClutchParts, a: float, loaded: Wall) -> float:
-    """Ratio of the deflection of a race under patches of half-width `a` [m] to that of Eq. 6.
+    """Ratio of a race deflection under patches of half-width `a` [m] to the deflection by Eq. 6.
 
     Eq. 6 has a uniform load. Indentation is excluded.
     """

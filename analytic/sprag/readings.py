@@ -49,7 +49,7 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """Relative change of the mean of N times its lever arm, because both oscillate together."""
+    """Relative difference of mean(N arm) and mean(N) mean(arm), with the lever arm of N."""
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
@@ -98,7 +98,7 @@ def slid(found: Engagement) -> tuple[float, float]:
 
 
 def steady(found: Engagement) -> tuple[float, float]:
-    """Mean N [N] over the second half of the time; its difference from that over the middle half.
+    """Mean N [N] over the second half of the time; difference to the mean of the middle half.
 
     A Hann window reduces the effect of incomplete periods at its ends.
     """

@@ -54,7 +54,7 @@ class Bordered:
         return np.asarray(np.sqrt(self._variance * np.maximum(share, 0)))
 
     def left_out(self, k: int) -> float:
-        """Value k minus its prediction from all other values."""
+        """Value with the index `k`, minus its prediction from all other values."""
         others = np.arange(len(self.x)) != k
         rest = Bordered(self.x[others], self.values[others], self.scales)
         return float(self.values[k] - rest.predicted(self.x[[k]])[0])

@@ -1,4 +1,4 @@
-"""Small displacements of unstressed frames, without the round-off errors that thin strips cause."""
+"""Linear displacements of a frame from its unloaded shape, accurate also for thin strips."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,12 +12,13 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 
 @dataclass(frozen=True)
 class AtRest:
-    """Solver of small displacements from the unloaded shape, accurate to rounded node coordinates.
+    """Solver of small displacements from the unloaded shape, in extended precision.
 
     `strain`, `stretch` and `tangent` describe the undeformed `elements`; `free` are the unknowns
     that can move. Strains and residuals are computed in extended precision, because the strains of
     a thin strip are differences of nearly equal displacements: in double precision, only four
-    digits of the axial force of a spring with L/b = 250 would be correct.
+    digits of the axial force of a spring with L/b = 250 would be correct. The remaining error is
+    mainly that of the node coordinates, which are rounded to double precision.
     """
 
     elements: Any
@@ -62,7 +63,7 @@ class AtRest:
         return (self.S @ change[..., None])[..., 0].astype(float)
 
     def lowest(self, G: Any, push: Any) -> Any:
-        """Mode (n,) of K + load x G with the smallest positive load factor.
+        """Mode (n,) at the smallest positive load factor for which K + factor x G is singular.
 
         Round-off errors of K limit the accuracy of the mode.
         """

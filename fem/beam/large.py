@@ -119,7 +119,7 @@ class LargeFrame:
         distributed: Forces | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States under the loads, multiplied by each of the `factors`.
+        """Equilibrium states under the loads times each of the `factors`.
 
         `loads`: for each node, a dead force (x, y) and couple. `follower`: for each node, a force
         that rotates with the node, given in the reference state. `distributed`: for each element, a
@@ -144,7 +144,7 @@ class LargeFrame:
         loads: Loads | None = None,
         since: BeamState | None = None,
     ) -> Path:
-        """States for prescribed displacements `moved` of nodes, times each of the `factors`.
+        """Equilibrium states at the node displacements `moved` times each of the `factors`.
 
         `moved` has components "x", "y" and the rotation "r" for each node. `reactions` include the
         forces that the displacements require. `loads` act in full from the start. With `since`,

@@ -66,7 +66,7 @@ class Balance:
 
     @property
     def weights(self) -> Array:
-        """Weights (3n,) of squared displacements and rotations in a dimensionless nodal mean."""
+        """Weights (3n,) of u^2 and phi^2 in the nodal mean of (u/length)^2 + phi^2 [1]."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Extended:

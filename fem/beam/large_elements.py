@@ -65,7 +65,7 @@ class Elements:
 
     @property
     def noise(self) -> float:
-        """Error of nodal forces by round-off of strains, divided by the displacements' size."""
+        """Error of the nodal forces due to round-off of strains, per unit of displacement."""
         steepest = self.moduli.max(axis=2) * abs(self.slope).sum(axis=2).astype(float)
         return float(np.finfo(np.longdouble).eps * np.linalg.norm(steepest))
 
@@ -84,7 +84,7 @@ class Elements:
         return strain.astype(float), stretch.astype(float), t.astype(float)
 
     def increments(self, strain: Array, t: Array) -> Array:
-        """Derivatives (m, q, 3, 4) of the strains by x', y', phi, phi' at the Gauss points."""
+        """Derivatives (m, q, 3, 4) of strains with respect to x', y', phi, phi' at Gauss points."""
         S = np.zeros((*strain.shape[:2], 3, 4))
         S[..., 0, :2] = t
         S[..., 0, 2] = strain[..., 1]
@@ -122,7 +122,7 @@ class Elements:
         return A
 
     def change_with(self, S: Array, A: Array, step: Extended) -> Array:
-        """Result of `change_of_forces`; `A` (m, q, 4, 4) are densities of geometric stiffness."""
+        """Result of `change_of_forces`, for given densities `A` of the geometric stiffness."""
         at = step[self.nodes]
         change = (self.slope @ (at - at[:, :1]))[..., [0, 1, 2, 2]]
         change[..., 2] = at[:, :, 2] @ self.shape.T

@@ -108,7 +108,7 @@ def held_components(count: int, supports: Supports) -> Mask:
             held[3 * node + _component(node, component)] = True
         if not isinstance(support, str) and any(support.values()):
             raise ValueError(
-                f"node {node}: supports must be zero; use displaced() to prescribe displacements"
+                f"node {node}: supports must prescribe 0; use displaced() for other displacements"
             )
     return held
 

@@ -88,7 +88,7 @@ def equilibrium(
         stress = found.predict(step)
         u, factor = u + step.reshape(-1, 3), factor + more
     tried = len(history)
-    raise ConvergenceError(f"relative residual {history[-1]:.1e} after {tried} iterations")
+    raise ConvergenceError(f"the relative residual is {history[-1]:.1e} after {tried} iterations")
 
 
 def _unsettled(balance: Balance, u: Extended) -> bool:

@@ -41,7 +41,7 @@ class PressedFrame:
         return -1 / (2 * solved.potential_energy)
 
     def frame(self, head: str) -> LargeFrame:
-        """Frame with the components `head` of the head fixed; "yr" guides the head along x."""
+        """Frame in which the components `head` of the head are fixed ("yr": guided along x)."""
         supports = {self.tail: "xyr", self.head: head}
         return LargeFrame(self.points, self.elements, sections=self.section, supports=supports)
 
@@ -50,7 +50,7 @@ class PressedFrame:
         return self.frame("yr")
 
     def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
-        """States of the guided frame at head displacements `U` from rest or the state `since`."""
+        """States at the displacements `U` of the guided head, from rest or the state `since` on."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 
@@ -59,7 +59,7 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
-        """Stiffness (3, 3) of the head, if it is released in a `state`, and round-off error (3, 3).
+        """Stiffness (3, 3) of the head after release in `state`, and its round-off error (3, 3).
 
         The stiffness is the force and couple on the head per small displacement and rotation. The
         round-off error is taken from the asymmetry and from the change in the last correction. Only
@@ -125,9 +125,10 @@ class PressedFrame:
 
 
 def let_go(S: Array, head: Freedom) -> float:
-    """Determinant of the components of the stiffness S (3, 3) in which the head can move.
+    """Determinant of the rows and columns of S (3, 3) for the free components of the head.
 
-    A "free" head can move along x and y and rotate; a "hinged" head cannot move along y.
+    S is the stiffness of the head. A "free" head can move along x and y and rotate; a "hinged" head
+    cannot move along y.
     """
     moving = [0, 2] if head == "hinged" else [0, 1, 2]
     return float(np.linalg.det(S[np.ix_(moving, moving)]))

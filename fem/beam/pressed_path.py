@@ -13,7 +13,7 @@ DRIFTING, GUIDED = (0.01, 0.15, 0.18, 0.6), (0.02, 0.7)  # points of a path, rel
 
 
 class UnstableError(ArithmeticError):
-    """The guided frame has a proven critical point before the largest displacement."""
+    """The guided frame certainly becomes unstable below its largest prescribed displacement."""
 
 
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:
@@ -31,7 +31,7 @@ def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> 
         if (U_cr := one.critical_displacement(until, shares[0] / CLOSER * until)) is None:
             raise
         raise UnstableError(
-            f"the guided head has a critical point at a displacement of {U_cr / length:.1%} of the "
+            f"the guided head becomes unstable at a displacement of {U_cr / length:.1%} of the "
             "length"
         ) from error
     if any(state.negative for state in states):
@@ -69,7 +69,7 @@ def deflected(one: PressedFrame, u: Array) -> Array:
 
 
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
-    """Arrays by name, which describe the path of a free head and the path of a guided head.
+    """Arrays (name: array) that describe the paths of a free head and of a guided head.
 
     "free" (m, 4): force, displacements along x and y, determinant relative to the undeformed frame.
     "guided" (k, 4): displacement, force, lateral stiffness, determinant of a hinged head relative

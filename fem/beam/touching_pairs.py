@@ -67,7 +67,7 @@ class Pairs:
         self._look_round(self.accepted)
 
     def nearest(self, x: Array) -> Meeting:
-        """For every slot, the nearest element within reach at the positions `x`."""
+        """Nearest element for each side of a probe (slot) that has an element within reach."""
         at = x[:, :2]
         if self.last and np.array_equal(at, self.last[0]):
             return self.last[1]

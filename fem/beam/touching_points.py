@@ -64,7 +64,7 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 
 @dataclass(frozen=True)
 class Probes:
-    """Probes, each of which searches for the smallest gap in its cell of an element.
+    """Probes, each of which searches for the smallest gap in its part (cell) of an element.
 
     The cell is `lower` to `upper` (k,) of `element` (k,). `length` (k,) is the length of line for
     each probe; at the free end of a line, it is the thickness. `ease` (eta - middle)^2/2 is added

@@ -72,7 +72,7 @@ def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """U and F at the onset of N, extrapolated from two states, and the slope dF/dU.
+    """U and F at the onset of the normal force N, from two states, and the slope dF/dU.
 
     >>> onset(np.array([5.0, 6.0]), np.array([11.0, 14.0]), np.array([1.0, 2.0]))
     (4.0, 8.0, 3.0)

@@ -36,7 +36,7 @@ class AlongInterface:
         self.cone = Cone.of(plane.kernel, (B + B.T) / 2, self.C @ bodies.shifts)
 
     def loaded(self, pull: Pull) -> tuple[Array, Array]:
-        """Slips (r,) due to the load `pull` with zero shifts, and its forces (k,) on the shifts."""
+        """Slips (r,) due to the load `pull` at zero shifts, and its forces (k,) on the shifts."""
         bodies = self.bodies
         _, on_surface = bodies.load(pull)
         e = bodies.shifts.T @ on_surface

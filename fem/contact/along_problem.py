@@ -51,10 +51,10 @@ class AlongProblem:
         closing: tuple[Indices, Array],
         in_plane: Callable[[], Rest],
     ) -> tuple[Rest, AlongStep]:
-        """State of the plane and state along z under all loads.
+        """State in the plane and state along z under all loads.
 
         In the plane, `w` are the gaps and slips without contact forces, and `e` the loads on the
-        rigid motions. `pull` is the load along z. `in_plane` calculates the state of the plane
+        rigid motions. `pull` is the load along z. `in_plane` calculates the state in the plane
         without friction along z. Gaps of the normal rows in `closing` close in this step, each
         after its given fraction of the step.
         """

@@ -49,7 +49,7 @@ class Complementarity(ContactSystem):
     """A condensed contact problem and its solutions."""
 
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
-        """Multipliers, motions and states under `w_0` (n,), `e` (k,).
+        """Multipliers, motions and states for gaps `w_0` (n,) and loads `e` (k,).
 
         `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
         `start` optionally gives the initial states. Each residual of the result is below 1e-9 of

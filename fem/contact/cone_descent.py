@@ -39,7 +39,7 @@ BEYOND = 1.01  # relative to the friction that is mobilised: there the path down
 
 @dataclass(frozen=True)
 class Descent:
-    """Search for the solution of a cone under `w_0` (n,) and `e` (k,).
+    """Search for the solution of a cone for gaps `w_0` (n,) and loads `e` (k,).
 
     `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
     """
@@ -49,7 +49,7 @@ class Descent:
     e: Array
 
     def solve(self, starts: list[State]) -> State:
-        """Solution of the first search that converges.
+        """Solution found by the first of several searches that converges.
 
         Newton's method from each of the `starts` is tried first; then paths of solutions are
         followed, which begin without friction or with all nodes sticking. Raises SlidingError if

@@ -35,7 +35,7 @@ class SlidingError(NotFoundError):
 
 @dataclass(frozen=True)
 class Newton:
-    """Newton's method for a cone under `w_0` (n,) and `e` (k,).
+    """Newton's method for a cone with gaps `w_0` (n,) and loads `e` (k,).
 
     `w_0` are the gaps and slips without contact forces, `e` the loads on the rigid motions.
     """

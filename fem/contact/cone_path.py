@@ -77,7 +77,7 @@ class Path:
                 z, n = here.z + share * (new.z - here.z), at.multipliers.size
                 return State(z[:n], z[n:-1])
             here = new
-        raise NotFoundError(f"the path of solutions ends at t = {here.z[-1]:.3g}, before t = 1")
+        raise NotFoundError(f"the path of solutions ends at the parameter t = {here.z[-1]:.3g} < 1")
 
     def _step(self, here: Point, h: float, sign: float) -> tuple[Point, int] | None:
         """Point of the path at the arc length `h` and its number of corrections, or None."""

@@ -63,7 +63,7 @@ class DrivenSector:
         """Force N of a roller under the pressure `p`; infinite if the sector is self-locking."""
 
         def excess(N: float) -> float:
-            """Roller force in the solution, minus the roller force N for the hub force."""
+            """Roller force of the solution minus N, for which the hub force is calculated."""
             return sector.force(p, self.push(N)) - N
 
         low, high = 0.0, sector.force(p)

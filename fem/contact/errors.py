@@ -10,4 +10,4 @@ class NoEquilibriumError(ArithmeticError, ValueError):
 
 
 class NotFoundError(ArithmeticError):
-    """No equilibrium was found. This does not prove that none exists."""
+    """No equilibrium was found; an equilibrium may nevertheless exist."""

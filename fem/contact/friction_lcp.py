@@ -23,9 +23,10 @@ SPREAD = 0.5  # relative to the covering vector's entries: breaks ties of symmet
 
 @dataclass(frozen=True)
 class FrictionLcp:
-    """Contact system under `w_0` (n,), `e` (k,) on springs (k, k), as a complementarity problem.
+    """Contact system on springs (k, k) as a linear complementarity problem.
 
-    The entries of the problem are scaled to about one.
+    `w_0` (n,) are the gaps and slips without contact forces, `e` (k,) the loads on the rigid
+    motions. The entries of the problem are scaled to about one.
     """
 
     system: ContactSystem

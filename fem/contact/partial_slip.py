@@ -10,7 +10,7 @@ WINDOW = 0.06  # of Q/(mu P) about a value's, over which a sweep is smoothed
 
 
 def stick_share(touch: Touch) -> float:
-    """Squared ratio (c/a)² of stick zone to contact, from moments of the tangential traction q.
+    """Squared ratio (c/a)² of the half-widths of stick zone and contact, from the traction q.
 
     q is the difference mu p_a - mu p_c of two ellipses. The moments of the first are mu P and mu P
     a²/4; those of the second have the factors (c/a)² and (c/a)⁴. Therefore 4 M_2/(M_0 a²) = (1 -

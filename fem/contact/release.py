@@ -25,7 +25,7 @@ ACCEPTED_RESIDUAL = 1e-9
 
 @dataclass(frozen=True)
 class Release:
-    """Method of relaxed springs for a contact system under `w_0` (n,), `e` (k,).
+    """Method of relaxed springs for a contact system with gaps `w_0` (n,) and loads `e` (k,).
 
     `changes` lists the number of rows that changed their state in each iteration; `pivoted` has one
     entry for each solution by Lemke's method.

@@ -44,7 +44,7 @@ class Residual:
 def residual(
     system: ContactSystem, w_0: Array, e: Array, multipliers: Array, motion: Array
 ) -> Residual:
-    """Residual of `multipliers` (n,) and `motion` (k,) under `w_0` (n,), `e` (k,)."""
+    """Residual of `multipliers` (n,) and `motion` (k,) for gaps `w_0` (n,), loads `e` (k,)."""
     m, rough, B = system.friction.size, system.rough, system.compliance
     w, normal = w_0 + system.B @ multipliers + system.D @ motion, multipliers[:m]
     overlap = np.maximum(-w_0[:m], 0.0) / B[:m]

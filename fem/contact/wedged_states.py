@@ -38,11 +38,11 @@ def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
 
 
 def share_stuck(touch: Touch) -> float:
-    """Squared ratio (c/a)² of stick zone to contact, from the second moment of the traction.
+    """Squared ratio (c/a)² of the half-widths of stick zone and contact, from a second moment.
 
-    For Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1. The moment is about the fixed middle of the
-    contact. Therefore an odd part of the traction has no effect; pressing a round body on a flat
-    leaves such a part.
+    For Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1, with the second moment M_2 of the tangential
+    traction and its integral M_0. The moment is about the fixed middle of the contact. Therefore an
+    odd part of the traction has no effect; pressing a round body on a flat leaves such a part.
     """
     middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
     s, load = touch.along(middle), touch.q * touch.weight
@@ -56,17 +56,18 @@ def slipping(touch: Touch) -> float:
 
 
 def uneven(touch: Touch, slope: float) -> float:
-    """Relative difference in L2 between the traction and `slope` times the pressure."""
+    """Relative L2 norm of the difference of the traction and `slope` times the pressure."""
     wanted = slope * touch.p
     return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
 
 
 def least_friction(left: Callable[[float], float], share: float) -> tuple[float, float]:
-    """Lowest friction coefficient that holds a roller, by bisection, and half of the last bracket.
+    """Lowest friction coefficient that holds a roller, and its uncertainty, by bisection.
 
     `left` returns the remaining share of the normal force for a friction coefficient: nearly one,
     or nearly zero. The first bracket is about `share`, the ratio T/N that friction must transmit.
-    The result is NaN if the roller is held at both ends of the bracket, or at neither end.
+    The uncertainty is half the width of the last bracket. The result is NaN if the roller is held
+    at both ends of the bracket, or at neither end.
 
     >>> value, half = least_friction(lambda mu: 1.0 if mu > 0.05 else 0.0, 0.05)
     >>> abs(value - 0.05) <= half

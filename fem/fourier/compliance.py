@@ -50,7 +50,7 @@ class SurfaceCompliance:
         return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
 
     def between(self, across: Array, tilt: float) -> Array:
-        """Compliance matrix (M, M, cells, cells) of a patch: displacements integrated over cells.
+        """Compliance matrix (M, M, cells, cells) of a patch: integrals of displacements over cells.
 
         Unknowns are pressures on |s| in M cells between the rising arc lengths `across` (M + 1,),
         from 0. Pressures act along the contact normal, which is inclined to the surface normal by
@@ -144,7 +144,7 @@ def _waves(angle: Array, n: Indices, tilt: float) -> Array:
 
 
 def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
-    """Harmonics for which the compliance is solved: multiples of `places`, including 0.
+    """Harmonics for which the compliance is calculated: multiples of `places`, including 0.
 
     They are 0, the eight lowest multiples, then a geometric series. Each harmonic of the series is
     about `growth` times the previous harmonic. The last harmonic is the first that reaches

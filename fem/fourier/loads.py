@@ -41,7 +41,7 @@ def surface_load(basis: Basis, tractions: Tractions, n: int) -> Array:
         t = np.asarray(traction(x) if callable(traction) else np.reshape(traction, (-1, 1, 1)))
         if t.shape[0] != 3:
             raise ValueError(
-                f"the traction on {name!r} must have amplitudes along r, t and z, got {len(t)}"
+                f"the traction on {name!r} must have 3 amplitudes (r, t, z), got {len(t)}"
             )
         if not np.all(np.isfinite(t)):
             raise ValueError(f"the traction on {name!r} must be finite")

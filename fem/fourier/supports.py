@@ -1,4 +1,4 @@
-"""Supports of the amplitudes of a harmonic: by name and on the axis; check of rigid motions.
+"""Supports of one harmonic: on named boundaries and on the axis; check of rigid motions.
 
 At r = 0, a displacement must not depend on the angle. Therefore n = 0 permits only W at the axis
 (antisymmetric: nothing), n = 1 permits U = -V (antisymmetric: U = V), and higher harmonics are

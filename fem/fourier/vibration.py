@@ -164,11 +164,11 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """Lowest speeds W (found,) with a mode at w = `excitation` W, and the mode shapes.
+        """Lowest speeds W (found,) at which `excitation` W is a natural frequency, and mode shapes.
 
-        There are fewer than `count` if gyroscopic forces prevent some modes from having a critical
-        speed: only positive roots of (e^2 M - e G) u = K u/W^2 are speeds. A negative `excitation`
-        gives backward modes.
+        There are fewer than `count` speeds if gyroscopic forces prevent some modes from having a
+        critical speed: only positive roots of (e^2 M - e G) u = K u/W^2 are speeds. A negative
+        `excitation` gives backward modes.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)

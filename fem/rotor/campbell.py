@@ -51,7 +51,7 @@ class Campbell:
 
 
 def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bending") -> Campbell:
-    """Branches with the `count` lowest frequencies at the first of `speeds` [rad/s], which rise.
+    """Branches with the `count` lowest frequencies at the first of the ascending `speeds` [rad/s].
 
     A branch is tracked by its mode shape, so that it retains its number at a crossing, and by its
     frequency if two branches exchange their shapes. Raises ValueError unless the speeds increase.

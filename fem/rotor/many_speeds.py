@@ -48,9 +48,9 @@ class Diagonal:
 
     @classmethod
     def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
-        """Modes of `block` for `speeds` and frequencies `omega` (m,), or None.
+        """Modes of `block` for `speeds` and frequencies `omega` (m,); None if not applicable.
 
-        The result is None unless the ratio of frequency to speed is constant, K is Hermitian and
+        The method is applicable if the ratio of frequency to speed is constant, K is Hermitian and
         prevents all rigid motions, and C has a low rank.
         """
         ratio = _ratio(speeds, omega)
@@ -71,7 +71,7 @@ class Diagonal:
         return cls(block, A, V, mu, left, right)
 
     def solve(self, omega: Array, f: Complex) -> tuple[Complex, NDArray[np.bool_]]:
-        """Amplitudes (m, n) under forces `f` (m, n) at `omega` (m,); mask of accurate results."""
+        """Amplitudes (m, n) under `f` (m, n) at `omega` (m,), and mask (m,) of accurate results."""
         square, C = omega[:, None] ** 2, 1j * omega[:, None]
         q = self._decoupled(omega, f @ self.V.conj())
         u = q @ self.V.T

@@ -42,7 +42,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Largest ratio, minus 1, of f (3, ...) at u[1] to the chord of f from u[0] to u[2].
+    """Largest relative excess [1] of f (3, ...) over its chord from u[0] to u[2], at u[1].
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

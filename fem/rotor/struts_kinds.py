@@ -81,7 +81,8 @@ class Rolling:
     def __post_init__(self) -> None:
         if self.angle.ndim != 1 or self.angle.shape != self.z.shape:
             raise ValueError(
-                f"angle {self.angle.shape} and z {self.z.shape} must have one value per cam"
+                f"angle and z must have one value per cam, got the shapes {self.angle.shape} and "
+                f"{self.z.shape}"
             )
 
     def state(self, d: Array, R: Array, *, second: bool = True) -> State:

@@ -86,7 +86,7 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] of the whole clutch at slip, starting from `at`, and its uncertainty.
+        """Axial load [N] of the whole clutch at slip, from the state `at` on, and its uncertainty.
 
         It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
@@ -97,12 +97,12 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """Ratio F_ax R/T at slip, starting from `at`, and its uncertainty by the step size."""
+        """Ratio F_ax R/T at slip, from the state `at` on, and its uncertainty by the step size."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
     def left(self, at: Driven) -> float:
-        """Relative increase of the axial force that friction permits with N and F_t of `at`."""
+        """Relative increase of the axial force that friction permits at the N and F_t of `at`."""
         b = Borne.on_mesh(at.state)
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
@@ -155,7 +155,7 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """Largest axial force F_z [N/m] of a roller that friction permits besides F_t of `rest`.
+    """Largest axial force F_z [N/m] of a roller that friction permits with the F_t of `rest`.
 
     It is calculated for the normals of the mesh.
     """

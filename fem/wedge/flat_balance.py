@@ -42,7 +42,7 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
 
 
 def over_hertz(touch: "Touch", at: Array) -> Array:
-    """Ratio of the pressure to Hertz's peak pressure at `at` x half-width from the centre.
+    """Pressure at the distances `at` x half-width from the centre, over Hertz's peak pressure.
 
     The half-width is calculated from the moments of the pressure.
     """

@@ -51,7 +51,7 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """Approximate state with the initial total overlap of `state`, divided as in equilibrium."""
+    """Approximate state: initial total overlap of `state`, divided between contacts as at rest."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
@@ -76,7 +76,7 @@ def guessed_inside(q: Pitch, P: float) -> Start:
 def loaded(
     q: Pitch, now: Start, share: Callable[[State], float], *, power: float, near: float, what: str
 ) -> Start:
-    """Approximate state, on coarse meshes, with a load that equals its target to within `near`.
+    """Approximate state, on coarse meshes, whose load differs from its target by at most `near`.
 
     The search begins with `now`. `share` is the ratio of target to load of a state; overlaps are
     proportional to its `power`. Raises NotFoundError if the steps do not converge; the message

@@ -93,7 +93,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def motion(self) -> tuple[float, float, float]:
-        """Displacements [m] of the strut at its pole, along +x and outwards; its rotation [rad].
+        """Displacements [m] of the pole of the strut, along +x and outwards, and rotation [rad].
 
         The rotation is positive anticlockwise.
         """

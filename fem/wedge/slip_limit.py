@@ -54,7 +54,7 @@ class Limit:
         return np.array(found).T
 
     def of_torque(self) -> Array:
-        """Ratio mu/tan(psi/2) at which both contacts slip completely, and its uncertainty (2,).
+        """Ratio mu/tan(psi/2) at which both contacts slip completely, and uncertainty, (2,).
 
         The uncertainty is half the width of the interval in which the ratio lies.
         """
@@ -62,9 +62,9 @@ class Limit:
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Smallest mu that holds the clutch under its axial load, divided by mu of Eq. 8 (2,).
+        """Smallest mu that holds the clutch under its axial load over mu by Eq. 8; uncertainty.
 
-        The result is this ratio and its uncertainty.
+        The result (2,) is this ratio and its uncertainty.
         """
         if self.asked == 0:
             return self.of_torque()

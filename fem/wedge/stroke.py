@@ -35,10 +35,11 @@ class Stroke(Course):
 
 
 def half_width(touch: "Touch") -> float:
-    """Half-width [m] of an elliptic pressure with the mean distance from the centre of `touch`.
+    """Half-width [m] of the elliptic pressure with the same mean distance from the centre.
 
-    The half-width from squared distances is twice as sensitive to the position of the contact edge
-    in a cell.
+    The mean distance of the pressure of `touch` from the centre is weighted with the pressure. The
+    half-width from squared distances is twice as sensitive to the position of the contact edge in a
+    cell.
     """
     load = touch.p * touch.weight
     return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())

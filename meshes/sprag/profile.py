@@ -154,7 +154,7 @@ class Placed:
         left, right = sprag.below
 
         def off(theta: float) -> float:
-            """Component of the position of a point of the spiral along the tangent at the point."""
+            """Position vector of a point of the spiral, projected onto its tangent there."""
             c, s = math.cos(theta - self.turn), math.sin(theta - self.turn)
             x, y = self.pole
             return x * (sprag.m * s + c) + y * (s - sprag.m * c) + sprag.m * sprag.radius(theta)

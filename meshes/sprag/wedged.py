@@ -1,4 +1,4 @@
-"""Sprag between races: its spiral, its position, and the mesh of one pitch as compressed.
+"""Sprag between races: spiral, position, and mesh of one pitch in the compressed state.
 
 The view is along the axis O, with the sprag above O. Angles are measured clockwise from the line
 through O and the pole. The sprag rotates clockwise into the wedge.
@@ -212,7 +212,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """Approximate position rotated by `alpha` [rad]; ratio of its H to H of this position."""
+        """Approximate position rotated by `alpha` [rad], and the factor by which H then changes."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

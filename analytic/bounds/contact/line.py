@@ -38,7 +38,7 @@ class OnFlat:
 
     @property
     def approach(self) -> Estimate:
-        """Expected error of the approach: second-order term over the bracket 2 ln(4 R/a) - 1."""
+        """Expected error of the approach: second-order term divided by 2 ln(4 R/a) - 1."""
         error, slack = self._second_order(APPROACH)
         return Estimate(error / float(2 * np.log(4 / self.ratio) - 1), slack)
 

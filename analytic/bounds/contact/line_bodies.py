@@ -65,7 +65,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def coupled(self) -> float:
-        """Sum of two first-order effects [1] of unequal materials: on pressure and half-width."""
+        """Sum of the first-order effects [1] of unequal materials on pressure and on half-width."""
         return abs(self.series[0].first) + abs(self.series[1].first)
 
     @property

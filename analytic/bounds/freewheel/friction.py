@@ -42,7 +42,7 @@ class FrictionBounds:
         return self._wider(self.star.force())
 
     def whole_load(self) -> Interval:
-        """Interval of the error of Eq. 8 with F_ax of the clutch in place of that of one roller."""
+        """Interval of the error of Eq. 8 with the axial load of all rollers in place of F_a."""
         more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
         return times(self.one_contact(), more, SAME_EQUATION)
 
@@ -82,7 +82,7 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """Interval of the error of a function `of` tan(alpha), if tan(alpha) has the error `slope`.
+    """Interval of the error of the value of(tan(alpha)), if tan(alpha) has the error `slope`.
 
     None if tan(alpha) may reach mu, so that the torque alone would expel the rollers.
 

@@ -1,7 +1,8 @@
-r"""Input of bounds of a roller freewheel: parts (with a second formula for alpha) and one state.
+r"""Input of the error bounds of a roller freewheel: its parts, and its state under one load.
 
-The centre of the roller is at the distance rho from the axis, and at the distance y from a line
-through the axis parallel to the flat: cos(2 alpha) = y/rho, so that
+The parts have a second formula for alpha. The centre of the roller is at the distance rho from the
+axis, and at the distance y from a line through the axis parallel to the flat: cos(2 alpha) = y/rho,
+so that
 
 .. math:: \sin^2\alpha = \frac{\rho - y}{2\rho} .
 

@@ -61,11 +61,11 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.alpha(**d)))
 
     def unloaded(self) -> Interval:
-        """Interval of the error of the angle without load, used in place of alpha."""
+        """Interval of the error if the angle without load is used in place of alpha."""
         return self._instead(float(self.star.alpha(d_i=0.0, d_o=0.0)))
 
     def unloaded_as_printed(self) -> Interval:
-        """Interval of the error of Eq. 4 with r in place of R in its numerator, used for alpha.
+        """Interval of the error of alpha by Eq. 4 with r in place of R in the numerator.
 
         It is evaluated by cos 2a = 2 cos² a - 1.
         """
@@ -73,7 +73,7 @@ class StarBounds:
         return self._instead(math.acos((s.r + s.flat) / (s.race - s.r) - 1) / 2)
 
     def as_printed(self) -> Interval:
-        """Interval of the error of Eq. 5 with the signs of its denominator reversed.
+        """Interval of the error of alpha by Eq. 5 with the signs of its denominator reversed.
 
         It is evaluated by the formula for half the angle of a cosine.
         """
@@ -90,7 +90,10 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Interval of the error of tan(alpha) as mean F_t/N; if `tilted`, as F_t/N at a contact."""
+        """Interval of the error of tan(alpha) as the mean F_t/N of both contacts.
+
+        If `tilted`, the reference is F_t/N at one contact.
+        """
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more

@@ -1,4 +1,4 @@
-r"""Expected errors of Hertz's theory and of a ring's series for rollers on the ring, plane stress.
+r"""Expected errors of Hertz's theory and of the ring's series for rollers on a ring; plane stress.
 
 If the materials of two bodies differ (Dundurs' beta), normal and tangential displacements are
 coupled along the contact line of curvature kappa. To first order, the half-width increases by the
@@ -52,12 +52,12 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Relative tolerance of forces from the series, by the half-widths [m] on ring and race."""
+        """Relative tolerance of forces by the series; half-widths [m] a (ring), a_race (race)."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Relative tolerance of an approach from the series, by the half-widths a, a_race [m]."""
+        """Relative tolerance of an approach by the series; half-widths [m] a (ring), a_race."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
@@ -81,7 +81,7 @@ class RollerOnRing:
         return about(1 / (1 + WIDTH * coupled) - 1, (2 * a / self.d) ** 2 + BLUNT)
 
     def bent(self, *, R_b: float, e: float) -> float:
-        """Relative change of the half-width by bending of the wall, a beam of the length 2 e.
+        """Relative change of the half-width by bending of the wall as a beam of the length 2 e.
 
         R_b is the hub force per length. It changes the curvature of the ring by R_b e/(2 E I). The
         half-width is proportional to the root of the relative radius.
@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Relative uncertainty of a largest stress; rollers cause a fraction `rollers` of it."""
+        """Relative uncertainty of a fillet stress, of which `rollers` is the rollers' fraction."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:

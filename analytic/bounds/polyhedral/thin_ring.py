@@ -17,7 +17,7 @@ CELL = 1e-2  # of (wall/d_m)²: stress at the end of a cell
 
 
 def pressure_error(*, d_e: float, wall: float) -> Interval:
-    """Interval of the error of p_1; it is also that of sigma_t as the mean stress over the wall.
+    """Interval of the error of p_1, and of sigma_t as the mean hoop stress over the wall.
 
     >>> low, high = pressure_error(d_e=2.0, wall=0.5)  # 8/9
     >>> round((low + high) / 2, 12)
@@ -50,7 +50,7 @@ def bore_stress_error(*, d_e: float, wall: float) -> Interval:
 
 
 def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) -> Interval:
-    """Interval of the error of j_D as the growth of the mean diameter, if the rim grows by j_D."""
+    """Interval of the error of j_D as growth of the mean diameter; the rim grows by j_D."""
     d_i = d_e - 2 * wall
     p_1 = (d_e - d_i) * (E * j_D / ((d_i + d_e) / 2)) / d_i
     grown = 2 * float(lame.radial_displacement(
@@ -60,7 +60,7 @@ def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) ->
 
 
 def outside_growth_error(*, d_e: float, wall: float) -> Interval:
-    """Interval of the error of sigma_t d_m/E as the growth of the rim; sigma_t is the mean stress.
+    """Interval of the error of sigma_t d_m/E as growth of the rim; sigma_t is the mean hoop stress.
 
     >>> low, high = outside_growth_error(d_e=2.0, wall=0.5)  # 9/8
     >>> round((low + high) / 2, 12)

@@ -13,7 +13,7 @@ SMALL = 0.3  # of rotary inertia and shear, up to which their series is used
 
 
 def shear_coefficient(nu: float, m: float) -> float:
-    """Hutchinson's shear coefficient kappa [1] as he prints it; m is bore over diameter.
+    """Hutchinson's shear coefficient kappa [1] as printed; m is the ratio of bore to diameter.
 
     It is his Eq. 45 with a = 1 and b = m; 0 <= m < 1.
 

@@ -1,8 +1,8 @@
-"""Expected errors of formulas of an engagement against time steps of the equations of motion.
+"""Expected errors of formulas of an engagement against time integration of the motion.
 
 In Eqs. 14-16, N_e = N_i, but for a strut under two forces, N_e/N_i = cos(omega)/cos(nu). At the
-same rotation, the time steps have the same N, and a torque that is smaller by a fraction between 0
-and N_e/N_i - 1.
+same rotation, time integration has the same N, and a torque that is smaller by a fraction between
+0 and N_e/N_i - 1.
 """
 
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 40
 
 @dataclass(frozen=True, kw_only=True)
 class Bounds:
-    """Intervals of the errors, from the sizes of the terms in which formulas and time steps differ.
+    """Intervals of the errors, from the terms in which formulas and time integration differ.
 
     All fields are relative. `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak
     of N per change of torque, `inertia` the ratio of the inertia of sprags and race, `left_out` the
@@ -55,7 +55,7 @@ class Bounds:
         return one and (one[0] - one[1], one[1] - one[0])
 
     def either_way(self, times: float) -> Interval:
-        """Interval of an error of either sign, whose magnitude is at most `times` (N_e/N_i - 1)."""
+        """Interval of an error of either sign, at most `times` x (N_e/N_i - 1) in magnitude."""
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:

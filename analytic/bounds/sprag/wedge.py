@@ -75,7 +75,7 @@ class Bounds:
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def tilted(self) -> float:
-        """Bound of the rolling of the contacts due to the tilt of thin walls, relative to beta.
+        """Bound of the relative change of beta due to the tilt of thin walls at the contacts.
 
         The walls of thickness h are simply supported beams over a pitch L. The moment M = T h/2
         tilts them by M L/(12 E' I).
@@ -167,7 +167,7 @@ class Bounds:
         return times(self.elastic(), self.plane_yields() / float(self.at.yields.H))
 
     def lost(self) -> Interval:
-        """Interval of the error of the printed closure equations.
+        """Interval of the error of the sum of deflections by the printed closure equations.
 
         The printed equations omit half of the deflections of contact and sprag on the inner side.
         """
@@ -243,6 +243,9 @@ class Bounds:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """Interval of the error of a formula that is `ratio`, within `spread`, times another one."""
+    """Interval of the error of another formula times `ratio` (1 ± `spread`).
+
+    `interval` is the interval of the error of that other formula.
+    """
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1

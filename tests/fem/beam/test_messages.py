@@ -116,7 +116,7 @@ WRONG = {
     "element 1 is folded or has no length": lambda: frame([(0, 0), (1, 0), (1, 0)]),
     "no body 'arc'; bodies: none": lambda: frame(sections={"arc": SOFT}),
     "node 0: components must be x, y or r, got 'z'": lambda: frame(supports={0: "xyz"}),
-    "node 0: supports must be zero; use displaced() to prescribe":
+    "node 0: supports must prescribe 0; use displaced() for other displacements":
         lambda: frame(supports={0: {"x": 0.1, "y": 0, "r": 0}}),
     "node 2: components must be x, y or r, got 'phi'":
         lambda: frame().displaced({2: {"phi": 1.0}}, [1.0]),
