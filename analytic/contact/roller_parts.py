@@ -82,7 +82,7 @@ def vertex(p: Array, at: int) -> float:
 
 
 def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
-    """Fraction of the load at other positions in `line` (n,) than in `other` (m,); L2 error.
+    """Fraction of the load by which `line` (n,) differs from `other` (m,), and relative L2 error.
 
     Both are line loads of equal parts of the roller. The L2 error is relative. The fraction hardly
     depends on the number of parts; the L2 error is mostly due to the parts at the end of contact.

@@ -62,7 +62,7 @@ def compiled(function: F) -> F:
 
 
 class Law(NamedTuple):
-    """Constants of the motion, and a table of forces and geometry over the sprag rotation.
+    """Constants of the equations of motion, and a table of forces and geometry over alpha.
 
     `D_V` is the sticking band, `tau` the decay time of residual sliding.
     """

@@ -30,7 +30,7 @@ class Tangent:
 
 @dataclass(frozen=True)
 class Response:
-    """Response of the frame to displacements.
+    """Energies, forces and stiffness of the frame at given displacements.
 
     `size` is the root sum of squares of all nodal forces: of elements, terms and loads.
     """

@@ -94,7 +94,7 @@ class Elements:
         return S
 
     def change(self, S: Array, step: Array) -> Array:
-        """Linear change of the strains (m, q, 3) for a step (n, 3)."""
+        """Linear change of the strains (m, q, 3) for a displacement step (n, 3)."""
         local = step[self.nodes].reshape(len(self.nodes), 1, -1, 1)
         return (S @ (self._fields @ local))[..., 0]
 
@@ -109,9 +109,10 @@ class Elements:
     def change_of_forces(
         self, S: Array, strain: Array, t: Array, stress: Array, step: Extended
     ) -> Array:
-        """Linear change of the internal forces (3n,) for a step (n, 3), under the `stress` N, V, M.
+        """Linear change of the internal forces (3n,) for a displacement step (n, 3), at `stress`.
 
-        It equals `tangent_stiffness` times the step, without the round-off of stiff directions.
+        `stress` are N, V, M (m, q, 3). The result equals `tangent_stiffness` times the step,
+        without the round-off of stiff directions.
         """
         return self.change_with(S, self.geometric(strain, t, stress), step)
 

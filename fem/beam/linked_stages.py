@@ -1,4 +1,4 @@
-"""Stages of a frame with two contacts that close one after the other, by linear theory.
+"""Load stages of a frame with two contacts that close one after the other, by linear theory.
 
 Rigid links represent the closed contacts.
 """
@@ -45,7 +45,7 @@ class LinkedFrame:
         return solved
 
     def stages(self) -> dict[str, float]:
-        """Stiffnesses [N/m], forces [N] and displacements [m] of the stages.
+        """Stiffness [N/m] of each load stage, and force [N] and displacement [m] at its end.
 
         `k1`, `k2` and `k3` apply with no, one and both contacts closed. The first contact closes at
         A, the second at B. `push` is the force of the first contact at A.

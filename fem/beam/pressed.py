@@ -50,7 +50,7 @@ class PressedFrame:
         return self.frame("yr")
 
     def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
-        """States at the displacements `U` of the guided head, from rest or the state `since` on."""
+        """Equilibrium states at the displacements `U` of the guided head, after rest or `since`."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 

@@ -67,7 +67,7 @@ class Pairs:
         self._look_round(self.accepted)
 
     def nearest(self, x: Array) -> Meeting:
-        """Nearest element for each side of a probe (slot) that has an element within reach."""
+        """Nearest element within reach at the positions `x`, for each side of a probe (slot)."""
         at = x[:, :2]
         if self.last and np.array_equal(at, self.last[0]):
             return self.last[1]

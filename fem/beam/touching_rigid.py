@@ -43,7 +43,7 @@ class Surface:
 
 
 class Shape(Protocol):
-    """Obstacle in its local frame of reference, in the reference state."""
+    """Shape of a rigid obstacle, in coordinates fixed to the obstacle."""
 
     def surface(self, at: Array) -> Surface:
         """Nearest points of the surface to the points `at` (k, 2)."""

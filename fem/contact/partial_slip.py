@@ -23,10 +23,11 @@ def stick_share(touch: Touch) -> float:
 
 
 def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
-    """Value at k = `at` of a cubic fitted to nearby samples, its uncertainty, and the scatter.
+    """Value at k = `at` of a cubic fitted to nearby samples, with uncertainty and scatter.
 
-    The scatter is that of a single sample. As the slip zones grow, nodes start to slip one by one.
-    The value therefore depends on the position of the end of the zone between two nodes.
+    The scatter is the standard deviation of a single sample from the cubic. As the slip zones grow,
+    nodes start to slip one by one. The value therefore depends on the position of the end of the
+    zone between two nodes.
     """
     chosen = np.abs(k - at) <= window
     A = np.vander((k[chosen] - at) / window, 4)

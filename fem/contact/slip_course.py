@@ -35,7 +35,7 @@ class Push:
         return np.sqrt([smoothed(self.k, self.stick, share)[0] for share in shares])
 
     def beyond_chord(self, share: float, chord: float) -> Value:
-        """Displacement [m] of the curve at `share`, minus that of its chord from 0 to `chord`.
+        """Displacement [m] at `share`, minus the value on the chord of the curve from 0 to `chord`.
 
         `share` and `chord` are values of Q/(mu P). The second result is the standard uncertainty.
         """

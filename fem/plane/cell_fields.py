@@ -1,4 +1,4 @@
-"""Evaluation of the values in `PlaneSolution.cells`: a part of the body, means at nodes, shear."""
+"""Evaluation of `PlaneSolution.cells`: selected cells, nodal means, largest shear stress."""
 
 from collections.abc import Callable, Mapping
 from typing import Any

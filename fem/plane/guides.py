@@ -18,7 +18,7 @@ SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
 def wall_normals(
     basis: Basis, names: Mapping[int, str], turn: bool, tied: "Tied | None" = None
 ) -> dict[int, tuple[Indices, Array]]:
-    """Nodes (2, m) and outward normals (2, m) of each named boundary.
+    """Unknowns u_x, u_y (2, m) and outward normals (2, m) of the nodes of each named boundary.
 
     A vertex between facets of a smooth wall has their mean normal, also if the facets have
     different names. A vertex at a corner has the normals of both sides. With `turn`, a wall
@@ -57,7 +57,7 @@ def wall_normals(
 
 
 def turned(vectors: Array, angle: Array) -> Array:
-    """Vectors `vectors` (2, m), each rotated by its element of `angle` (m,) [rad]."""
+    """Plane `vectors` (2, m), each rotated by its element of `angle` (m,) [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors
     return np.array([c * x - s * y, s * x + c * y])

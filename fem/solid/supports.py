@@ -117,8 +117,8 @@ def _check(mesh: Mesh3D, found: Conditions) -> None:
     wrong = high - low > CONTRADICTION * np.maximum(abs(high), abs(low))
     _refuse(mesh, wrong, "two supports of one node contradict each other")
     tied = np.bincount(np.concatenate([np.zeros(0, int), *found.ties]), minlength=count)
-    _refuse(mesh, tied > 1, "a node can move uniformly with one group only")
-    _refuse(mesh, (tied > 0) & np.isfinite(low), "a node can't be held and move uniformly as well")
+    _refuse(mesh, tied > 1, "a node must move uniformly with one group only")
+    _refuse(mesh, (tied > 0) & np.isfinite(low), "a node must not be supported and move uniformly")
 
 
 def _refuse(mesh: Mesh3D, wrong: NDArray[np.bool_], rule: str) -> None:

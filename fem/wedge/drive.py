@@ -86,7 +86,7 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] of the whole clutch at slip, from the state `at` on, and its uncertainty.
+        """Axial load [N] of the whole clutch at slip, reached from the state `at`, and uncertainty.
 
         It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
@@ -97,7 +97,7 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """Ratio F_ax R/T at slip, from the state `at` on, and its uncertainty by the step size."""
+        """Ratio F_ax R/T at slip, reached from the state `at`; its uncertainty by the step size."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
@@ -155,8 +155,8 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """Largest axial force F_z [N/m] of a roller that friction permits with the F_t of `rest`.
+    """Largest axial force F_z [N/m] of a roller that friction permits in addition to F_t at rest.
 
-    It is calculated for the normals of the mesh.
+    The state `rest` gives F_t. The force is calculated for the normals of the mesh.
     """
     return rest.torque / (one.q.z * one.q.race) * lever_left(one.mu, rest.start)

@@ -51,7 +51,7 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """Approximate state: initial total overlap of `state`, divided between contacts as at rest."""
+    """Approximate state: initial total overlap, divided between the contacts as in `state`."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)

@@ -62,9 +62,9 @@ class Limit:
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Smallest mu that holds the clutch under its axial load over mu by Eq. 8; uncertainty.
+        """Ratio of the smallest mu that holds the axial load to mu by Eq. 8, and uncertainty, (2,).
 
-        The result (2,) is this ratio and its uncertainty.
+        The clutch is under its torque.
         """
         if self.asked == 0:
             return self.of_torque()

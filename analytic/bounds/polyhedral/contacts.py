@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Relative uncertainty of a fillet stress, of which `rollers` is the rollers' fraction."""
+        """Relative uncertainty of the largest fillet stress; rollers cause the part `rollers`."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:

@@ -243,9 +243,6 @@ class Bounds:
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
-    """Interval of the error of another formula times `ratio` (1 ± `spread`).
-
-    `interval` is the interval of the error of that other formula.
-    """
+    """Interval of the error of `ratio` (1 ± `spread`) times a formula with the error `interval`."""
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1

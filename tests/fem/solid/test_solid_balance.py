@@ -78,7 +78,7 @@ def folded():
     [
         ({"mesh": folded()}, r"cell .* of 14, about .*, is folded or flat"),
         ({"materials": {"arcs": STEEL}}, "8 of 14 cells have no material"),
-        ({"uniform": {"tail": "x"}}, "can't be held and move uniformly as well"),
+        ({"uniform": {"tail": "x"}}, "must not be supported and move uniformly"),
         ({"uniform": {"head": "x", LINE: "x"}}, "uniformly with one group only"),
         ({"supports": HINGED, "uniform": {(3.5, 0.5, None): "x"}}, "can move rigidly"),
         ({"tractions": {"head": (np.nan, 0.0, 0.0)}}, "traction on 'head': load vectors must be"),
