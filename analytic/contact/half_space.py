@@ -88,7 +88,7 @@ class HalfSpace:
     def press_each(
         self, gap: ArrayLike, loads: Iterable[float], **how: Any
     ) -> list[HalfSpaceContact]:
-        """Contacts for all `loads`; each solution starts from the pressures of the one before."""
+        """Contacts for all `loads`; each solution starts from the pressures of the previous one."""
         found: list[HalfSpaceContact] = []
         for load in loads:
             start = found[-1].pressure if found else None

@@ -69,7 +69,7 @@ def pressure(*, sigma: ArrayLike, d_i: ArrayLike, d_e: ArrayLike) -> Array:
 
 
 def mean_hoop_stress(*, p: ArrayLike, d_i: ArrayLike, d_e: ArrayLike) -> Array:
-    """Mean hoop stress [stress] in the corners under the pressure p; p_1r causes sigma_tr (Eq. 12).
+    """Mean hoop stress [stress] in the corners under the pressure p; sigma_tr for p_1r (Eq. 12).
 
     It is exact before the ring touches the rollers: between neighbouring corners, p d_i sin(pi/z)
     is in equilibrium with the hoop forces, 2 sigma delta_1 sin(pi/z). sigma_tr/sigma_t is

@@ -87,7 +87,7 @@ class LoadedRace:
 
     @cached_property
     def ring(self) -> FourierRing:
-        """Ring under the waves of the load that are summed individually."""
+        """Ring under the harmonics of the load that are summed one by one."""
         top = max(min(WAVES / self.alpha, MOST), NEGLIGIBLE / np.log(self.r_o / self.r_i) + 2)
         m = self.n * np.arange(1, np.ceil(top / self.n) + 1)
         p = self.mean_pressure * np.concatenate([[1.0], 2 * share(m * self.alpha)])

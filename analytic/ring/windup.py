@@ -1,4 +1,4 @@
-r"""Ratios of wind-up and shock force with uniformly loaded races to those with Fourier rings.
+r"""Wind-up and shock force with uniformly loaded races, divided by the values with Fourier rings.
 
 The half-widths of contacts are proportional to the root of the force N. Therefore, deflection and
 energy of the contact of a sprag on a race are

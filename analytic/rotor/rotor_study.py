@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Excited:
-    """Critical speeds [rad/s] due to unbalance of shafts with the ratio `ratio`; their modes."""
+    """Critical speeds [rad/s] due to unbalance of shafts with the speed ratio `ratio`; modes."""
 
     ratio: float
     shafts: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""Engagements in time: forces and verdict from the table of a clutch, its motion and a torque."""
+"""Time integration of an engagement, from the table of a clutch, motion data and a torque."""
 
 import numpy as np
 

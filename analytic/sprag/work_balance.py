@@ -48,7 +48,7 @@ def stored(w: RaceSpring, N: float) -> float:
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Ratio of the work of the torque on the rolling rotation to the work on the deflections.
+    """Work of the torque on the rotation by rolling, divided by that of forces on deflections.
 
     Both works are taken up to the last state.
     """

@@ -48,7 +48,7 @@ def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
 def apex_moments(
     *, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
 ) -> tuple[Array, ...]:
-    r"""Moments per force T_1 ... T_(n-1) [length]; T_i is at the apex of the last arc of unit i.
+    r"""Moments per force T_1 to T_(n-1) [length]; T_i is at the apex of the last arc of unit i.
 
     .. math:: T_1 = L_1/2 + r, \qquad T_i = T_{i-1} + s_i\,(2A + L_2 \sin\alpha), \qquad
         A = r (1 - \cos\alpha), \quad s_i = (-1)^{i+1}

@@ -83,7 +83,7 @@ class March:
         return self.state
 
     def reach(self, factor: float) -> BeamState:
-        """State at a given factor, reached in as few steps as Newton's method permits."""
+        """State at a given load factor, reached in as few steps as Newton's method permits."""
         start, steps, good = self.state.factor, 0, 1
         whole = size = factor - start
         while True:

@@ -25,7 +25,7 @@ MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent is no
 
 
 class Control(Protocol):
-    """Equation that completes the equilibrium: a given factor, or a given arc length.
+    """Condition besides equilibrium: a given load factor, or a given arc length.
 
     `kink` is the permitted squared deviation of a step from its prediction, relative to the squared
     length of the prediction. It applies if terms have kinks.

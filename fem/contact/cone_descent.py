@@ -129,7 +129,7 @@ class Descent:
 
 
 def sticking(cone: Cone, w_0: Array, e: Array, plane: State) -> State:
-    """Initial state: a solution of the plane, with all closed nodes sticking along z."""
+    """Initial state: a solution of the plane problem, with all closed nodes sticking along z."""
     n, k = len(cone.B) - cone.rough.size, plane.motion.size
     closed = cone.z[plane.multipliers[cone.rough] > 0]
     B, D = cone.B[np.ix_(closed, closed)], cone.D[closed, k:]

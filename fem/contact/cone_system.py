@@ -48,7 +48,7 @@ class System:
 
     @classmethod
     def of(cls, plane: Complementarity, B_z: Array, D_z: Array) -> Self:
-        """System of the plane, extended by `B_z` (r, r) and `D_z` (r, k) along z.
+        """System of the plane problem, extended by `B_z` (r, r) and `D_z` (r, k) along z.
 
         `B_z` is the compliance along z, `D_z` are the shifts along z.
         """

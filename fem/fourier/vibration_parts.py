@@ -50,7 +50,7 @@ def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Arr
 def mass_matrix(
     cells: HarmonicCells, basis: Basis, n: int, density: Array, form: Array
 ) -> csr_array:
-    """Matrix (unknowns, unknowns) of the integral of density u . (form u) over the body.
+    """Matrix (unknowns, unknowns) of the integral of density u^T `form` u over the body.
 
     `form` (3, 3) acts on the amplitudes u = (U, V, W). `density` (cells,) is in mass/length^3, or
     is density times a speed.

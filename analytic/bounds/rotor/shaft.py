@@ -47,13 +47,14 @@ def frequency(
 def neglected(
     theory: Literal["euler", "rayleigh"], e: float, s: float
 ) -> tuple[float, float] | None:
-    """Smallest and largest error [1] of the frequency of mode 1 against Timoshenko's equation.
+    """Smallest and largest error [1] of the frequency of mode 1 by `theory`.
 
-    `e` is the effect of rotary inertia, `s` its increase by shear. The ratio W of the squared
-    frequency to Euler's is a root of 1 - W (1 + a) + s e^2 W^2 = 0 with a = e (1 + s). To second
-    order, Euler's error is 1/sqrt(W) - 1 = a/2 - (a^2/8 + s e^2/2). Rayleigh's error is e s/2,
-    reduced by at most the same terms. The interval extends downwards by twice the terms of second
-    order. None if `a` is not below SMALL, because the series is not valid there.
+    The reference is Timoshenko's equation. `e` is the effect of rotary inertia, `s` its increase by
+    shear. The ratio W of the squared frequency to Euler's is a root of 1 - W (1 + a) + s e^2 W^2 =
+    0 with a = e (1 + s). To second order, Euler's error is 1/sqrt(W) - 1 = a/2 - (a^2/8 + s e^2/2).
+    Rayleigh's error is e s/2, reduced by at most the same terms. The interval extends downwards by
+    twice the terms of second order. None if `a` is not below SMALL, because the series is not valid
+    there.
 
     >>> low, high = neglected("euler", e=0.01, s=3.0)
     >>> round(low, 6), high
