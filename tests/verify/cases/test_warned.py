@@ -73,7 +73,7 @@ WARNED = [
     ("contact-flat", {"L": "0.3 mm", "F": "21.4 N"}, "times a"),
     ("contact-ring", {"r_o": "20 mm"}, "of the race's wall (0.56 mm)"),
     ("contact-press-fit", {"R_p": "20 MPa"}, "its pressure decreases"),
-    ("contact-press-fit", {"delta": "120 µm"}, "where most metals yield"),
+    ("contact-press-fit", {"delta": "120 µm"}, "most metals yield"),
     ("contact-slip", {"P": "1500 N/mm"}, "replace the rollers by half-planes"),
     ("contact-slip", {"hardness": "1000 MPa"}, "exceeds p_lim = 1000 MPa"),
     ("contact-slip", {"mu": 0.6}, "with this friction"),

@@ -71,10 +71,10 @@ def fem_narrow_unlike(q: Any, level: int) -> FemResult:
 
 
 # the other rows have separate loads
-AT_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
-            "approach of the centres, Hertz", "approach of centre and rim",
+AT_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and roller centre, Hertz",
+            "approach of the centres, Hertz", "approach of roller centre and rim",
             "largest shear stress, Hertz")  # fmt: skip
-NARROW = Rerun(cause=Cause.GEOMETRY, what="load / 100: contact width / 10",
+NARROW = Rerun(cause=Cause.GEOMETRY, what="load × 1/100, hence contact width × 1/10",
                rows=AT_LOAD, inputs=light)  # fmt: skip
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
@@ -85,14 +85,14 @@ SLICED = (
          "recomputed with this law"),
 )  # fmt: skip
 HALF_SPACE = (
-    Without(Cause.CONTACT, "none: the contact law is exact, pressures are not negative"),
-    Without(Cause.PLANE, "none: the half-space is a model in three dimensions"),
+    Without(Cause.CONTACT, "none: the contact law is exact (no negative pressure)"),
+    Without(Cause.PLANE, "none: the half-space is a three-dimensional model"),
 )
 
 
 def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
     """Rerun that shows the error due to contact width: `fem` solves a contact a tenth as wide."""
-    return Rerun(cause=Cause.GEOMETRY, what="contact width / 10, values scaled in proportion",
+    return Rerun(cause=Cause.GEOMETRY, what="contact width × 1/10, values scaled",
                  rows=(rows,), fem=fem)  # fmt: skip
 
 
@@ -112,7 +112,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "contact-slip": Statement(finer=72),
     "contact-sphere": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="load / 1000: contact width / 10",
+            Rerun(cause=Cause.GEOMETRY, what="load × 1/1000, hence contact width × 1/10",
                   inputs=light_point),
         ),
         without=(Without(Cause.PLANE, "none: the bodies are bodies of revolution"),),
@@ -135,8 +135,8 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("*, end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
         ),
         left=(
-            Left(("*end face", "*beyond the ends"), "only the length of the races was varied; a "
-                 "half-space has no free end, whose effect therefore remains"),
+            Left(("*end face", "*beyond the ends"), "only the overhang of the races was varied; "
+                 "the effect of the free end face, which a half-space does not have, remains"),
         ),
         without=(Without(Cause.PLANE, "none: the bodies are bodies of revolution"),),
     ),

@@ -75,7 +75,7 @@ def test_the_half_space_states_what_neighbouring_grids_differ_by():
 @pytest.mark.parametrize(("a_over_R", "status"), [(0.03, Status.PASS), (0.15, Status.SHOWN)])
 def test_wide_contacts_are_judged_as_approximations(a_over_R, status):
     q = SLIP.inputs(P=SLIP.inputs().P * (a_over_R / 0.0099) ** 2)
-    (check,) = [c for c in SLIP.checks if c.name == "cycle: energy lost, work of friction"]
+    (check,) = [c for c in SLIP.checks if c.name == "cycle: energy lost, by the work of friction"]
     exact = q.W * (1 + 1.3 * a_over_R**2)  # what discs were found to lose
     fem = [SimpleNamespace(h=h, values={"work": exact}, u_it={}) for h in (1.0, 0.5, 0.25)]
     row, _ = check.rows(Context("contact-slip", q, SLIP.analytic(q), fem, is_paper=False))

@@ -18,7 +18,7 @@ SYMBOLS = {"p_0": "p_0", "a": "a", "approach": "δ"}
 def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: str) -> AlongLine:
     """Figure of contact pressure over x: `formula` as a line, finite elements as dots."""
     return AlongLine(
-        title=f"Pressure in the contact and by {name}", x=("x", "µm"), y=("p", "MPa"),
+        title=f"Contact pressure by finite elements and by {name}", x=("x", "µm"), y=("p", "MPa"),
         curve=formula, reference="profile", at=STATIONS * q.a,
         points=np.linspace(0.0, 1.15 * q.a, 461), order=1.0, scale=q.p_0, scale_name="p_0",
         note=note,
@@ -44,7 +44,7 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
                 (SYMBOLS[key], np.abs(np.array(v) / to[key] - 1))
                 for key, (_, v) in levels.items()
             ),
-            order=2.0, note=f"Lines: order 2 through the value on the finest mesh; {note}.",
+            order=2.0, note=f"Lines: order 2 through the error on the finest mesh; {note}.",
         )  # fmt: skip
 
     return drawn
@@ -63,8 +63,8 @@ def neglected(
             title=f"Error of Hertz's theory in {symbol}", x_label="a/R",
             y_label=f"{symbol}: Hertz/FE − 1", x=x, y=theory * x**2, x_fem=eps, y_fem=d,
             y_ref=theory * eps**2, u=u, scale=1.0,
-            note=f"Line: {words} (a/R)², derived. Lower diagram: difference of the dots to the "
-            "line, which consists of terms of (a/R)⁴ and of the mesh error (band).",
+            note=f"Line: {words} (a/R)², derived. Lower diagram: dots minus line. This difference "
+            "consists of terms of (a/R)⁴ and of the mesh error (band).",
         )  # fmt: skip
 
     return drawn
@@ -72,7 +72,10 @@ def neglected(
 
 def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
     """Figures: pressure with Hertz's pressure, error of Hertz's theory, convergence."""
-    note = "Line: Hertz; dots: finest mesh, up to 0.85 a; band: uncertainty of the whole profile."
+    note = (
+        "Line: Hertz; dots: finite elements, finest mesh, up to x = 0.85 a; band: uncertainty of "
+        "the whole profile."
+    )
     yield pressure(q, q.pressure, "Hertz", note)
 
     def errors(context: Context) -> Dots:
@@ -100,7 +103,7 @@ def pictures(a: float, below: float = 1.0) -> Iterator[Picture]:
     more: dict[str, Any] = {"field": "contact", "mirror": ("x",), "displacement": "",
                             "window": (-reach, -reach * below, reach, reach)}  # fmt: skip
     yield Picture(data="shear", symbol="τ/p_0", unit="1", factor=1.0,
-                  caption="Maximum in-plane shear stress over p_0 (means of cells): 0.30 at a "
-                  "depth of 0.79 a", **more)  # fmt: skip
+                  caption="Maximum in-plane shear stress over p_0 (means of cells); by Hertz, the "
+                  "largest value is 0.30, at a depth of 0.79 a", **more)  # fmt: skip
     yield Picture(data="von_mises", symbol="σ_v", unit="MPa", factor=1e6,
                   caption="Von Mises stress near the contact (means of cells)", **more)  # fmt: skip

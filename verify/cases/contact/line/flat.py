@@ -40,12 +40,15 @@ WIDE = f"a/R = {WIDEST:g}"
 LIMITS = "accepted error of the contact models"
 DEPTH = 5e-3  # relative to the depth of the largest shear stress
 DISC = "elastic disc between flats"
-SERIES = "derived series of the disc, ± an assumed next term of 1 × (a/R)⁴"
+SERIES = (
+    "derived series of the disc, ± (a/R)⁴ as an estimate of the next term (at the given load: at "
+    "least 3e-4)"
+)
 SHEAR = (
     "derived: −0.693 a/R due to the opposite flat and the round surface, "
-    "± an assumed next term of 1 × (a/R)²"
+    "± (a/R)² as an estimate of the next term, at least 1e-3"
 )
-DERIVED = 0.2, "detects if a part of the derived coefficient, a third of it or more, is missing"
+DERIVED = 0.2, "detects if a third or more of the derived coefficient is missing"
 
 
 def key(ratio: float) -> str:
@@ -65,8 +68,8 @@ class RollerOnFlat(FlatInputs):
     """Hertz's theory replaces the roller by a half-plane and its round surface by a parabola.
 
     Finite elements must agree with the elastic disc, a solution without these simplifications. A
-    sweep over a/R measures the error of Hertz's simplifications. It confirms the derived error of
-    p_0, −3/16 (a/R)².
+    sweep over a/R measures the error of Hertz's theory. The measured error of p_0 confirms the
+    derived error, −3/16 (a/R)².
     """
 
     id = "contact-flat"
@@ -78,33 +81,36 @@ class RollerOnFlat(FlatInputs):
         "δ is the approach of one flat and the centre of the roller; the two flats approach by 2 δ",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the roller not modelled",
-        "both flats carry the load: a quarter is modelled, whose horizontal cut stays straight",
-        "half-width from moments of the pressure, 2 √(∫p x²/∫p): for Hertz's pressure, this is "
-        "Hertz's a",
-        "each mesh has a node at the edge of the contact, which a coarse solution locates",
+        "linear elasticity, no friction; the ends of the roller are not modelled",
+        "the load acts on both flats: a quarter of the roller is modelled, and its horizontal cut "
+        "stays straight",
+        "the half-width is computed from moments of the pressure, 2 √(∫p x²/∫p); for Hertz's "
+        "pressure, this equals Hertz's a",
+        "each mesh has a node at the edge of the contact; a coarse solution locates this edge",
     )
 
-    @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, for the roller's "
+    @Quantity("δ", "µm", "approach of flat and roller centre, Hertz", source="Hertz, "
+              "for the roller's "
               "centre", tex=r"\frac{P}{\pi E*} (2 \ln\left(\frac{4 R}{a}\right) - 1)")  # fmt: skip
     def approach(self) -> float:
         sizes = {"P": self.P, "a": self.a, "R": self.R}
         return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=self.E_star))
 
-    @Quantity("a/R", "1", "half-width over radius", role="step", tex=r"\frac{a}{R}")
+    @Quantity("a/R", "1", "ratio of half-width to radius", role="step", tex=r"\frac{a}{R}")
     def ratio(self) -> float:
         return self.a / self.R
 
-    @Quantity("e_p", "1", "excess of the disc's peak pressure, first term", role="step",
+    @Quantity("e_p", "1", "relative excess of the disc's peak pressure over Hertz's, first term",
+              role="step",
               source="derived", tex=r"\frac{3}{16} \frac{a^2}{R^2}")  # fmt: skip
     def excess(self) -> float:
         return -PRESSURE * self.ratio**2
 
     p_0_disc = Quantity("p_0", "MPa", "peak pressure, disc", source=DISC, form_of="p_0",
                         safe="too high").reads(lambda q: q.disc.p_0)  # fmt: skip
-    a_disc = Quantity("a", "µm", "half-width, disc", source=f"{DISC}, of the moments",
+    a_disc = Quantity("a", "µm", "half-width, disc", source=f"{DISC}, by moments of the pressure",
                       form_of="a").reads(lambda q: q.disc.moment_width)  # fmt: skip
-    approach_disc = Quantity("δ", "µm", "approach of flat and centre, disc", source=DISC,
+    approach_disc = Quantity("δ", "µm", "approach of flat and roller centre, disc", source=DISC,
                              form_of="approach").reads(lambda q: q.disc.approach)  # fmt: skip
     tau_max_disc = Quantity("τ_max", "MPa", "largest shear stress, disc", source=DISC,
                             form_of="tau_max",
@@ -148,7 +154,7 @@ class RollerOnFlat(FlatInputs):
                                sensitivity=(sharp, LIMITS))  # fmt: skip
         yield self.profile()
         yield identity(by.tau_max_disc, order=2)
-        name = f"depth of the largest shear stress within {DEPTH:.1%} of the disc's"
+        name = f"depth of the largest shear stress within {DEPTH:.1%} of the depth in the disc"
         depth = Fact(name=name, symbol="z", unit="1", margin=self.depth_margin)
         yield Comparison(check=depth, quantity=by.z_disc)
         narrow = OnFlat(self.ratio)
@@ -161,7 +167,7 @@ class RollerOnFlat(FlatInputs):
         yield approximation(by.tau_max, order=2,
                             expected=expected(narrow.shear, SHEAR, least=BLUNT))  # fmt: skip
         for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
-            yield limit(q, f"error as a/R vanishes: {q.what}", "d_0", points=self.deviations(q),
+            yield limit(q, f"error for a/R → 0: {q.what}", "d_0", points=self.deviations(q),
                         exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
         for q, theory in ((by.p_0, PRESSURE), (by.a, WIDTH)):
             yield self.coefficient(q, theory)
@@ -180,7 +186,7 @@ class RollerOnFlat(FlatInputs):
     def profile(self) -> Comparison:
         """Row: L2 difference between the pressure profiles of finite elements and exact disc."""
         check = ProfileError(
-            name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
+            name="L2 error of the pressure profile, disc", symbol="e_2", unit="1", fem="L2",
             analytic="zero", scale="one", formal=1, demand=PROFILE, demand_reason=LIMITS,
             errors=l2_errors(self.disc_pressure),
         )  # fmt: skip
@@ -212,8 +218,8 @@ class RollerOnFlat(FlatInputs):
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Figures: pressure with the exact disc, error of Hertz's theory over a/R, convergence."""
         note = (
-            "Line: exact disc, along its arc; dots: finest mesh, up to 0.85 a. Lower diagram: "
-            "difference; band: uncertainty of the whole profile."
+            "Line: exact disc, pressure per length of arc; dots: finite elements, finest mesh, up "
+            "to x = 0.85 a. Lower diagram: dots minus line; band: uncertainty of the whole profile."
         )
         yield figures.pressure(self, self.disc_pressure, "the exact disc", note)
         for q, theory, words in (
@@ -221,7 +227,7 @@ class RollerOnFlat(FlatInputs):
         ):  # fmt: skip
             yield figures.neglected(q.symbol, theory, words, self.deviations(q))
         limits = {"p_0": self.p_0_disc, "a": self.a_disc, "approach": self.approach_disc}
-        yield figures.refinement(lambda _: limits, "the limit is the exact disc")
+        yield figures.refinement(lambda _: limits, "the limit is the value of the exact disc")
 
     def pictures(self) -> Iterator[Picture]:
         """Pictures of stresses near the contact, in the roller only; the flat is rigid."""

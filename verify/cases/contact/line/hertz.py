@@ -123,7 +123,7 @@ class LineContact(Case):
             errors = l2_errors(pressure)(context)
             return PROFILE - errors[-1], abs(errors[-1] - errors[-2])
 
-        name = f"pressure profile within {PROFILE:.0%} of Hertz's in L2"
+        name = f"L2 error of the pressure profile relative to Hertz below {PROFILE:.0%}"
         check = Within(name=name, symbol="e_2", unit="1", margin=margin, accepted=PROFILE)
         return Comparison(check=check, quantity=type(self).p_0)
 
@@ -131,8 +131,8 @@ class LineContact(Case):
         """Rows: balances of forces and moments on the upper roller."""
         force, moment = {"P": self.P}, {"P R": self.P * self.radii[0]}
         for name, key, symbol, unit, scale in (
-            ("forces across", "balance_x", "ΣF_x", "N/mm", force),
-            ("forces along the load", "balance_y", "ΣF_y", "N/mm", force),
+            ("forces perpendicular to the load", "balance_x", "ΣF_x", "N/mm", force),
+            ("forces parallel to the load", "balance_y", "ΣF_y", "N/mm", force),
             ("moments", "moment", "ΣM", "N", moment),
         ):
             yield balance(key, f"balance of {name}", symbol, unit, of=scale, bound=1e-8,

@@ -24,12 +24,12 @@ RATIO = 0.1  # of rollers of different materials: Hertz's a over the smaller rad
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
 WHERE = f"different materials, a/R = {RATIO:g}"
 SECOND = 1e-3, "well below the second-order term, 2.6e-3, which the row must detect"
-SERIES = "derived series of two discs, ± its estimated next terms, at least 3e-4"
+SERIES = "derived series of two discs, ± an estimate of its next terms, at least 3e-4"
 BOUNDED = "derived series of two discs, ± a bound of its next terms, at least 3e-4"
-COUPLING = "estimated: ± ((a/R)²/2 + coupling of different materials), at least 3e-4"
+COUPLING = "estimated: ± ((a/R)²/2 + effect of different materials), at least 3e-4"
 SHEAR = (
-    "derived: −0.693 a/R_1 as on a flat, −0.093 κa due to the inclined pressure; ± ((a/R)² + "
-    "coupling of different materials), at least 1e-3"
+    "derived: −0.693 a/R_1 as on a flat, and −0.093 κa due to the inclined pressure; "
+    "± ((a/R)² + effect of different materials), at least 1e-3"
 )
 
 
@@ -37,7 +37,8 @@ class TwoRollers(TwoBodies):
     """Two elastic rollers of different radii represent a sprag on the inner race.
 
     The error of Hertz's theory is derived to the second order in a/R. The derivation includes the
-    inclination of the common contact surface. Finite elements must agree with this error.
+    inclination of the common contact surface. The difference between Hertz's theory and finite
+    elements must agree with the derived error.
     """
 
     id = "contact-pair"
@@ -51,11 +52,11 @@ class TwoRollers(TwoBodies):
         "δ is the approach of the centres; the load also acts on the opposite side of each roller",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the rollers not modelled",
-        "each roller is pressed from both sides: quarters are modelled, whose horizontal cuts stay "
-        "straight",
+        "linear elasticity, no friction; the ends of the rollers are not modelled",
+        "the load acts on both sides of each roller: a quarter of each roller is modelled, and its "
+        "horizontal cut stays straight",
         "the contact pressure acts along the normal of the common, deformed contact surface",
-        "each mesh has a node at the edge of the contact, which a coarse solution locates",
+        "each mesh has a node at the edge of the contact; a coarse solution locates this edge",
     )
 
     R_1: float = given(

@@ -16,19 +16,19 @@ from verify.form.adapter import adapted
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, which takes half a minute
 BOUND = "estimated: ± ((a/R)² for the curvature + (a/wall)² for the fixed rim)"
-APPROACH = "estimated: ± (half of (a/R)² + (a/wall)², plus the coupling of different materials)"
+APPROACH = "estimated: ± (((a/R)² + (a/wall)²)/2 + effect of different materials)"
 SHEAR = (
-    "derived: −0.693 a/R as on a flat, −0.093 κa due to the inclined pressure; ± ((a/R)² + "
-    "(a/wall)² + coupling of different materials), at least 1e-3"
+    "derived: −0.693 a/R as on a flat, and −0.093 κa due to the inclined pressure; "
+    "± ((a/R)² + (a/wall)² + effect of different materials), at least 1e-3"
 )
 
 
 class RollerInRace(TwoBodies):
-    """A roller in the bore of a race, with a profile radius of the sprag.
+    """A roller touches the bore of a race; its radius is a profile radius of the sprag.
 
-    The bore is curved in the same direction as the roller, which widens the contact. The wall is
-    about fifty half-widths of the contact thick. The approach of the centre of the roller and the
-    fixed rim is derived from the Fourier series of the ring.
+    The bore is curved in the same direction as the roller, which widens the contact. The wall
+    thickness is about fifty times the half-width of the contact. The approach of the centre of the
+    roller and the fixed rim is derived from the Fourier series of the ring.
     """
 
     id = "contact-ring"
@@ -45,12 +45,13 @@ class RollerInRace(TwoBodies):
         "δ is the approach of the centre of the roller and the rim of the race; the rim is fixed",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the roller not modelled",
-        "the roller is pressed from both sides: a quarter is modelled, whose horizontal cut stays "
-        "straight",
-        "the race contains one roller, and its whole rim is fixed: half of the race is modelled",
+        "linear elasticity, no friction; the ends of the roller are not modelled",
+        "the load acts on both sides of the roller: a quarter of the roller is modelled, and its "
+        "horizontal cut stays straight",
+        "the race contains one roller, and the whole rim of the race is fixed: half of the race is "
+        "modelled",
         "the contact pressure acts along the normal of the common, deformed contact surface",
-        "each mesh has a node at the edge of the contact, which a coarse solution locates",
+        "each mesh has a node at the edge of the contact; a coarse solution locates this edge",
     )
 
     R: float = given(
@@ -109,7 +110,7 @@ class RollerInRace(TwoBodies):
             P=self.P, a=self.a, **self.race, E=self.E_2, assumption="plane strain"
         )
 
-    @Quantity("δ", "µm", "approach of centre and rim",
+    @Quantity("δ", "µm", "approach of roller centre and rim",
               source="approach of the centre of the roller and the fixed rim")  # fmt: skip
     def approach(self) -> float:
         return self.in_roller + self.in_race

@@ -22,7 +22,7 @@ from verify.cases.contact.press_fit.reference import jitter, solve
 from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
-FAST = 1e-3, "smooth fields on curved quadratic cells: errors far below 1 % without extra cost"
+FAST = 1e-3, "curved quadratic cells resolve smooth fields far better than 1 % at no extra cost"
 DIRECT = "direct solution: machine epsilon times the condition number of the stiffness matrix"
 MOST_CELLS = 400_000
 SCATTERED = 1e-3  # limit for the scatter of the pressure due to rounded positions, relative to it
@@ -31,7 +31,7 @@ THINNEST = 0.04  # wall over r_f: cells along the circumference must be shorter
 
 
 class PressFit(FitFormulas):
-    """Two walls in contact along a whole circle; the meshes of both walls do not match.
+    """A race and its housing touch along a whole circle; their meshes do not match there.
 
     The contact must transmit a uniform pressure. The interference is given as a number and, in
     another fit, by overlapping meshes. In a further fit, a solid shaft replaces the race.
@@ -50,8 +50,9 @@ class PressFit(FitFormulas):
         "the walls are computed both as short (plane stress) and as long (plane strain)",
     )
     assumptions: ClassVar = (
-        "the paper gives no fit: housing (aluminium, 40 mm), δ and p_o are assumed; p_i is the "
-        "force of its 12 sprags (3.4 kN on 9 mm each), uniform over the bore",
+        "the paper gives no fit: the housing (aluminium, rim radius 40 mm), δ and p_o are assumed; "
+        "p_i is the force of the 12 sprags of the paper (3.4 kN each, over a length of 9 mm), "
+        "distributed uniformly over the bore",
         "linear elasticity, small strain, no friction on the fit",
         "a quarter of each wall is modelled, with symmetry on both cuts",
     )
@@ -75,9 +76,11 @@ class PressFit(FitFormulas):
             shared: dict[str, Any] = {
                 "state": replace(state, displayed=not one.key), "sensitivity": FAST,
             }  # fmt: skip
-            yield identity(fit.scatter, order=2, scale={f"p, {one.name}": of.p}, **shared)
+            yield identity(
+                fit.scatter, order=2, scale={f"mean contact pressure, {one.name}": of.p}, **shared
+            )
             for q, r in moved[one.walls == "shaft" :]:
-                yield identity(q, order=4, scale={f"largest u, {one.name}": of.moved},
+                yield identity(q, order=4, scale={f"largest displacement, {one.name}": of.moved},
                                symbol=f"u_r({r})", **shared)  # fmt: skip
             for q, r in hoops if one.walls == "rings" else ():
                 yield identity(q, order=2, scale={f"largest stress, {one.name}": of.stress_scale},
@@ -85,8 +88,9 @@ class PressFit(FitFormulas):
             yield identity(fit.U, order=4, **shared)
             for wall in ("inner", "outer"):
                 residual = f"{wall}_balance_{one.key}".removesuffix("_")
-                yield balance(residual, f"balance of the {wall} wall, {one.words}", "ΣF_x", "N/mm",
-                              of={"load": load}, bound=1e-9, because=DIRECT)  # fmt: skip
+                yield balance(residual, f"balance of forces on the {wall} wall, {one.words}",
+                              "ΣF_x", "N/mm", of={"load": load}, bound=1e-9,
+                              because=DIRECT)  # fmt: skip
 
     figures = drawn.profiles
 
@@ -141,7 +145,7 @@ class PressFit(FitFormulas):
                 )
             strain = worst / min(self.E_i, self.E_o)
             if strain > 2e-3 and self.R_p is None:
-                yield f"strain reaches {strain:.2%} in {words}, where most metals yield; enter R_p"
+                yield f"strain reaches {strain:.2%} in {words}: most metals yield; enter R_p"
 
 
 PRESS_FIT = adapted(PressFit)

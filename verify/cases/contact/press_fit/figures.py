@@ -54,11 +54,11 @@ def profiles(fit: FitFormulas) -> Iterator[AlongLine]:
             title=f"{name.capitalize()} stress through both rings, plane stress", x=("r", "mm"),
             y=(symbol, "MPa"), curve=curve, reference=f"profile {name}",
             at=stations(fit), points=fine, order=2.0, scale=fit.stress_scale,
-            note="Dots: finite elements on a radius at 30°. Lower diagram: difference to the "
-            "formula; band: tolerance of the profile.",
+            note="Line: formula; dots: finite elements on a radius at 30°. Lower diagram: dots "
+            "minus line; band: tolerance of the profile.",
         )  # fmt: skip
     yield AlongLine(
-        title="Contact pressure along the fit, rings, plane stress", x=("angle", "deg"),
+        title="Contact pressure along the fit of two rings, plane stress", x=("angle", "deg"),
         y=("p", "MPa"), curve=lambda turns: np.full(turns.size, fit.p), reference="p along",
         at=TURNS, points=TURNS, order=2.0, scale=fit.p, scale_name="p",
         note="The meshes do not match: three cells of the inner ring face two of the outer ring.",

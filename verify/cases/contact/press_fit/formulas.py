@@ -46,7 +46,7 @@ class FitFormulas(FitInputs):
         loads: dict[str, Any] = {"p_i": self.p_bore, "p_o": self.p_o}
         return -float(interferences_lost(nominal, **loads, assumption=self.ends)[0])
 
-    @Quantity("p", "MPa", "contact pressure, mean", source=LAME,
+    @Quantity("p", "MPa", "mean contact pressure", source=LAME,
               tex=r"\frac{\delta + \delta_0}{c_i + c_o}")  # fmt: skip
     def p(self) -> float:
         loads: dict[str, Any] = {"p_i": self.p_bore, "p_o": self.p_o, "assumption": self.ends}
@@ -54,7 +54,7 @@ class FitFormulas(FitInputs):
             return pressure_of_overlap(*self.pair, **loads)
         return float(contact_pressures(self.pair, self.delta, **loads)[0])
 
-    @Quantity("Δp", "MPa", "contact pressure, rms scatter along the fit", source="symmetry")
+    @Quantity("Δp", "MPa", "rms scatter of the contact pressure along the fit", source="symmetry")
     def scatter(self) -> float:
         return 0.0
 

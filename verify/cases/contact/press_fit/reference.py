@@ -56,7 +56,7 @@ def sizes(found: dict[str, float]) -> dict[str, float]:
 
 
 def jitter(q: FitInputs, around: int) -> float:
-    """Scatter [Pa] of the pressure because positions of nodes (`around` per quarter) are rounded.
+    """Scatter [Pa] of the pressure due to rounded positions of nodes (`around` per quarter).
 
     Positions of neighbouring nodes of the inner wall, whose cells are shorter, differ by EPS r_f.
     """

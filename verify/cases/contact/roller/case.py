@@ -19,7 +19,7 @@ from verify.form.adapter import adapted
 PLANE_NU = 0.3  # Poisson's ratio of the disc; only E/(1 − ν²) matters
 BEST_AT = np.geomspace(0.2, 2.5, 6)  # loads over F
 FINE_AT = np.geomspace(0.2, 2.5, 40)
-SERIES = "derived series of the disc, ± an assumed next term, at least 3e-4"
+SERIES = "derived series of the disc, ± (a/R)⁴ as an estimate of the next term, at least 3e-4"
 PLANE = "plane finite elements under the line load of strips"
 
 
@@ -28,7 +28,8 @@ class RollerOnRace(CrownedRoller):
 
     Two models are compared with boundary elements on a half-space: strips, each with Hertz's
     elliptical pressure across, and the slicing technique of the paper. Plane finite elements verify
-    the middle of the roller. The error of strips is derived, and the half-space must agree with it.
+    the middle of the roller. The error of strips is derived; the difference between strips and
+    half-space must agree with this error.
     """
 
     id = "contact-roller"
@@ -101,8 +102,8 @@ class RollerOnRace(CrownedRoller):
         yield self.peaks_over(
             context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
             loads=FINE_AT, x=FINE_AT, best=("optimal crown for each load", BEST_AT), y_top=1.6,
-            note="The optimal crown of a load leaves the ends unloaded. Dots: the ends of this "
-            "crown are loaded, and the pressure there is unbounded.",
+            note="The optimal crown of a load leaves the ends unloaded. Dots: loads at which the "
+            "ends of the given crown are loaded; on a half-space, the pressure there is unbounded.",
         )  # fmt: skip
 
 

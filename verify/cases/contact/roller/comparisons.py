@@ -30,8 +30,8 @@ HALF_SPACE = "half-space"
 SHARED = "half-spaces with the modulus E*"
 ACCEPTED = "accepted error of the finite line contact"
 ESTIMATE = (
-    "derived: 0.5 to 2 times the effect that strips neglect, ± their discretisation error of first "
-    "order, at least 1e-4 (user inputs: 1e-3)"
+    "derived: 0.5 to 2 times the estimated effect of the terms that strips neglect, ± "
+    "(discretisation error of the strips, of first order, + 1e-4; for user inputs + 1e-3)"
 )
 PALMGREN = underived("Palmgren's law was fitted to measured approaches: no error can be derived")
 SHARPEST = 3e-3  # acceptance of the strips
@@ -87,13 +87,13 @@ def sliced_rows(
         judged = one in sliced and one is not SlicedRoller.delta_slices
         yield estimated(
             one, expected=accepted if judged else PALMGREN, order=1, by=HALF_SPACE, shares=SHARED,
-            sensitivity=(2 * SLICED, "twice the accepted error, as the sign is free"),
+            sensitivity=(2 * SLICED, "twice the accepted error, which may have either sign"),
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
-        Accepted(name=f"misplaced load of slices relative to the half-space, below {SHARE:.0%}",
-                 margin=misplaced, **load),
-        Accepted(name="slices misplace less load than independent slices", margin=nearer,
+        Accepted(name="share of the load that slices misplace relative to the half-space below "
+                 f"{SHARE:.0%}", margin=misplaced, **load),
+        Accepted(name="share of misplaced load: slices below independent slices", margin=nearer,
                  **load),
     ):  # fmt: skip
         yield Comparison(check=check, quantity=SlicedRoller.p_max_slices, shares=SHARED)
@@ -102,20 +102,21 @@ def sliced_rows(
 def balanced(q: StripRoller) -> Comparison:
     """Row: the pressures on the half-space are in balance with the given load."""
     return balance("balance", "balance of forces, half-space", "ΣF", "N", of={"F": q.F},
-                   bound=1e-10, because="every iteration satisfies the load")  # fmt: skip
+                   bound=1e-10, because="every iteration satisfies this balance")  # fmt: skip
 
 
 def loaded_ends(q: StripRoller) -> Comparison:
     """Row: the load near both ends by strips agrees with that of the half-space."""
-    check = Accepted(name=f"load within d of the ends: strips agree within {ENDS:.0%}",
+    check = Accepted(name="load within d of both ends: strips and half-space agree within "
+                     f"{ENDS:.0%}",
                      symbol="F_d", unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.F_d, shares=SHARED)
 
 
 def end_pressure(q: StripRoller) -> Comparison:
     """Row: strips agree on Hertz's pressure of the mean line load near the more loaded end."""
-    check = Accepted(name="Hertz's pressure of the mean line load in the more loaded end zone: "
-                     f"strips agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
+    check = Accepted(name="Hertz's pressure of the mean line load within d of the more loaded end: "
+                     f"strips and half-space agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.p_d, shares=SHARED)
 
@@ -145,7 +146,7 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
     def pair(context: Context) -> Pair:
         v, strips = context.series(key)[1], context.analytic[key]
         error = (strips - v[-1]) / size(v[-1], scale)
-        return Pair(strips, v[-1], 3 * abs(v[-1] - v[-2]), f"strips {error:+.2%}")
+        return Pair(strips, v[-1], 3 * abs(v[-1] - v[-2]), f"error of strips {error:+.2%}")
 
     return pair
 
@@ -160,7 +161,7 @@ def within(key: str, bound: float, scale: Scale) -> Margin:
         v, strips = context.series(key)[1], context.analytic[key]
         over = size(v[-1], scale)
         error = (strips - v[-1]) / over
-        return bound - abs(error), 3 * abs(v[-1] - v[-2]) / over, f"strips {error:+.2%}"
+        return bound - abs(error), 3 * abs(v[-1] - v[-2]) / over, f"error of strips {error:+.2%}"
 
     return margin
 
@@ -176,7 +177,7 @@ def misplaced(context: Context) -> tuple[float, float, str]:
     return (
         SHARE - share,
         U,
-        f"{share:.1%} of the load misplaced; L2 error of the line load {error:.1%}",
+        f"slices misplace {share:.1%} of the load; L2 error of their line load {error:.1%}",
     )
 
 
@@ -187,7 +188,7 @@ def nearer(context: Context) -> tuple[float, float, str]:
     return (
         alone - share,
         U + U_alone,
-        f"{share:.1%} of the load misplaced, independent slices {alone:.1%}",
+        f"slices misplace {share:.1%} of the load, independent slices {alone:.1%}",
     )
 
 

@@ -13,7 +13,10 @@ from verify.judging.checks import Accepted, Fact, Margin
 from verify.judging.tolerance_checks import Deviation, suites
 
 FLAT = 0.01  # acceptance of a uniform pressure
-FITTED = "length and load are not printed but identified; at other loads, another design is best"
+FITTED = (
+    "the paper prints neither length nor load: both are fitted; at other loads, another design is "
+    "best"
+)
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # relative to the half-length: 9 µm of the paper's roller
 MID, AT_ENDS = 3e-3, 0.02  # acceptance of strips against the half-space
@@ -25,10 +28,11 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 
     def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(key)[1]
-        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"uniform within {v[-1]:.2%}"
+        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"largest deviation from p_0 {v[-1]:.2%}"
 
     return Accepted(
-        name=f"pressure of {crown} uniform within {FLAT:.0%}, up to {far:g} b from the ends",
+        name=f"pressure with {crown} uniform within {FLAT:.0%}, except within {far:g} b of the "
+        "ends",
         symbol="p", unit="1", margin=margin,
     )  # fmt: skip
 
@@ -36,11 +40,11 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 def printed_designs() -> Iterator[Check]:
     """Rows: the designs of Fig. 12 with the most and the least uniform pressure."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
-    yield Accepted(name="Fig. 12: (1, 0.7, 0.01) has the most uniform pressure "
-                   "of the printed designs",
+    yield Accepted(name="Fig. 12: of the printed crowns (K_1, K_2, z_m), (1, 0.7, 0.01 mm) has "
+                   "the most uniform pressure",
                    margin=extreme(0, most=False), printed=BEST, **shared)  # fmt: skip
-    yield Accepted(name="Fig. 12: (5, 0.7, 0.015) has the least uniform pressure "
-                   "of the printed designs",
+    yield Accepted(name="Fig. 12: of the printed crowns (K_1, K_2, z_m), (5, 0.7, 0.015 mm) has "
+                   "the least uniform pressure",
                    margin=extreme(1, most=True), **shared)  # fmt: skip
 
 
@@ -49,7 +53,7 @@ def deviations() -> Iterator[Check]:
     yield Deviation(
         name="the length of the straight middle depends on K_2, not on z_m", symbol="Δl_s/l",
         unit="1", size=straight, accepted=RESOLVED,
-        source=suites("9 µm for the length of the paper, a cell of the half-space"),
+        source=suites("0.2 % of l/2, about the length of a cell of the half-space"),
         whole="l/2", by="crown", fem_needed=False, everywhere=True,
     )  # fmt: skip
     yield Fact(name="under a light load, only the straight middle is loaded", symbol="l_c/l",
@@ -67,7 +71,7 @@ def extreme(design: int, *, most: bool) -> Margin:
         found = _designs(context, "uneven")
         this, others = float(found[-1, design]), np.delete(found[-1], design)
         next_ = float(others.max() if most else others.min())
-        words = f"{this:.1%} of the load must be moved, next design {next_:.1%}"
+        words = f"{this:.1%} of the load deviates from a uniform line load, next design {next_:.1%}"
         more = this / next_ if most else next_ / this
         return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"
 
@@ -77,11 +81,14 @@ def extreme(design: int, *, most: bool) -> Margin:
 def _peaks(context: Context, design: int) -> str:
     """Text: largest pressures of the design and its rank for two lengths of end zones."""
     peaks = []
-    for key, where in (("p_max", "beyond d from the ends"), ("near", "beyond 0.1 mm")):
+    for key, where in (
+        ("p_max", "outside the end zones d"), ("near", "outside 0.1 mm at each end"),
+    ):  # fmt: skip
         found = _designs(context, key)[-1]
         place = int(np.argsort(np.argsort(found))[design]) + 1
         peaks.append(
-            f"{found[design] / 1e6:.0f} MPa {where}, rank {place} of {len(found)} from below"
+            f"largest pressure {found[design] / 1e6:.0f} MPa {where}, rank {place} of {len(found)} "
+            "in ascending order"
         )
     return "; ".join(peaks)
 
@@ -110,7 +117,11 @@ def straight(context: Context) -> tuple[float, float, str]:
     by_z = abs(start(0.7, 25e-6) - start(0.7, 5e-6))
     off = abs(start(0.4, 10e-6) - 0.6 * q.L / 2) + abs(start(0.7, 10e-6) - 0.3 * q.L / 2)
     moved = (by_z + off) / (q.L / 2)
-    return moved, 2 * float(y[1]) / (q.L / 2), f"its start differs by {moved:.1e} of l/2"
+    return (
+        moved,
+        2 * float(y[1]) / (q.L / 2),
+        f"the start of the crown differs by {moved:.1e} of l/2",
+    )
 
 
 def first_contact(context: Context) -> tuple[float, float]:

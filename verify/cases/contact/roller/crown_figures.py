@@ -44,7 +44,8 @@ def grown(q: "ComparedCrowns", varied: str) -> Figure:
 line(f"{design}", y / mm, q.designed(design).gap(y) / um, i)
 for i, design in enumerate(PROFILES[varied])
 ),
-        note="(K_1, K_2, z_m); half y > 0; Q = F. The figure of the paper was not available.",
+        note="Legend: (K_1, K_2, z_m). Only the half y > 0 is drawn; Q = F. Fig. 11 of the paper "
+        "was not available for a comparison.",
     )  # fmt: skip
 
 
@@ -60,16 +61,16 @@ def designs(context: Context) -> Figure:
     return plot(
         "Pressure of the designs of the paper (Fig. 12)", "y [mm]", "p [MPa]", curves,
         y_top=1.25 * p_0, y_bottom=0.5 * p_0,
-        note="Lines: strips; dots: half-space. Design (1, 0.7, 10 µm) has the most uniform "
-        "pressure except at its ends. These are loaded, and the pressure of the half-space is "
-        "unbounded there.",
+        note="Legend: (K_1, K_2, z_m). Lines: strips; dots: half-space. Design (1, 0.7, 10 µm) has "
+        "the most uniform pressure except at its ends. Its ends are loaded: there, the pressure of "
+        "a half-space is unbounded.",
     )  # fmt: skip
 
 
 def by_all(context: Context, design: Design) -> Figure:
     """Figure of p(y) by all models for one design."""
     roller = context.inputs.designed(design)
-    return figures.pressures(context, roller, f"_of_{design!s}", f", {design}")
+    return figures.pressures(context, roller, f"_of_{design!s}", f", crown {design}")
 
 
 def even(context: Context) -> Figure:
@@ -79,9 +80,9 @@ def even(context: Context) -> Figure:
         curve = figures.half_space(context, words, ending(name), 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.inputs.p_0))
     return plot(
-        "Crowns for a uniform pressure", "y [mm]", "p/p_0", curves,
+        "Pressure with the crowns for uniform pressure", "y [mm]", "p/p_0", curves,
         y_bottom=0.9, y_top=1.1,
-        note="Pressure on the half-space over p_0, Hertz's pressure of the uniform line load.",
+        note="Dots: half-space. p_0: Hertz's pressure of the uniform line load.",
     )  # fmt: skip
 
 
@@ -94,8 +95,10 @@ def ends(context: Context) -> Figure:
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
         curves.append(line(words, (q.L / 2 - y[near])[::-1] / b, p[near][::-1] / q.p_0, 2 * i))
     return plot(
-        "Ends of the crowns for a uniform pressure", "distance from the end over b", "p/p_0",
+        "Pressure near the end with the crowns for uniform pressure",
+        "distance from the end over b", "p/p_0",
         curves,
-        note="Half-space. Both pressures rise before they fall: for a uniform load, the crown "
-        "should be slightly deeper there. Lundberg's drop is unbounded at the end itself.",
+        note="Lines: half-space. Towards the end, both pressures rise before they fall: for a "
+        "uniform pressure, both crowns should be slightly deeper there. The drop of Lundberg's "
+        "crown is infinite at the end.",
     )  # fmt: skip

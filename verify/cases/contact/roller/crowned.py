@@ -64,7 +64,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
                         role="step").reads(lambda q: q._best.K_2)  # fmt: skip
     best_z_m = Quantity("z_m*", "mm", "z_m of the optimal crown", source="search",
                         role="step").reads(lambda q: q._best.z_m)  # fmt: skip
-    p_best = Quantity("p_max*", "MPa", "largest pressure of the optimal crown, ends "
+    p_best = Quantity("p_max*", "MPa", "largest pressure with the optimal crown, ends "
                       "included, strips",
                       source="strips",
                       safe="too high").reads(lambda q: q.with_best_crown.strips.p_top)  # fmt: skip
@@ -143,8 +143,8 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return plot(
             f"Largest pressure as a function of the {over}", x_label, "p_max/p_0", curves,
             y_top=y_top, y_bottom=0.95,
-            note=f"p_0: Hertz's pressure of the uniform line load. The ends are included; {self.n} "
-            f"strips. {note}",
+            note=f"p_0: Hertz's pressure of the uniform line load. Computed with {self.n} "
+            f"strips, ends included. {note}",
         )  # fmt: skip
 
     @property

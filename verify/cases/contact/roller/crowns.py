@@ -32,7 +32,7 @@ from verify.judging.tolerance_checks import SUBJECT, suites
 
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 FAR = 5.0  # a uniform pressure is judged up to this distance from the ends, in half-widths
-BESIDE = "deviation from strips, the more accurate model, ± their accepted error of 0.3 %"
+BESIDE = "deviation of Hertz's pressure from that of strips, ± 0.3 % (accepted error of strips)"
 
 
 class ComparedCrowns(Divided, StripRoller):
@@ -72,8 +72,8 @@ class ComparedCrowns(Divided, StripRoller):
     def end_drop(self) -> float:
         return float(self._even("Johns")(np.array(self.L / 2)))
 
-    @Quantity("p_max{0}", "MPa", "largest pressure outside d, (K_1, K_2, z_m) = {0}, strips",
-              equation="1", role="step").over(DESIGNS)  # fmt: skip
+    @Quantity("p_max{0}", "MPa", "largest pressure outside the end zones d, (K_1, K_2, z_m) = {0}, "
+              "strips", equation="1", role="step").over(DESIGNS)  # fmt: skip
     def p_max_of(self, design: Design) -> float:
         return self.designed(design).p_max
 
@@ -132,15 +132,17 @@ class ComparedCrowns(Divided, StripRoller):
                 by=comparisons.HALF_SPACE, expected=Computed(interval, BESIDE),
                 sensitivity=(0.01, ""), shares=comparisons.SHARED,
             )  # fmt: skip
-        third = suites("a third of the accepted error of a roller without crown, 6 %")
+        third = suites("a third of 6 %, the accepted error of a roller without crown")
         for name, words in EVEN.items():
             state = State(self.with_crown(name), ending(name)[1:], words)
             for one, what, bound, source in (
                 (q.p_mid, MIDDLE, MID, SUBJECT), (q.delta, "approach", MID, SUBJECT),
-                (q.F_d, "load within d of the ends", AT_ENDS, third),
+                (q.F_d, "load within d of both ends", AT_ENDS, third),
             ):  # fmt: skip
-                yield comparisons.agreeing(f"{what} of {words}: strips agree within {bound:.1%}",
-                                           one, bound, 0.0, source, state=state)  # fmt: skip
+                yield comparisons.agreeing(
+                    f"{what}, {words}: strips and half-space agree within {bound:.1%}",
+                    one, bound, 0.0, source, state=state,
+                )  # fmt: skip
         for name, words in EVEN.items():
             yield Comparison(check=uneven(f"uneven{ending(name)}", words, FAR), quantity=q.p_0)
         yield from printed_designs()

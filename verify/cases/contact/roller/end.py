@@ -39,7 +39,10 @@ HALF_SPACE = (64, 512)  # cells across and along
 FACE = 0.10  # of the load within d of the ends: least reduction by the face
 SIZE_SHARE = 1 / 3  # of the reduction by the face: limit for that by the bodies' size
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
-TERMS = "estimated: terms of the order of the distances, 0.001 and 0.002 of the radius"
+TERMS = (
+    "estimated: terms of the order of distance over radius (0.001 and 0.002), because the exponent "
+    "is computed at a distance from the edge"
+)
 
 
 class EndFace(Crown):
@@ -47,7 +50,8 @@ class EndFace(Crown):
 
     Finite elements of whole bodies, with Fourier series around the axes, give the error of this
     assumption at a free end face. In a control model, both bodies continue beyond the ends. The
-    control model separates the effect of the end face from the effect of the finite size.
+    control model separates the effect of the end face from the effect of the finite size of the
+    bodies. The roller is modelled with its crown (crowned) and without (flat).
     """
 
     id = "contact-roller-end"
@@ -124,7 +128,7 @@ class EndFace(Crown):
     def exponent(self) -> float:
         return 1 + self.sharpness
 
-    @Quantity("λ − 1", "1", "sharpness of a right-angled edge on the same material",
+    @Quantity("λ − 1", "1", "exponent of the pressure at a right-angled edge, equal materials",
               source="Williams; Dundurs and Lee")  # fmt: skip
     def sharpness(self) -> float:
         return edge_exponent(np.pi / 2)
@@ -165,19 +169,20 @@ class EndFace(Crown):
                 f"{crown}, {BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
                 analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
                 demand_reason="the pressure is uniform in each cell across the contact",
-                source="estimated: ± ((b/R_1)² + (2b/l)², plus 1e-3 for the cells)",
+                source="estimated: ± ((b/R_1)² + (2b/l)² + 1e-3 for the size of the cells)",
             ))  # fmt: skip
         cost = underived("this case measures the error of a half-space")
         for name, words in BODIES.items():
             for state in self.states:
                 yield estimated(
                     q.F_d, f"F_d_{name}_{state.words}", state=state, symbol="F_d", order=1,
-                    name=f"load within d of the ends, half-space, {state.words}, {words}",
+                    name=f"load within d of both ends, half-space, {state.words}, {words}",
                     expected=cost,
                 )  # fmt: skip
         for what, margin in (
-            (f"the end face reduces the load near it by {FACE:.0%} or more", face),
-            ("the end face dominates: finite size contributes less than a third", mostly),
+            (f"load within d of both ends: the end faces reduce it by {FACE:.0%} or more", face),
+            ("load within d of both ends: the finite size of the bodies contributes less than a "
+             "third of the reduction", mostly),
         ):  # fmt: skip
             for state in self.states:
                 check = Accepted(name=f"{what}, {state.words}", symbol="F_d", unit="1",
@@ -197,8 +202,8 @@ class EndFace(Crown):
         """Warning if the half-space loads the ends more than an end face can carry."""
         if max(self.end_share, self.flat.end_share) > 1.2 * 2 * self.d / self.L:
             yield (
-                "the half-space gives more load at the ends than a free end face can carry: its "
-                "pressures near a loaded end are too high"
+                "near a free end face, the half-space overestimates the load: the pressures of the "
+                "half-space near a loaded end are too high"
             )
 
 
@@ -209,7 +214,8 @@ def face(state: State) -> Margin:
         here, on, U = end_loads(context, "end", state)
         beyond, _, _ = end_loads(context, "control", state)
         words = (
-            f"{here / on - 1:+.1%} from the half-space, {here / beyond - 1:+.1%} from the control"
+            f"load near the ends {here / on - 1:+.1%} relative to the half-space, "
+            f"{here / beyond - 1:+.1%} relative to the control model"
         )
         return 1 - here / on - FACE, U, words
 
@@ -226,7 +232,8 @@ def mostly(state: State) -> Margin:
         return (
             left,
             SIZE_SHARE * U + U_size,
-            f"size {size / on - 1:+.1%}, face {face_ / on - 1:+.1%}",
+            f"change of the load relative to the half-space: {size / on - 1:+.1%} without end "
+            f"faces, {face_ / on - 1:+.1%} with end faces",
         )
 
     return margin

@@ -41,10 +41,10 @@ def line_loads(context: Context, state: State) -> Figure:
         y, line = (arrays[f"{key}_{name}_{state.words}"] for key in "yq")
         curves.append(curve(f"FE, {words}", y / mm, line / 1e3, "line", 2 * i))
     return plot(
-        f"Line load towards the end, {state.words}", "y [mm]", "q [N/mm]", curves,
+        f"Line load from mid-length to the end, {state.words}", "y [mm]", "q [N/mm]", curves,
         y_top=1.7 * q.F / q.L / 1e3,
-        note="If both bodies continue beyond the ends, the half-space is nearly exact. A free end "
-        "face deflects more, and load shifts to the middle.",
+        note="If both bodies continue beyond the ends, the half-space is nearly exact. At a free "
+        "end face, the roller deflects more, and load shifts to the middle.",
     )  # fmt: skip
 
 
@@ -61,8 +61,8 @@ def edge(context: Context) -> Figure:
         dots("FE, ring on a longer shaft", x, y),
         line(f"slope {k:.3f}", at, k * (at - middle), 2),
         dashes("slope −0.5, half-space", at, -0.5 * (at - middle), 4),
-        note="Axisymmetric model: near its edge, a ring on a shaft is a right-angled corner on a "
-        "flat, like the longitudinal section of a roller.",
+        note="Axisymmetric model of a ring on a shaft: near the edge, the section of the ring is a "
+        "right-angled corner on a flat, as is the longitudinal section of a roller.",
     )  # fmt: skip
 
 

@@ -73,7 +73,8 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
         f"Pressure along the roller, at x = 0{crown}", "y [mm]", "p [MPa]", curves,
         y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, finest "
-        "grid. At a loaded end, the pressure is unbounded: its curve leaves the diagram.",
+        "grid. On a half-space, the pressure at a loaded end is unbounded: its curve leaves the "
+        "diagram.",
     )  # fmt: skip
 
 
@@ -92,8 +93,8 @@ def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve
     """
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
-    parts = (("this crown, ends unloaded", ~loaded, "line"),
-             ("this crown, an end loaded", loaded, "dots"))  # fmt: skip
+    parts = (("given crown, ends unloaded", ~loaded, "line"),
+             ("given crown, an end loaded", loaded, "dots"))  # fmt: skip
     return [
         curve(name, x[some], p[some], style) for name, some, style in parts if some.any()
     ]  # fmt: skip
@@ -126,6 +127,6 @@ def patch() -> Picture:
     """Picture of the pressure on the contact patch."""
     return Picture(
         field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
-        caption="Pressure on the contact patch. Horizontal: along the roller; vertical: across it, "
-        f"magnified {STRETCH:.0f} times", displacement="", stretch=STRETCH,
+        caption="Pressure on the contact patch. Horizontal: along the roller; vertical: across the "
+        f"roller, magnified {STRETCH:.0f} times", displacement="",
     )  # fmt: skip

@@ -21,15 +21,16 @@ SLOPE = 0.5  # order of 1/peak in the cell: pressure grows as 1/sqrt(distance) a
 ALONG = 128  # cells along the roller, a level: no more than b/12 long
 COUNTS = (41, 57, 81, 115, 161, 229, 321)
 FLAT = 5e-3  # acceptance of pressures and approach without a crown
-WITHIN = f"strips as wide as the contact agree within {FLAT:.1%}"
+WITHIN = f"strips of width b and half-space agree within {FLAT:.1%}"
 
 
 class FlatRoller(OnHalfSpace):
-    """A cylindrical roller without a crown.
+    """A cylindrical roller without a crown presses on a race.
 
-    On a half-space, the pressure at its ends is infinite. The peak that a model gives there depends
-    on the number of slices only and has no physical meaning. The rows judge values that converge,
-    and the exponent with which the peak grows as the slices become narrower.
+    On a half-space, the pressure at the ends of the roller is infinite. The peak that a model gives
+    there depends on the size of its cells or slices only and has no physical meaning. The rows
+    judge values that converge, and the exponent with which the peak grows as the cells become
+    smaller.
     """
 
     id = "contact-roller-flat"
@@ -64,7 +65,7 @@ class FlatRoller(OnHalfSpace):
         yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
         yield comparisons.loaded_ends(self)
         yield comparisons.end_pressure(self)
-        yield Order(name="slope of 1/peak over the cell size: the pressure at the end is unbounded",
+        yield Order(name="exponent with which 1/(peak pressure) decreases with the cell size",
                     symbol="p", unit="1", errors=self._inverse_peaks, order=SLOPE)  # fmt: skip
         yield from comparisons.sliced_rows(self, (q.p_mid_slices,), (q.p_mid_lamina,))
         yield comparisons.balanced(self)
@@ -89,10 +90,10 @@ class FlatRoller(OnHalfSpace):
         cells = np.array([len(r.arrays["y"]) for r in context.fem]) * self.b / self.L
         peak, mid = (np.array(context.series(k)[1]) / self.p_0 for k in ("p_largest", "p_mid"))
         return Refinement(
-            title="Unbounded growth of the peak at the end", x_label="cells on Hertz's half-width",
+            title="Unbounded peak pressure at the end", x_label="cells on Hertz's half-width",
             y_label="p/p_0", cells=np.round(cells, 1), errors=(("peak", peak),), order=-0.5,
-            note="Dots: largest pressure of a cell over Hertz's pressure of a uniform load; line: "
-            f"slope 1/2. At mid-length, p/p_0 remains {mid[-1]:.4f}.",
+            note="Dots: largest pressure of a cell over p_0, Hertz's pressure of the uniform line "
+            f"load; line: slope 1/2. At mid-length, p/p_0 is {mid[-1]:.4f}.",
         )  # fmt: skip
 
     def _over_strips(self, context: Context) -> Figure:
@@ -103,10 +104,11 @@ class FlatRoller(OnHalfSpace):
             x, share = np.array([COUNTS[0], COUNTS[-1]], float), context.series("F_d")[1][-1]
             curves.append(dashes("half-space", x, share / self.F, 4))  # fmt: skip
         return plot(
-            "Load share of the ends over the number of strips", "n", "F_d/F", curves,
+            "Share of the load within d of both ends over the number of strips", "n", "F_d/F",
+            curves,
             y_bottom=0.9 * min(found),
-            note="Strips narrower than the contact do not converge at a loaded end: use about "
-            f"l/b = {self.L / self.b:.0f} strips.",
+            note="With strips narrower than b, the load near a loaded end does not converge: use "
+            f"about l/b = {self.L / self.b:.0f} strips.",
         )  # fmt: skip
 
 

@@ -10,23 +10,27 @@ if TYPE_CHECKING:
 
 SETTLED = 5e-3  # change of pressure with twice the strips up to which there is no warning
 READINGS = (
-    "E' of Eq. 1 is E/(1 − ν²) for steel on steel: 2 E*",
+    "E' of Eq. 1 is E/(1 − ν²) for steel on steel, which equals 2 E*",
     "y = 0 is at mid-length, and the crown is equal at both ends",
     "s of Eq. 5 is Palmgren's constant for the whole length, to the power 1/0.9",
 )
-COUPLED = "the weights w of Eq. 3 are those of a half-space on Hertz's width: slices are coupled"
+COUPLED = (
+    "the weights w of Eq. 3 are influence coefficients of a half-space for Hertz's contact width: "
+    "slices are coupled"
+)
 ASSUMPTIONS = (
-    "length and loads are not printed: 9 mm and the static load at 25 N m for a wedge angle of "
-    "3.15° are identified (CALIBRATED). These rows compare models at these values and do not judge "
-    "the paper",
+    "the paper prints neither length nor loads: the length of 9 mm and the static load at 25 N m "
+    "for a wedge angle of 3.15° are fitted (CALIBRATED). The rows compare models at these values "
+    "and do not judge the paper",
     "no friction, small strain; both bodies are half-spaces with E*, continued beyond the ends",
     "the largest pressure is taken outside the end zones d, because the pressure of a half-space "
     "is unbounded at a loaded end",
     "the grid of the half-space is refined across and along the roller; the difference between "
     "neighbouring grids counts as iteration error",
-    "the weights w are Love's influence coefficients for uniform pressure on Hertz's width of the "
-    "mean load; the exponent is 10/9 (Palmgren's law). Other influence functions of this width, or "
-    "an exponent of 1 with equal approach, change pressures by less than these rows resolve",
+    "the weights w are Love's influence coefficients for uniform pressure over Hertz's contact "
+    "width under the mean line load; the exponent is 10/9 (Palmgren's law). With other influence "
+    "functions for this width, or with the exponent 1 and the same approach, pressures change by "
+    "less than the rows resolve",
 )
 
 
@@ -35,8 +39,9 @@ def of_contact(q: "SlicedRoller") -> Iterator[str]:
     if q.loaded_ends and q.p_largest > 1.005 * q.p_max:
         yield (
             f"an end is loaded: its pressure ({q.p_largest / 1e6:.4g} MPa with {q.n} strips) grows "
-            "with every refinement, and the material yields; use p_d and the load share of the "
-            "ends; a free end face reduces this load by about a quarter (contact-roller-end)"
+            "with every refinement, and the material yields; use p_d and the share of the load "
+            "within d of the ends; a free end face reduces this load by about a quarter "
+            "(contact-roller-end)"
         )
     if q.l_c < 0.98 * q.L * (1 - 1 / q.n):
         yield f"only {q.l_c * 1e3:.4g} mm of l = {q.L * 1e3:.4g} mm are in contact"

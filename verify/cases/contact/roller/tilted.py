@@ -26,8 +26,8 @@ MOMENT = 0.01  # relative to the tilting moment
 class TiltedRoller(Tilt, CrownedRoller):
     """Races deflect and sprags tilt: the axis of the crowned roller is not parallel to the race.
 
-    Strips and slices use the gap of the tilted roller; they must predict the load of the more
-    loaded end.
+    Strips and slices are computed with the gap of the tilted roller. Strips must predict the load
+    of the more loaded end.
     """
 
     id = "contact-roller-tilted"
@@ -74,11 +74,12 @@ class TiltedRoller(Tilt, CrownedRoller):
         yield from comparisons.strips_rows(self, q.p_max, q.delta)
         yield from comparisons.sliced_rows(self, (q.p_max_slices,), (q.p_max_lamina,))
         yield comparisons.agreeing(
-            f"tilting moment: strips agree within {MOMENT:.0%}", q.M, MOMENT, self.F * self.L,
-            suites("the largest error that a row may have"),
+            f"tilting moment: strips and half-space agree within {MOMENT:.0%}", q.M, MOMENT,
+            self.F * self.L, suites("the largest error that a row may have"),
         )  # fmt: skip
         yield comparisons.agreeing(
-            f"load within d of the more loaded end: strips agree within {comparisons.ENDS:.0%}",
+            "load within d of the more loaded end: strips and half-space agree within "
+            f"{comparisons.ENDS:.0%}",
             q.F_high, comparisons.ENDS, self.F, suites("the accepted error without tilt"),
             symbol="F_d",
         )  # fmt: skip
@@ -97,7 +98,8 @@ class TiltedRoller(Tilt, CrownedRoller):
             context, "tilt", "θ [°]", gaps=Crown.gap(self, y) - (TILTS * unit)[:, None] * y,
             loads=np.ones(len(TILTS)), x=np.degrees(TILTS * unit),
             best=("optimal crown for ±θ", np.degrees(BEST_TILTS * unit)), y_top=2.2,
-            note="The optimal crown of a tilted roller is deeper than that of a straight roller.",
+            note="The optimal crown of a tilted roller is deeper than that of a roller without "
+            "tilt.",
         )  # fmt: skip
 
 

@@ -34,9 +34,11 @@ from verify.judging.profile_checks import Within
 from verify.judging.tolerance_checks import Agreement, suites
 
 FE_SHARES = (0.5, 0.9)  # amplitudes whose slip strips the meshes resolve
-SECANT = "loads are reached within 1e-12 of P; contact states within 1e-11"
+SECANT = "loads are reached within 1e-12 of P, and contact states within 1e-11"
 SLIDING = "all nodes reach the limit of friction, except for round-off"
-STICK: dict[str, Any] = {"demand": 2e-3, "demand_reason": "the stick zone is resolved to 0.2 %"}
+STICK: dict[str, Any] = {
+    "demand": 2e-3, "demand_reason": "the meshes resolve the width of the stick zone to 0.2 %",
+}  # fmt: skip
 SHARED = "Coulomb's law of friction"
 
 
@@ -63,13 +65,15 @@ class SlippingRollers(SlipFormulas):
     assumptions: ClassVar = (
         "equal materials: tangential forces do not change the pressure (Dundurs' β = 0)",
         "small strain; P is constant while Q changes; no wear, no effect of speed",
-        "two half discs, each supported on its cut: they equal half-planes except for (a/R)²",
-        "secant steps adjust the displacements of a cut until P and Q are reached within 1e-12",
-        "P, μ and ν are assumed: μ of a usual lubricated steel contact, P for a/R = 0.01; the "
-        "paper does not give them",
-        "stick half-width from the moments M₀, M₂ of the traction q: (c/a)² = 4 M₂/(M₀ a²) − 1",
-        "displacements are measured from the chord between Q = 0 and Q = 0.8 μP, so that the "
-        "elastic part, linear in Q, cancels",
+        "two half discs, each supported on its cut, replace half-planes; the error is about (a/R)²",
+        "the displacements of the upper cut are adjusted by the secant method until P and Q are "
+        "reached within 1e-12 of P",
+        "P, μ and ν are assumed, because the paper does not give them: μ is usual for lubricated "
+        "steel, and P results in a/R = 0.01",
+        "the stick half-width is computed from the moments M₀, M₂ of the traction q: (c/a)² = "
+        "4 M₂/(M₀ a²) − 1",
+        "displacements are given relative to the chord of the force-displacement curve between "
+        "Q = 0 and Q = 0.8 μP, so that the elastic part, linear in Q, cancels",
     )
 
     def reference(self, level: int) -> Level:
@@ -92,16 +96,18 @@ class SlippingRollers(SlipFormulas):
         for stage in STAGES:
             yield self._traction(by.q_0, f"Q/Q_max = {stage:g}", stage)
         yield _half_planes(by.delta_0, "cycle: residual displacement at Q = 0")
-        yield _half_planes(by.W, "cycle: energy lost, work of friction", fem="work")
-        yield _half_planes(by.W, "cycle: energy lost, area of the loop", fem="area",
+        yield _half_planes(by.W, "cycle: energy lost, by the work of friction", fem="work")
+        yield _half_planes(by.W, "cycle: energy lost, by the area of the loop", fem="area",
                            symbol="∮Q dδ")  # fmt: skip
         energies = Agreement(
-            name="cycle: both energies agree within 0.1 %", symbol="W", unit="J/m", pair=two_ways,
-            accepted=AGREE, source=suites("two sums over the same solution"), by="work of friction",
-            everywhere=True,
+            name="cycle: energy lost, area of the loop and work of friction agree within 0.1 %",
+            symbol="W", unit="J/m", pair=two_ways, accepted=AGREE,
+            source=suites("both energies are sums over the same solution"),
+            by="work of friction", everywhere=True,
         )  # fmt: skip
         yield Comparison(check=energies)
-        yield fact("cycle: the loop area converges with an order above 1.8", "p", step_order_fem)
+        yield fact("cycle: area of the loop converges with an order above 1.8 in the number of "
+                   "steps", "p", step_order_fem)  # fmt: skip
         yield from self._balances()
 
     def _traction(self, q: Quantity, name: str, at: float) -> Comparison:
@@ -110,22 +116,26 @@ class SlippingRollers(SlipFormulas):
         formula, scale = (self.first_traction, at) if first else (self.cycle_traction, 1.0)
         what = f"Q/(μP) = {at:g}" if first else name
         check = Within(
-            name=f"{'' if first else 'cycle: '}traction within 3 % in L2, {what}", symbol="q",
-            unit="1", paper_only=True, margin=l2_margin(name, formula, at, scale), accepted=L2,
+            name=f"{'' if first else 'cycle: '}L2 error of the traction below 3 %, {what}",
+            symbol="q", unit="1", paper_only=True, margin=l2_margin(name, formula, at, scale),
+            accepted=L2,
         )  # fmt: skip
         return Comparison(check=check, quantity=q, shares=SHARED)
 
     def _balances(self) -> Iterator[Comparison]:
-        peak, load = {"peak pressure": self.p_0}, {"load": self.P}
-        couple = {"couple": self.P * self.R}
+        peak, load = {"peak pressure": self.p_0}, {"P": self.P}
+        couple = {"P R": self.P * self.R}
         for residual, name, symbol, unit, of, bound, because in (
-            ("steps", "cycle: one step and many steps coincide", "Δq", "MPa", peak, 1e-9, SECANT),
-            ("closure", "cycle: first and last state coincide", "Δq", "MPa", peak, 1e-9, SECANT),
-            ("sliding", "sliding: Q = μP", "Q − μP", "N/mm", {"limit": self.limit}, 1e-10, SLIDING),
-            ("cuts", "balance of forces on both cuts", "ΣF", "N/mm", load, 1e-9, SECANT),
+            ("steps", "cycle: traction at −Q_max equal after one step and after many steps", "Δq",
+             "MPa", peak, 1e-9, SECANT),
+            ("closure", "cycle: traction at Q_max equal at the start and at the end", "Δq", "MPa",
+             peak, 1e-9, SECANT),
+            ("sliding", "tangential force in sliding: Q = μP", "Q − μP", "N/mm",
+             {"μP": self.limit}, 1e-10, SLIDING),
+            ("cuts", "balance of forces on both half discs", "ΣF", "N/mm", load, 1e-9, SECANT),
             ("passed_on", "balance of forces on cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
-            ("moment", "balance of moments, cut and contact", "ΣM", "N", couple, 1e-9, SECANT),
-        ):
+            ("moment", "balance of moments on cut and contact", "ΣM", "N", couple, 1e-9, SECANT),
+        ):  # fmt: skip
             yield balance(residual, name, symbol, unit, of=of, bound=bound, because=because)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
@@ -137,8 +147,8 @@ class SlippingRollers(SlipFormulas):
         w = 2.0 * self.a
         yield Picture(
             field="pushed", data="shear_at_nodes", symbol="τ_max/p_0", unit="1", factor=self.p_0,
-            caption="Maximum shear stress over p_0 near the contact at Q_max, from nodal "
-            "averages of cells", displacement="", window=(-w, -w, w, w),
+            caption="Maximum shear stress over p_0 near the contact at Q_max; stresses of cells "
+            "are averaged at nodes", displacement="", window=(-w, -w, w, w),
         )  # fmt: skip
 
     sketch = drawn.sketch

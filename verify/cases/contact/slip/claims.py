@@ -45,7 +45,7 @@ class HalfPlanes(FemClaim):
             bound = neglected(q) + demand / 2  # the least slack of wide contacts
             return (-bound, bound) if neglected(q) <= demand / 4 else None
 
-        source = f"±{slip.MODEL:g} (a/R)², and half of the required sensitivity"
+        source = f"derived: ± ({slip.MODEL:g} (a/R)² + half of the required sensitivity)"
         return Approximation(**stated, interval=interval, source=source).rows(context)
 
 
@@ -70,7 +70,7 @@ def two_ways(context: Context) -> Pair:
     """Pair: area of the loop of force over displacement, and work of friction [J/m]."""
     area, work = (context.series(key)[1][-1] for key in ("area", "work"))
     u = context.fem[-1].u_it["area_by_steps"]
-    return Pair(area, work, 2 * u, f"difference {area / work - 1:+.2g}")
+    return Pair(area, work, 2 * u, f"relative difference {area / work - 1:+.2g}")
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:

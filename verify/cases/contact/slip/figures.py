@@ -64,8 +64,8 @@ def _first_loading(context: Context) -> Profile:
     return _chained(
         context, lines, at, [f"k = {k:g}" for k in SHARES],
         title="Traction under Q/(μP) = 0.2, 0.4, 0.6, 0.8",
-        note=f"The outermost line is μp, the traction in sliding. Each traction leaves this line "
-        f"at the edge of its stick zone, {edges}.",
+        note=f"The outermost line is μp, the traction in sliding. Each traction deviates from this "
+        f"line inside its stick zone, whose edges are at {edges}.",
     )  # fmt: skip
 
 
@@ -77,8 +77,8 @@ def _cycle(context: Context) -> Profile:
         context, lines, at,
         [f"Q/Q_max = {s:g}" for s in stages],
         title="Traction during unloading: Q/Q_max = 1, 0.5, 0, −0.5, −1",
-        note="The lines follow from top to bottom. Reverse slip starts at the edges; at Q = 0, the "
-        "traction is not zero.",
+        note="The lines have this order from top to bottom. Reverse slip starts at the edges; at "
+        "Q = 0, the traction is not zero.",
     )  # fmt: skip
 
 
@@ -101,7 +101,8 @@ def _chained(
         y=chain(curves) / scale, x_fem=x[order], y_fem=y_fem,
         y_ref=np.concatenate(references)[order] / scale,
         u=np.full(x.size, max(u.max() for _, u in found)) / scale, scale=1.0,
-        note=note + " Lower diagram: difference at fixed positions; band: mesh uncertainty.",
+        note=note + " Lower diagram: finite elements minus formula at fixed positions; band: mesh "
+        "uncertainty.",
     )  # fmt: skip
 
 
@@ -122,8 +123,8 @@ def _loop(context: Context) -> Profile:
         x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm, x_fem=x[order],
         y_fem=values[order] / nm, y_ref=beyond(AROUND)[order] / nm, u=u / nm, scale=scale / nm,
         scale_name="δ(0)",
-        note="Displacement δ less the straight line δ_c between both reversals of Q; the upper "
-        "branch is unloading. The area of the loop is the energy lost in a cycle.",
+        note="Displacement δ minus the chord δ_c, the straight line between both reversals of Q. "
+        "The upper branch is unloading. The area of the loop is the energy lost in a cycle.",
     )  # fmt: skip
 
 
@@ -136,6 +137,6 @@ def _energies(context: Context) -> Dots:
             ("FE, work of friction", finest["work"] / uJ, None, "fe"),
             ("FE, area of the loop", finest["area"] / uJ, None, "fe"),
         ),
-        note="The work of friction is summed over nodes and steps; the area follows from forces "
-        "and displacements of the cut.",
+        note="The work of friction is summed over nodes and steps; the area of the loop follows "
+        "from forces and displacements of the upper cut.",
     )  # fmt: skip

@@ -31,7 +31,7 @@ class SlipFormulas(SlipInputs):
     def Q_max(self) -> float:
         return self.share * self.limit
 
-    @Quantity("k", "1", "amplitude relative to the sliding force μP", role="step",
+    @Quantity("k", "1", "ratio of the amplitude to the sliding force μP", role="step",
               tex=r"\frac{Q_{max}}{\mu P}")  # fmt: skip
     def k(self) -> float:
         return self.share
@@ -47,12 +47,12 @@ class SlipFormulas(SlipInputs):
         return float(self.first_traction(0.0, self.share))
 
     @Quantity("δ(Q_max)", "nm", "displacement due to slip at Q_max", role="step",
-              source="Cattaneo; excess over the displacement with full stick",
+              source="Cattaneo; displacement minus the displacement without slip",
               tex=r"\frac{\mu P}{\pi E*} (k + (1 - k) \ln\left(1 - k\right))")  # fmt: skip
     def delta(self) -> float:
         return float(partial_slip.rigid_displacement_beyond_stick(Q=self.Q_max, **self.moved))
 
-    @Quantity("Δδ", "nm", "displacement beyond the chord", source=CATTANEO)
+    @Quantity("Δδ", "nm", "displacement relative to the chord", source=CATTANEO)
     def beyond_chord(self) -> float:
         return self.delta - self.share / CHORD * self.at_share(CHORD).delta
 

@@ -22,10 +22,10 @@ from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.form.figures import AlongLine, Drawn
 
-ORDER = "first correction for finite spheres ± (a/R)² of the smaller sphere, at least 2e-4"
+ORDER = "derived first correction for finite spheres, ± (a/R)² of the smaller sphere, at least 2e-4"
 SURFACE = (
-    "± a/R: the pressure on the curved surface is inclined by r/R, which changes the stress on the "
-    "axis by up to a/R of p_0"
+    "estimated: ± a/R, because the pressure on the curved surface is inclined by r/R (r: distance "
+    "from the axis), which changes the shear stress on the axis by up to (a/R) p_0"
 )
 LEAST, BLUNT = 2e-4, 5e-3  # least slack, of Hertz and of his shear stress
 SHARP = "accepted error of the contact models"
@@ -38,7 +38,8 @@ class Spheres(SphereFormulas):
 
     The reference consists of whole spheres that are pressed from both sides. The error of Hertz's
     radius and pressure is proportional to a/R and follows from the logarithmic term in the solution
-    of a sphere. The error of the approach is due to the finite distance to the equator.
+    of a sphere. The error of the approach is due to the finite distance between contact and
+    equator.
     """
 
     id = "contact-sphere"
@@ -54,9 +55,9 @@ class Spheres(SphereFormulas):
     )
     assumptions: ClassVar = (
         "no friction, small strain",
-        "load and second material are assumed; the spheres have the radii of the sprag and the "
-        "inner race of the paper",
-        "each sphere carries the same load on its opposite side",
+        "the load and the material of the lower sphere are assumed; the spheres have the radii of "
+        "the sprag and the inner race of the paper",
+        "the same load acts on the opposite side of each sphere",
     )
 
     def reference(self, level: int) -> Level:
@@ -75,12 +76,13 @@ class Spheres(SphereFormulas):
                     shear, order=2, state=state, symbol="τ_max",
                     expected=expected(point.axis_shear(beyond=at.beyond), SURFACE, least=BLUNT,
                                       sharp=0.02),
-                    name=f"largest shear stress {WORDS[pair]}, {body} body",
+                    name=f"largest shear stress, contact {WORDS[pair]}, {body} body",
                     sensitivity=FIRST_ORDER,
                 )  # fmt: skip
             for body in BODIES[pair]:
                 yield balance(f"{body}_balance{END[pair]}",
-                              f"balance of the {body} sphere {WORDS[pair]}", "ΣF_y", "N",
+                              f"balance of forces on the {body} sphere, contact {WORDS[pair]}",
+                              "ΣF_y", "N",
                               of={"load": self.P}, bound=1e-7, because=DIRECT)  # fmt: skip
 
     def against_hertz(self, state: State) -> Iterator[Comparison]:

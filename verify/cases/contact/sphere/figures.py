@@ -27,8 +27,8 @@ def sketch(q: SphereFormulas) -> Sketch:
     lower = np.vstack([lower, [[lower[-1, 0], -deep], [lower[0, 0], -deep]]])
     right = max(float(lower[:, 0].max()), 1.0)
     return sketches.sketch(
-        f"spheres under {q.shown('P')}, to scale; in a second problem, a rigid flat replaces the "
-        "lower sphere",
+        f"spheres under P = {q.shown('P')}, to scale; in a second problem, a rigid flat replaces "
+        "the lower sphere",
         shape("body", lower),
         shape("body", ball),
         shape("modelled", np.vstack([[[0.0, 1.0]], ball[36:73]])),
@@ -50,8 +50,8 @@ def pressure(q: SphereFormulas, words: str) -> AlongLine:
         curve=lambda r: hertz_point.pressure(r, a=q.a, p_0=q.p_0), reference=f"p{END[q.pair]}",
         at=q.a * ACROSS, points=np.linspace(0, 1.05 * q.a, 211), order=2.0, scale=q.p_0,
         scale_name="p_0",
-        note="Line: Hertz; dots: finite elements. Near the edge, a small change of a changes p "
-        "strongly.",
+        note="Line: Hertz; dots: finite elements. Near the edge of the contact, a small change of "
+        "a changes p strongly.",
     )  # fmt: skip
 
 
@@ -92,8 +92,8 @@ def errors(q: SphereFormulas) -> Drawn:
         return Dots(
             title=f"Error of Hertz's theory: upper sphere {where}",
             label="formula / FE − 1 [1/10 000]", items=tuple(items),
-            note="The correction is of first order in a/R; the remaining difference consists of "
-            "the mesh error and terms of second order.",
+            note="The correction is of first order in a/R. The difference that remains after it "
+            "consists of the mesh error and terms of second order.",
         )  # fmt: skip
 
     return drawn

@@ -174,7 +174,7 @@ CONTACTS = (
         id="contact-flat", case="contact-flat", solver=CALCULIX,
         what="a quarter of a roller on a rigid flat, plane strain",
         pose=partial(line, FLAT, lambda q: disc_fem(q, q.P, q.guess, LEVEL)),
-        quantities=line_quantities("approach of flat and centre"),
+        quantities=line_quantities("approach of flat and roller centre"),
     ),
     Cross(
         id="contact-pair", case="contact-pair", solver=CALCULIX,
@@ -185,7 +185,7 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"a sphere {words} at Hertz's approach, turned about its axis",
+            what=f"an axisymmetric sphere {words} at Hertz's approach",
             pose=partial(sphere, pair),
             quantities=(
                 Quantity(name="load", row=f"force at Hertz's approach {words}", symbol="P(δ)",
@@ -197,17 +197,17 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed and {words}, plane strain",
+            what=f"half discs with friction, pressed by P and {words} by Q, plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
                 Quantity(name=PUSH, row=row, beside=True, symbol="Q(δ)", unit="N/mm",
-                         allowed=CONTACT, why=f"{PENALTY}; what sticks slips a little"),
+                         allowed=CONTACT, why=f"{PENALTY}; sticking nodes slip a little"),
             ),
         )
         for stage, words, row in (
-            (1.0, "pushed", "displacement beyond the chord, Q/(μP) = 0.6"),
-            (-0.5, "swung back", "cycle: traction within 3 % in L2, Q/Q_max = -0.5"),
+            (1.0, "pushed", "displacement relative to the chord, Q/(μP) = 0.6"),
+            (-0.5, "swung back", "cycle: L2 error of the traction below 3 %, Q/Q_max = -0.5"),
         )
     ),
     *(
@@ -216,7 +216,7 @@ CONTACTS = (
             what=f"quarters of two rings pressed into each other, {one.ends}",
             pose=partial(fit, one),
             quantities=(
-                Quantity(name="p", row=f"contact pressure, mean, {one.words}", symbol="p",
+                Quantity(name="p", row=f"mean contact pressure, {one.words}", symbol="p",
                          unit="MPa", allowed=CONTACT, why=PENALTY),
                 Quantity(name="u, inner bore", symbol="u_r(r_i)", unit="µm", allowed=CONTACT,
                          row=f"displacement of the inner ring's bore, {one.words}",

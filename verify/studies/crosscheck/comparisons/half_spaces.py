@@ -26,10 +26,13 @@ CELLS, REACH = 128, 1.3  # of a sphere's grid, across and over the contact's rad
 TOLERANCE, LIMIT = 1e-12, 20_000  # of tamaas
 ALIKE = 1e-6
 AT_MIDDLE, TOP = "pressure at mid-length", "largest pressure outside the end zones d"
-END = "Hertz's pressure of the mean line load in the more loaded end zone: strips agree within 3%"
+END = (
+    "Hertz's pressure of the mean line load within d of the more loaded end: strips and half-space "
+    "agree within 3%"
+)
 READ = {"mid": "p_mid", "peak": "p_max", "end pressure": "p_d", "q mid": "q_mid",
         "largest": "p_largest"}  # fmt: skip
-GRID = "the same cells and Love's influence; both stop at a tolerance"
+GRID = "same grid and same influence coefficients (Love); both iterations stop at a tolerance"
 
 
 def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) -> Posed:
@@ -50,7 +53,7 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
 
 def even(name: str) -> Callable[[Any], Callable[[Array], Array]]:
-    """Function that returns, for the inputs of a roller, its crown `name` for even pressure."""
+    """Function that returns, for a roller's inputs, its crown `name` for uniform pressure."""
     return lambda q: even_crowns(q)[name]
 
 
@@ -116,7 +119,7 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 HALF_SPACES = (
     *(
         Cross(
-            id=case.id, case=case.id, solver=TAMAAS, what=f"{case.title}, on a half-space",
+            id=case.id, case=case.id, solver=TAMAAS, what=f"{case.title}; model: half-space",
             pose=partial(roller, case),
             quantities=(
                 quantity("mid", "p", "MPa", mid), quantity("largest", "p", "MPa", top),
@@ -142,7 +145,7 @@ HALF_SPACES = (
     ),
     Cross(
         id="contact-sphere, half-space", case="contact-sphere", solver=TAMAAS,
-        what="a sphere on a half-space, two equal materials", pose=sphere,
+        what="a sphere on a half-space, with the contact modulus of the case", pose=sphere,
         quantities=(
             quantity("largest", "p_0", "MPa", "peak pressure on a sphere"),
             quantity("a", "a", "mm", "contact radius on a sphere"),

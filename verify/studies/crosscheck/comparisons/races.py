@@ -51,10 +51,10 @@ def race() -> Posed:
 RACES = (
     Cross(
         id="contact-ring", case="contact-ring", solver=CALCULIX,
-        what="a quarter of a roller in half a race whose rim is held, plane strain", pose=race,
+        what="a quarter of a roller in half of a race with a fixed rim, plane strain", pose=race,
         quantities=(
-            Quantity(name=LOAD, row="approach of centre and rim", beside=True, symbol="P(δ)",
-                     unit="N/mm", allowed=CONTACT, why=PENALTY),
+            Quantity(name=LOAD, row="approach of roller centre and rim", beside=True,
+                     symbol="P(δ)", unit="N/mm", allowed=CONTACT, why=PENALTY),
             Quantity(name="a", row="half-width, Hertz", symbol="a", unit="µm", allowed=CONTACT,
                      why=PENALTY),
             Quantity(name="p_0", row="peak pressure, Hertz", symbol="p_0", unit="MPa",

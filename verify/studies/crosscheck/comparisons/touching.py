@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 CONTACT = 0.01
 PENALTY = (
-    "calculix presses by a penalty, on parabolas in the place of circles: overlap takes off some "
-    "of the force"
+    "calculix enforces the contact by a penalty and replaces circles by parabolas; the remaining "
+    "overlap reduces the force"
 )
 
 
@@ -27,7 +27,7 @@ PENALTY = (
 class Touched:
     """Results of a calculix deck with contact, solved in the file `path`.
 
-    Forces are those of the complete width of the problem.
+    Forces apply to the complete width of the problem.
     """
 
     deck: "ContactDeck"
