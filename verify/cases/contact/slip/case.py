@@ -100,7 +100,7 @@ class SlippingRollers(SlipFormulas):
         yield _half_planes(by.W, "cycle: energy lost, by the area of the loop", fem="area",
                            symbol="∮Q dδ")  # fmt: skip
         energies = Agreement(
-            name="cycle: energy lost, area of the loop and work of friction agree within 0.1 %",
+            name="cycle: area of the loop and work of friction agree within 0.1 %",
             symbol="W", unit="J/m", pair=two_ways, accepted=AGREE,
             source=suites("both energies are sums over the same solution"),
             by="work of friction", everywhere=True,
@@ -130,7 +130,7 @@ class SlippingRollers(SlipFormulas):
              "MPa", peak, 1e-9, SECANT),
             ("closure", "cycle: traction at Q_max equal at the start and at the end", "Δq", "MPa",
              peak, 1e-9, SECANT),
-            ("sliding", "tangential force in sliding: Q = μP", "Q − μP", "N/mm",
+            ("sliding", "tangential force in sliding equals μP", "Q − μP", "N/mm",
              {"μP": self.limit}, 1e-10, SLIDING),
             ("cuts", "balance of forces on both half discs", "ΣF", "N/mm", load, 1e-9, SECANT),
             ("passed_on", "balance of forces on cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
