@@ -97,7 +97,7 @@ def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
 
 
 def line_contact(more: Rerun) -> Statement:
-    """Causes of error of a line contact: two that all line contacts have, and `more`."""
+    """Causes of error of a line contact: the two common to all line contacts, and `more`."""
     return Statement(reruns=(NARROW, PLANE, more), finer=8)
 
 

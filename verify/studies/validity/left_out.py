@@ -10,8 +10,8 @@ LEFT_OUT: Mapping[str, str] = {
     "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
     "the crowns",
     "spring-curve": "a point takes a minute: spring-stages measures the same stiffness",
-    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
-    "contact-roller measures the same formulas outside the ends",
+    "contact-roller-end": "one set of inputs takes two minutes with three-dimensional elements; "
+    "the case contact-roller measures the same formulas outside the ends",
     "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 

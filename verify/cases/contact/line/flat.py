@@ -154,7 +154,7 @@ class RollerOnFlat(FlatInputs):
                                sensitivity=(sharp, LIMITS))  # fmt: skip
         yield self.profile()
         yield identity(by.tau_max_disc, order=2)
-        name = f"depth of the largest shear stress within {DEPTH:.1%} of the depth in the disc"
+        name = f"depth of the largest shear stress within {DEPTH:.1%} of its depth in the disc"
         depth = Fact(name=name, symbol="z", unit="1", margin=self.depth_margin)
         yield Comparison(check=depth, quantity=by.z_disc)
         narrow = OnFlat(self.ratio)
@@ -167,7 +167,7 @@ class RollerOnFlat(FlatInputs):
         yield approximation(by.tau_max, order=2,
                             expected=expected(narrow.shear, SHEAR, least=BLUNT))  # fmt: skip
         for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
-            yield limit(q, f"error for a/R → 0: {q.what}", "d_0", points=self.deviations(q),
+            yield limit(q, f"error in the limit a/R → 0: {q.what}", "d_0", points=self.deviations(q),
                         exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
         for q, theory in ((by.p_0, PRESSURE), (by.a, WIDTH)):
             yield self.coefficient(q, theory)
@@ -203,7 +203,7 @@ class RollerOnFlat(FlatInputs):
         return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
 
     def deviations(self, q: Quantity) -> Callable[[Sequence[Level]], Points]:
-        """Function of the levels that returns, over a/R: Hertz/FE - 1 and its uncertainty."""
+        """Function that returns, for given levels: a/R, Hertz/FE - 1 and its uncertainty."""
 
         def points(levels: Sequence[Level]) -> Points:
             d, u = [], []

@@ -1,4 +1,4 @@
-"""Hertz's line contact: common part of the cases roller on flat, on roller and in a race."""
+"""Hertz's line contact: common part of the cases of a roller on a flat, on a roller, in a race."""
 
 import math
 from collections.abc import Callable, Iterator

@@ -47,7 +47,7 @@ class RollerOnRace(CrownedRoller):
     )
 
     def reference(self, level: int) -> Level:
-        """Results of the half-space with both crowns, and of a disc under the load of strips."""
+        """Results of the half-space (given, optimal crown), and of a disc at the strips' load."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
         more = self.plane_at_middle(level)
         return solve_crowns(self, level, self.best_design, more=more, arrays=best)

@@ -91,10 +91,10 @@ def sliced_rows(
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
-        Accepted(name="share of the load that slices misplace relative to the half-space below "
+        Accepted(name="share of the load that slices misplace relative to the half-space, below "
                  f"{SHARE:.0%}", margin=misplaced, **load),
-        Accepted(name="share of misplaced load: slices below independent slices", margin=nearer,
-                 **load),
+        Accepted(name="share of misplaced load, smaller for slices than for independent slices",
+                 margin=nearer, **load),
     ):  # fmt: skip
         yield Comparison(check=check, quantity=SlicedRoller.p_max_slices, shares=SHARED)
 
@@ -193,7 +193,10 @@ def nearer(context: Context) -> tuple[float, float, str]:
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Load fraction that `model` misplaces, its uncertainty, and the L2 error of the line load."""
+    """Load fraction that `model` misplaces, its uncertainty, and the L2 error of the line load.
+
+    The half-space is the reference for the place of the load.
+    """
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

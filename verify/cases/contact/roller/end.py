@@ -160,7 +160,7 @@ class EndFace(Crown):
         return solve_fem(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: Hertz at mid-length, error of a half-space at the ends, sharpness of the edge."""
+        """Rows: Hertz at mid-length, error of a half-space at the ends, exponent at the edge."""
         q = EndFace
         local = local_pressure(b=self.b, R=self.R_1, length=self.L)
         for crown in CROWNS:
@@ -199,7 +199,7 @@ class EndFace(Crown):
     sketch = end_figures.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warning if the half-space loads the ends more than an end face can carry."""
+        """Warning if the half-space overestimates the load near the ends."""
         if max(self.end_share, self.flat.end_share) > 1.2 * 2 * self.d / self.L:
             yield (
                 "near a free end face, the half-space overestimates the load: the pressures of the "
@@ -223,7 +223,7 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Function that returns a positive margin if end faces matter far more than body sizes."""
+    """Function that returns a positive margin if end faces reduce the load far more than sizes."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)

@@ -23,7 +23,7 @@ EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope 
 
 
 def solve_fem(q: "EndFace", level: int) -> Level:
-    """Results of the roller with end face and of the control, each without and with crown.
+    """Results of the roller with end face and of the control model, without and with crown.
 
     The results include the pressure near the edge of a ring on a longer shaft.
     """
@@ -58,7 +58,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
 
 
 def stations_fem(q: "EndFace", level: int) -> Array:
-    """Coordinates [m] of nodes from mid-length to the end, finest there; a node is at l/2 - d."""
+    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one is l/2 - d."""
     from meshes.revolution.section import stations
 
     found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
@@ -82,7 +82,7 @@ def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> 
 
 
 def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
-    """Contact of the half y >= 0 of roller and race; `more` cells across it are added."""
+    """Contact of the half y >= 0 of roller and race, with `more` additional cells across."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like

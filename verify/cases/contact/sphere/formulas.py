@@ -78,7 +78,7 @@ class SphereFormulas(SphereInputs):
 
     @property
     def force_excess(self) -> float:
-        """Relative error of the load by Hertz at the approach by Hertz, to first order in a/R."""
+        """Relative excess of the true load at Hertz's approach, to first order in a/R."""
         return sphere_series.load_excess(*self.spheres, P=self.P)
 
     def shear_of(self, body: str) -> tuple[float, float]:
