@@ -49,7 +49,7 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """Rows: length of the straight middle, which depends on K_2 only; contact under a light load."""
+    """Rows: length of the straight middle, a function of K_2 only; contact under a light load."""
     yield Deviation(
         name="the length of the straight middle depends on K_2, not on z_m", symbol="Δl_s/l",
         unit="1", size=straight, accepted=RESOLVED,
