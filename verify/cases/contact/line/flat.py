@@ -168,7 +168,8 @@ class RollerOnFlat(FlatInputs):
                             expected=expected(narrow.shear, SHEAR, least=BLUNT))  # fmt: skip
         for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
             yield limit(q, f"error in the limit a/R → 0: {q.what}", "d_0",
-                        points=self.deviations(q), exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
+                        points=self.deviations(q), exponent=2,
+                        sensitivity=(sharp, LIMITS))  # fmt: skip
         for q, theory in ((by.p_0, PRESSURE), (by.a, WIDTH)):
             yield self.coefficient(q, theory)
         yield from self.balances()
