@@ -73,5 +73,5 @@ def ring(q: "RollerInRace") -> Sketch:
         leader((-1.35, R), (-R, R), f"R = {q.shown('R')}"),
         leader((-1.3, 1.6 * r_i), (-0.78 * r_i, 1.63 * r_i), f"r_i = {q.shown('r_i')}"),
         leader((1.25, -0.1), (0.72, r_i - 0.7), f"r_o = {q.shown('r_o')}, fixed"),
-        leader((1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5), "FE: half and quarter"),
+        leader((1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5), "FE: 1/2 race, 1/4 roller"),
     )  # fmt: skip

@@ -64,7 +64,7 @@ class Roller(Case):
     E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = given(
-        "0.5 mm", "mm", "d", "length of each end zone, whose load is reported", omitted=0.5e-3,
+        "0.5 mm", "mm", "d", "length of the end zone at each end of the roller", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
@@ -127,18 +127,18 @@ class Crown(Roller):
 
     K_1: float = given(
         2.1507, "1", "K_1",
-        "depth factor of the crown: ratio of the load with uniform pressure to Q", gt=0, le=100,
+        "depth factor of the crown: load at which the pressure is uniform, over Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = given(
-        0.6763, "1", "K_2", "crowned fraction of the length", gt=0, le=1,
+        0.6763, "1", "K_2", "fraction of the length that is crowned", gt=0, le=1,
         claims="huang2018:optimum-25nm-k2",
     )  # fmt: skip
     z_m: float = given(
         "0.0121 mm", "mm", "z_m", "drop of the crown at the ends", gt=0, le=1,
         claims="huang2018:optimum-25nm-zm",
     )  # fmt: skip
-    Q: float = given("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
+    Q: float = given("3407 N", "N", "Q", "load for which the crown is designed", gt=0, le=1e9)
 
     def gap(self, y: Array) -> Array:
         return logarithmic(
