@@ -63,7 +63,7 @@ def neglected(
             title=f"Error of Hertz's theory in {symbol}", x_label="a/R",
             y_label=f"{symbol}: Hertz/FE − 1", x=x, y=theory * x**2, x_fem=eps, y_fem=d,
             y_ref=theory * eps**2, u=u, scale=1.0,
-            note=f"Line: {words} (a/R)², derived. Lower diagram: dots minus line. This difference "
+            note=f"Line: {words} (a/R)², derived. Lower diagram: line minus dots. This difference "
             "consists of terms of (a/R)⁴ and of the mesh error (band).",
         )  # fmt: skip
 

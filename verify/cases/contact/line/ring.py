@@ -24,7 +24,7 @@ SHEAR = (
 
 
 class RollerInRace(TwoBodies):
-    """A roller touches the bore of a race; its radius is a profile radius of the sprag.
+    """A roller with a profile radius of the sprag touches the bore of a race.
 
     The bore is curved in the same direction as the roller, which widens the contact. The wall
     thickness is about fifty times the half-width of the contact. The approach of the centre of the

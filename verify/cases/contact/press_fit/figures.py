@@ -54,8 +54,8 @@ def profiles(fit: FitFormulas) -> Iterator[AlongLine]:
             title=f"{name.capitalize()} stress through both rings, plane stress", x=("r", "mm"),
             y=(symbol, "MPa"), curve=curve, reference=f"profile {name}",
             at=stations(fit), points=fine, order=2.0, scale=fit.stress_scale,
-            note="Line: formula; dots: finite elements on a radius at 30°. Lower diagram: dots "
-            "minus line; band: tolerance of the profile.",
+            note="Line: formula; dots: finite elements on a radius at 30°. Lower diagram: line "
+            "minus dots; band: tolerance of the profile.",
         )  # fmt: skip
     yield AlongLine(
         title="Contact pressure along the fit of two rings, plane stress", x=("angle", "deg"),

@@ -101,8 +101,7 @@ def _chained(
         y=chain(curves) / scale, x_fem=x[order], y_fem=y_fem,
         y_ref=np.concatenate(references)[order] / scale,
         u=np.full(x.size, max(u.max() for _, u in found)) / scale, scale=1.0,
-        note=note + " Lower diagram: finite elements minus formula at fixed positions; band: mesh "
-        "uncertainty.",
+        note=note + " Lower diagram: lines minus dots; band: mesh uncertainty.",
     )  # fmt: skip
 
 

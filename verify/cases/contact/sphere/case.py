@@ -25,7 +25,7 @@ from verify.form.figures import AlongLine, Drawn
 ORDER = "derived first correction for finite spheres, ± (a/R)² of the smaller sphere, at least 2e-4"
 SURFACE = (
     "estimated: ± a/R, because the pressure on the curved surface is inclined by r/R (r: distance "
-    "from the axis), which changes the shear stress on the axis by up to (a/R) p_0"
+    "from the axis); this changes the shear stress on the axis by up to (a/R) p_0"
 )
 LEAST, BLUNT = 2e-4, 5e-3  # least slack, of Hertz and of his shear stress
 SHARP = "accepted error of the contact models"

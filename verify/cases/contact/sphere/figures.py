@@ -51,7 +51,7 @@ def pressure(q: SphereFormulas, words: str) -> AlongLine:
         at=q.a * ACROSS, points=np.linspace(0, 1.05 * q.a, 211), order=2.0, scale=q.p_0,
         scale_name="p_0",
         note="Line: Hertz; dots: finite elements. Near the edge of the contact, a small change of "
-        "a changes p strongly.",
+        "the contact radius changes p strongly.",
     )  # fmt: skip
 
 

@@ -119,7 +119,8 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 HALF_SPACES = (
     *(
         Cross(
-            id=case.id, case=case.id, solver=TAMAAS, what=f"{case.title}, as a contact of half-spaces",
+            id=case.id, case=case.id, solver=TAMAAS,
+            what=f"{case.title}, as a contact of half-spaces",
             pose=partial(roller, case),
             quantities=(
                 quantity("mid", "p", "MPa", mid), quantity("largest", "p", "MPa", top),
