@@ -139,7 +139,7 @@ class TwoRollers(TwoBodies):
         return result(pair_fem(self, level), level, ("upper.axis", "upper.middle"), soft)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: errors of Hertz's theory by the series of two discs; also different materials."""
+        """Rows: errors of Hertz's theory against the series, for equal and different materials."""
         by = TwoRollers
         yield from self.against(self.known, by.approach, (SERIES, COUPLING, SHEAR))
         soft = self.unlike()
