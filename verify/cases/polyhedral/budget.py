@@ -49,7 +49,7 @@ def fem_thin_round(q: HubRing, level: int) -> FemResult:
 
 
 def light(q: Any) -> Any:
-    """The inputs `q` with a sixteenth of the force: contacts a quarter as wide."""
+    """The inputs `q` with a sixteenth of the normal force; the contacts are a quarter as wide."""
     return q.model_copy(update={"N": q.N / LIGHTER})
 
 
@@ -59,7 +59,7 @@ def tight(q: Any) -> Any:
 
 
 def clutch_tight(q: Any) -> Any:
-    """The inputs `q` with a quarter of clearance, pressure and torque; the race is smaller."""
+    """The inputs `q` with a quarter of clearance (by a smaller race), pressure and torque."""
     return q.model_copy(
         update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
     )
@@ -73,7 +73,7 @@ LIMITED = Rerun(
 SHARP, ROUND = "fillet radius / 10", "in addition, a round bore without corners"
 K = ("K of the paper",)
 
-BY_SERIES = "the printed formula is replaced by the series of an elastic ring on its rollers"
+BY_SERIES = "the series of an elastic ring on its rollers replaces the formula of the paper"
 
 STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-pressure": Statement(
@@ -93,13 +93,14 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
             Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
-            Rerun(cause=Cause.GEOMETRY, what="in addition, wall / 10, equal mean diameter",
+            Rerun(cause=Cause.GEOMETRY,
+                  what="in addition, wall thickness / 10, equal mean diameter",
                   rows=K, fem=fem_thin_round, after=ROUND),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
                   changes=plane_strain(), shared=True),
         ),
         corrected=(
-            Corrected("K = 1 against the mean growth", "K_mean",
+            Corrected("K = 1 against K for the mean displacement of the outside", "K_mean",
                       "bending of the flats is included by the series"),
             Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
                       "bending of the flats is included by the series"),
@@ -115,19 +116,19 @@ STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-map": Statement(finer=4),
     "polyhedral-locking": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="clearance / 4, pressure / 4: a narrower contact",
+            Rerun(cause=Cause.GEOMETRY, what="clearance / 4, pressure / 4: narrower contact",
                   inputs=tight, levels=(1,)),
             LIMITED,
         ),
         corrected=(
             Corrected("resultant of the pressure on a side, Eq. 13 as printed", "side"),
-            Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N_alone", BY_SERIES),
-            Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N", BY_SERIES),
-            Corrected("force of an elastic roller, Eqs. 13 and 16 without the hub", "N_elastic",
+            Corrected("force of a roller, Eqs. 13 and 16 without hub force", "N_alone", BY_SERIES),
+            Corrected("force of a roller, Eqs. 13 and 16 with hub force", "N", BY_SERIES),
+            Corrected("force of an elastic roller, Eqs. 13 and 16 without hub force", "N_elastic",
                       BY_SERIES),
             Corrected("blocking pressure, Eq. 19 with K = 1", "p_2",
                       "bending of the flats is included by the series"),
-            Corrected("blocking pressure, Eq. 19 with K = 1, of a long ring in plane strain",
+            Corrected("blocking pressure, Eq. 19 with K = 1, against a long ring in plane strain",
                       "p_2_long", "bending of the flats is included by the series"),
         ),
         finer=5, headline="force of a roller under pressure, series",
@@ -164,6 +165,6 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("blocking pressure for the target torque, Eq. 17 as printed", "p_block",
                       BY_SERIES),
         ),
-        finer=5, headline="torque of the elastic ring, series",
+        finer=5, headline="torque with elastic ring and rollers, series",
     ),
 }  # fmt: skip

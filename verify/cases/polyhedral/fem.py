@@ -75,7 +75,7 @@ def expanded(q: PolygonRing, z: int) -> Field:
 
 
 def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
-    """Two solutions of half a sector: with the hub force at e; with its normal part in the corner.
+    """Two solutions of half a sector: hub force at e, and normal part of this force in the corner.
 
     Displacements at the point of the force are unbounded; at other points, they converge.
     """

@@ -20,7 +20,7 @@ class RoundRing(Case):
 
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
     delta_1: float = given(
-        "4 mm", "mm", "δ_1", "wall thickness of the ring, at corners if it has any", gt=0, le=1e5
+        "4 mm", "mm", "δ_1", "wall thickness of the ring (polygon: in its corners)", gt=0, le=1e5
     )
     j_D: float = given(
         "0.06 mm", "mm", "j_D", "diametral clearance that the ring closes", gt=0, le=1e3
@@ -32,7 +32,7 @@ class RoundRing(Case):
         example="900 MPa",
     )  # fmt: skip
 
-    @Quantity("d_i", "mm", "diameter of the bore, through its corners", role="geometry")
+    @Quantity("d_i", "mm", "diameter of the bore through its corners", role="geometry")
     def d_i(self) -> float:
         return self.d_e - 2 * self.delta_1
 
@@ -98,7 +98,7 @@ class PolygonRing(RoundRing):
         largest = self.d_i / 2 * (1 - LEAST_FLAT)
         if self.rho > largest:
             raise ValueError(
-                f"fillets leave no flat: ρ must be at most {largest * 1e3:.4g} mm for "
+                f"the fillets leave no flat: ρ must be at most {largest * 1e3:.4g} mm for "
                 f"d_i = {self.d_i * 1e3:g} mm, got {self.rho * 1e3:g} mm"
             )
         return self
@@ -115,7 +115,7 @@ class HubRing(PolygonRing):
     )
     tan_phi: float = given(
         0.05, "1", "tan φ_1",
-        "friction coefficient of hub and ring; friction acts towards the flat's middle",
+        "friction coefficient between hub and ring; friction acts towards the middle of the flat",
         ge=0, le=1,
     )  # fmt: skip
 
@@ -129,7 +129,7 @@ def check_on_the_flat(q: PolygonRing, e: float) -> None:
     """Raise ValueError if `e` [m] is outside the flat of `q`, measured from its middle."""
     if e > OUTERMOST * q.half_flat:
         raise ValueError(
-            f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, "
+            f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, or "
             f"{OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
         )
 

@@ -46,5 +46,5 @@ class PolygonSeries(ThinRing, PolygonRing):
 
     @shared
     def factors(self) -> StiffnessFactors:
-        """K in its three definitions: middle of the flats, mean growth, corners."""
+        """K for the displacement in the middle of the flats, for the mean, and for the corners."""
         return bore_pressure.stiffness_factors(sector=self.sector, nu=self.nu, assumption=self.ends)

@@ -6,11 +6,11 @@ STRAINED = 3e-3  # hoop strain at which most steels yield
 
 def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list[str]:
     """Warnings if the hoop stress [Pa] in the fillets is too large; `when` states the loads."""
-    stressed = f"hoop stress {stress / 1e6:.4g} MPa in the fillets{when}"
+    stressed = f"the hoop stress of {stress / 1e6:.4g} MPa in the fillets{when}"
     if R_p is not None and stress > R_p:
         return [f"{stressed} exceeds R_p = {R_p / 1e6:.4g} MPa: the ring yields in the fillets"]
     if R_p is None and stress > STRAINED * E:
-        return [f"{stressed} means a strain of {stress / E:.2%}: most steels yield; enter R_p"]
+        return [f"{stressed} is a strain of {stress / E:.2%}: most steels yield at less; enter R_p"]
     return []
 
 

@@ -22,9 +22,9 @@ WIDE = 2.0  # walls: wider rings are not in plane stress throughout
 class PolyhedralClutch(ClutchFormulas):
     """The formulas of the paper give the torque from dimensions, friction and pressure.
 
-    Each value of this chain is computed. The torque is compared with that of an elastic ring and
-    elastic rollers, which finite elements confirm. The torque by the corrected Eq. 21 is several
-    times as large. Dimensions and loads are assumed.
+    All intermediate values of the formulas are computed. A series solution gives the torque of an
+    elastic ring with elastic rollers; finite elements confirm this solution. The corrected Eq. 21
+    gives several times this torque. Dimensions and loads are assumed.
     """
 
     id = "polyhedral-clutch"
@@ -48,27 +48,31 @@ class PolyhedralClutch(ClutchFormulas):
         ),
     )
     readings: ClassVar = (
-        "misprints are corrected: side of the polygon instead of its arc in Eqs. 13, 17, 20, 21; "
-        "no factor β/360 in Eq. 21",
-        "Eq. 20 uses K in the middle of the flats, the lever apothem/cos ψ and γ = 0; Eq. 21 uses "
-        "K = 1, the lever d_i/2, γ = ψ and corners without fillets",
-        "rollers with a given wedge angle α carry N tan(α/2). Without α, they carry the limit μ N, "
-        "as in Eqs. 4 and 17 to 21: α = 2 arctan μ, no cage force. The torque that a cage adds "
-        "at the race does not pass through the ring",
-        "the hub force R is inclined by φ_1 towards the middle of the flat: its angle to the "
-        "radius through its contact is ψ + φ_1, as in Eq. 14",
-        "series: u_p, u_h1 and −u_N(a) N are outward displacements of the middle of a flat, under "
-        "unit pressure, unit hub force and the roller force N. They follow from complex potentials "
-        "of the ring, and the last includes local indentation. δ(N) is the compression of the "
-        "roller; κ = R/N",
-        "margin and pressure for the target torque hold for elastic ring and rollers",
+        "misprints are corrected: Eqs. 13, 17, 20 and 21 use the side of the polygon instead of "
+        "the arc; Eq. 21 has no factor β/360",
+        "Eq. 20 uses K for the middle of the flats, the lever a_f/cos ψ (a_f is the distance of "
+        "the flats from the axis) and γ = 0; Eq. 21 uses K = 1, the lever d_i/2, γ = ψ and corners "
+        "without fillets",
+        "if the wedge angle α is given, the tangential force of a roller is N tan(α/2). If α is "
+        "not given, the tangential force is the friction limit μ N, as in Eqs. 4 and 17 to 21; "
+        "this corresponds to α = 2 arctan μ without a cage force. The torque that a cage adds at "
+        "the race does not act on the ring",
+        "the hub force R is inclined by φ_1 towards the middle of the flat; the angle between R "
+        "and the radius through the hub contact is ψ + φ_1, as in Eq. 14",
+        "symbols of the series: u_p is the outward displacement of the outer surface above the "
+        "middle of a flat under unit pressure, u_h1 under unit hub force, and −u_N(a) N under the "
+        "roller force N, with local indentation. All three follow from complex potentials of the "
+        "ring. δ(N) is the compression of the roller; κ = R/N",
+        "the margin and the pressure for the target torque are computed with elastic ring and "
+        "elastic rollers",
     )
     assumptions: ClassVar = (
-        "linear elasticity, small strain; ring and rollers in plane stress, race rigid; the torque "
-        "with rigid rollers is an upper bound",
-        "friction at the rollers rotates the ring against the hub; by symmetry, it does not "
-        "displace the outside above the middle of the flats",
-        "the hub force at e is replaced by half of it on each side of the middle of the flat",
+        "linear elasticity, small strain; ring and rollers are in plane stress, the race is rigid. "
+        "The torque with rigid rollers is an upper bound of the torque",
+        "friction at the rollers rotates the ring relative to the hub; by symmetry, friction does "
+        "not displace the outer surface above the middle of the flats in radial direction",
+        "the hub force at e is replaced by two forces of half the amount, one on each side of the "
+        "middle of the flat",
     )
 
     comparisons = compared.comparisons
@@ -82,10 +86,10 @@ class PolyhedralClutch(ClutchFormulas):
         yield Drawn(lambda context: torques(self, context))
 
     def pictures(self) -> Iterator[Picture]:
-        """Picture of the ring under the pressure and its torque."""
+        """Picture of the ring under pressure, hub force and roller forces."""
         caption = (
-            "Von Mises stress of the ring under pressure, hub force (symmetric part) and roller "
-            "forces, coarse mesh"
+            "Von Mises stress of the ring under pressure, roller forces and the symmetric part of "
+            "the hub force (coarse mesh)"
         )
         yield picture("driven", "von_mises", caption, share=0.02)
 
@@ -94,25 +98,26 @@ class PolyhedralClutch(ClutchFormulas):
         return sketch(self.ring, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the clutch has no torque or no limit, or if parts are overstressed."""
+        """Warnings if the torque is zero or has no limit, or if parts are overstressed."""
         yield from self._about_torque()
         if self.alpha_need > self.alpha_ring:
             yield (
                 "without a cage, the rollers require a wedge angle of "
-                f"{degrees(self.alpha_need):.3g}°; the ring under p_t offers only "
-                f"{degrees(self.alpha_ring):.2g}°, which transmits {self.M_ring:.3g} N m: a cage "
-                "must transmit the remainder"
+                f"{degrees(self.alpha_need):.3g}°. The slope of the deformed ring under p_t is "
+                f"only {degrees(self.alpha_ring):.2g}° and permits a torque of "
+                f"{self.M_ring:.3g} N m: a cage must transmit the remaining torque"
             )
         if self.b > WIDE * self.delta_1 and isfinite(self.M_wide):
             yield (
                 f"b/δ_1 = {self.b / self.delta_1:.3g}: the ring is between plane stress (assumed) "
-                f"and plane strain (torque {self.M_wide:.4g} N m); rollers load its ends more than "
-                "its middle"
+                f"and plane strain (torque {self.M_wide:.4g} N m); the rollers load the ends of "
+                "the ring more than the middle of its width"
             )
         if self.hub_share >= 1:
             yield (
-                f"the hub's share of N is {self.hub_share:.3g} by Eq. 16 (at least 1): "
-                "the clutch locks by friction, and Eqs. 17 to 20 give no limit of the torque"
+                f"the share s of N due to the hub force is {self.hub_share:.3g} by Eq. 16, not "
+                "below 1: the clutch locks itself by friction, and Eqs. 17 to 20 give no limit of "
+                "the torque"
             )
         yield from of_rollers(max(self.p_ring, self.p_race), " on the rollers")
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=" under p_t")
@@ -126,22 +131,23 @@ class PolyhedralClutch(ClutchFormulas):
         elif self.p_t <= self.p_1r:
             yield (
                 f"p_t = {self.shown('p_t')} must exceed p_1r = {self.shown('p_1r')}: the ring "
-                "does not reach its rollers, the torque is zero"
+                "does not reach its rollers, and the torque is zero"
             )
         elif not isfinite(self.M_el):
             yield (
-                "after contact, the hub force alone clamps the rollers more and more: strength "
-                "limits the torque, not pressure; a larger e or a smaller μ changes this"
+                "as soon as the ring touches the rollers, the hub force clamps them without more "
+                "pressure: the strength limits the torque, not the pressure. With a larger e or a "
+                "smaller μ, the pressure limits the torque"
             )
         elif self.margin < 1:
             yield (
-                f"elastic ring and rollers transmit {self.M_el:.4g} N m, less than the "
-                f"target torque of {self.M_t:.4g} N m: p_t must be {self.shown('p_need')}; the "
+                f"elastic ring and rollers transmit {self.M_el:.4g} N m, less than the target "
+                f"torque of {self.M_t:.4g} N m, which requires p_t = {self.shown('p_need')}; the "
                 f"hoop stress in the fillets is then {self.shown('fillet_need')}"
             )
 
     def refusal(self) -> str:
-        """Reason for not solving inputs without a torque that pressure limits; "" if none."""
+        """Reason why finite elements do not solve these inputs, such as no torque; "" if none."""
         if not self.stays:
             return "the rollers are expelled, the torque is zero: run `check` without --fem"
         N = self.line_load
@@ -149,8 +155,8 @@ class PolyhedralClutch(ClutchFormulas):
             return "pressure does not limit the torque: run `check` without --fem"
         if not self.hub.rises(self.line_need):
             return (
-                f"no pressure belongs to M_t = {self.M_t:.4g} N m, as the hub force clamps the "
-                "rollers more and more: run `check` without --fem"
+                f"no pressure corresponds to M_t = {self.M_t:.4g} N m, because the hub force "
+                "clamps the rollers without more pressure: run `check` without --fem"
             )
         if 1e-3 * self.p_t * self.d_i > N:
             return (

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
 
 class PaperChain(ClutchInputs):
-    """All values of the paper's formulas without misprints; infinite if the clutch locks itself."""
+    """All values of the paper's corrected formulas; infinite if the clutch locks itself."""
 
     d_m = Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
                    tex=r"\frac{d_i + d_e}{2}").reads(lambda q: q.full.parts.d_m)  # fmt: skip
@@ -23,11 +23,11 @@ class PaperChain(ClutchInputs):
     sigma_t = Quantity("σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step",
                        safe="too high",
                        tex=r"\frac{E j_D}{d_m}").reads(lambda q: q.full.sigma_t)  # fmt: skip
-    p_1 = Quantity("p_1", "MPa", "pressure of the round ring", equation="10", role="step",
-                   safe="too high",
+    p_1 = Quantity("p_1", "MPa", "pressure that closes the clearance, round ring", equation="10",
+                   role="step", safe="too high",
                    tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}").reads(lambda q: q.full.p_1)  # fmt: skip
 
-    @Quantity("K", "1", "correction factor of the polygon, middle of the flats", role="step",
+    @Quantity("K", "1", "correction factor of the polygon, for the middle of flats", role="step",
               source="complex potentials")  # fmt: skip
     def K(self) -> float:
         ring = bore_pressure.stiffness_factors(
@@ -35,8 +35,10 @@ class PaperChain(ClutchInputs):
         )
         return ring.mid
 
-    p_1r = Quantity("p_1r", "MPa", "pressure at first contact", equation="11", role="step",
-                    safe="too high", tex=r"K p_1").reads(lambda q: q.full.p_1r)  # fmt: skip
+    p_1r = Quantity(
+        "p_1r", "MPa", "pressure at which the ring reaches its rollers", equation="11", role="step",
+        safe="too high", tex=r"K p_1",
+    ).reads(lambda q: q.full.p_1r)  # fmt: skip
     sigma_tr = Quantity(
         "σ_tr", "MPa", "mean hoop stress in the corners under p_1r", equation="12", role="step",
         safe="too high", tex=r"\frac{p_{1r} d_i}{2 \delta_1}",
@@ -45,8 +47,8 @@ class PaperChain(ClutchInputs):
                    safe="too low",
                    tex=r"\max\left(p_t - p_{1r}, 0\right)").reads(lambda q: q.full.p_2)  # fmt: skip
     F = Quantity(
-        "F", "kN", "force of p_2 on a side", equation="13", form="corrected", role="step",
-        safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
+        "F", "kN", "resultant of p_2 on a side of the polygon", equation="13", form="corrected",
+        role="step", safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
     ).reads(lambda q: q.full.F)  # fmt: skip
     hub_share = Quantity(
         "s", "1", "share of N due to the hub force; self-locking if s ≥ 1", equation="16",

@@ -19,13 +19,23 @@ from verify.judging import judge
 from verify.judging.checks import Approximation
 
 LOOSE = 0.1  # slack above which a formula is not judged
-NO_LIMIT = "a missing value means no limit: the clutch locks itself by friction of the hub"
-HERTZ = "estimated: ± ((2 a/d)² of each contact + (a/wall)² + 1e-3), times the sensitivity to it"
-STATICS = (
-    "balance of pressure, hub and roller on a rigid flat, over the series; ± as for the series"
+NO_LIMIT = (
+    "a missing value means that pressure does not limit the torque: the clutch locks itself by "
+    "friction of the hub"
 )
-STRESS = "estimated: ± (2e-3 for a peak stress on meshes, plus the effect of Hertz's error)"
-BALANCE = "accepted error; the contact law is satisfied except for round-off"
+HERTZ = (
+    "estimated: relative error of the approach by Hertz's theory, ± ((2 a/d)² of each contact + "
+    "(a/wall)² + 1e-3), times the sensitivity of the result to the approach"
+)
+STATICS = (
+    "derived: value from the balance of forces on a rigid flat (pressure, hub, roller), divided by "
+    "the value of the series; ± the error estimated for the series"
+)
+STRESS = (
+    "estimated: ± (2e-3 for the mesh error of a peak stress + the part due to the error of Hertz's "
+    "theory)"
+)
+BALANCE = "accepted residual; the contact law is satisfied except for round-off"
 PLANE = "plane stress, rigid race; half of the hub force on each side of the middle of the flat"
 
 
@@ -34,7 +44,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def slack(self) -> float:
-        """Relative error that Hertz's theory causes in the elastic torque; nan without a torque."""
+        """Relative error of `M_el` due to the error of Hertz's theory; nan without a torque."""
         return self._blur(self.hub, self.line_load)
 
     @property
@@ -76,7 +86,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return first_design(self.flat, **ring).torque(self.p_t)
 
     def pressure_over_the_arc(self) -> float:
-        """Pressure [Pa] for the target torque if the force on a side includes that on its arc."""
+        """Pressure [Pa] for the target torque if the force on a side is computed with its arc."""
         touch = self.touch
         rest = filleted(self.flat, touch).pressure(self.M_t) - touch
         return touch + rest / self.flat.arc
@@ -133,7 +143,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
     rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
     block = ("slack block", lambda: self.slack_block)
     for q, name, symbol, give in (
-        (case.M_el, "torque of the elastic ring, series", "M_t", slack),
+        (case.M_el, "torque with elastic ring and rollers, series", "M_t", slack),
         (case.M_rigid, "torque with rigid rollers, series", "M_t", rigid),
         (case.N_el, "force of a roller, series", "N", slack),
         (case.p_need, "pressure for the target torque, series", "p_t", p),
@@ -163,12 +173,14 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
                    lambda: _of_stress(self), source=STRESS)  # fmt: skip
     for x in "xy":
         yield balance(
-            f"balance_{x}", f"balance of half a sector, {x}", f"ΣF_{x}", "N/mm", bound=1e-8,
-            of={"side": self.p_t * self.ring.d_i * float(np.sin(np.pi / self.z))}, because=BALANCE,
+            f"balance_{x}", f"balance of forces on half a sector, {x}", f"ΣF_{x}", "N/mm",
+            bound=1e-8, of={"the force of p_t on a side":
+                            self.p_t * self.ring.d_i * float(np.sin(np.pi / self.z))},
+            because=BALANCE,
         )  # fmt: skip
     yield balance("moment", "balance of moments of hub and rollers", "ΣM", "N m",
-                  of={"M series": self.M_el}, bound=1e-9,
-                  because="statics: lever and angle of Eq. 14")  # fmt: skip
+                  of={"the torque of the series": self.M_el}, bound=1e-9,
+                  because="statics with the lever and the angle of Eq. 14")  # fmt: skip
 
 
 def _around(

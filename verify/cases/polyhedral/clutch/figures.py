@@ -11,7 +11,7 @@ FORMULAS = {
     "M_21": "Eq. 21, first design", "M_20": "Eq. 20",
     "M_rigid": "elastic ring, rigid rollers, series", "M_el": "elastic ring and rollers, series",
 }  # fmt: skip
-SOLVED = {"M_rigid": "elastic ring, rigid rollers, FE", "M_el": "ring and rollers, FE"}
+SOLVED = {"M_rigid": "elastic ring, rigid rollers, FE", "M_el": "elastic ring and rollers, FE"}
 
 
 def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
@@ -26,5 +26,5 @@ def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
         yield Dots(
             title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
             note="Eqs. 20 and 21 assign the whole blocking pressure to the rollers. In fact, the "
-            "ring carries a part of it, and the rollers deflect.",
+            "hoop force of the ring balances a part of this pressure, and the rollers deform.",
         )  # fmt: skip

@@ -15,7 +15,7 @@ from analytic.polyhedral.sector import Sector
 from verify.case import Quantity, shared
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
-SERIES = "elastic ring and rollers: series"
+SERIES = "series for elastic ring and rollers"
 
 
 class ElasticClutch(ClutchInputs):
@@ -36,17 +36,18 @@ class ElasticClutch(ClutchInputs):
         return self.hub.required_pressure(self.line_need) if self.stays else inf
 
     @Quantity("p_block", "MPa", "blocking pressure for the target torque: p_need minus the "
-              "pressure at first contact", source=SERIES, safe="too high")  # fmt: skip
+              "pressure at which the ring reaches its rollers", source=SERIES,
+              safe="too high")  # fmt: skip
     def p_block(self) -> float:
         return self.p_need - self.touch
 
-    @Quantity("p_ring", "MPa", "Hertz pressure of rollers on the ring, under the larger of "
-              "p_t and p_need", role="step", safe="too high")  # fmt: skip
+    @Quantity("p_ring", "MPa", "Hertz's peak pressure of rollers on the ring, under the larger "
+              "of p_t and p_need", role="step", safe="too high")  # fmt: skip
     def p_ring(self) -> float:
         return self._pressure(self.d_e / 2)
 
-    @Quantity("p_race", "MPa", "Hertz pressure of rollers on the race", role="step",
-              safe="too high")  # fmt: skip
+    @Quantity("p_race", "MPa", "Hertz's peak pressure of rollers on the race, under the larger "
+              "of p_t and p_need", role="step", safe="too high")  # fmt: skip
     def p_race(self) -> float:
         return self._pressure(-self.D_i / 2)
 
@@ -80,7 +81,7 @@ class ElasticClutch(ClutchInputs):
     def M_rigid(self) -> float:
         return self.stiff.grip * self.line_rigid * self.all_levers
 
-    @Quantity("M_wide", "N m", "torque of a wide ring, plane strain", source=SERIES, role="step",
+    @Quantity("M_wide", "N m", "torque of a wide ring in plane strain", source=SERIES, role="step",
               safe="too low")  # fmt: skip
     def M_wide(self) -> float:
         wide = self.driven(assumption="plane strain")

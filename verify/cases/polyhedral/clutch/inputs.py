@@ -20,7 +20,7 @@ class ClutchInputs(Case):
     M_t: float = given("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
     p_t: float = given("30 MPa", "MPa", "p_t", "available pressure", gt=0, le=1e4)
     z: int = count(6, "z", "number of rollers and of flats of the bore", ge=3, le=48)
-    D_i: float = given("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
+    D_i: float = given("100.06 mm", "mm", "D_i", "bore diameter of the race", gt=0, le=1e5)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
     delta_1: float = given(
@@ -46,15 +46,15 @@ class ClutchInputs(Case):
         example="900 MPa",
     )  # fmt: skip
 
-    @Quantity("β", "deg", "angle between rollers", role="geometry", tex=r"\frac{2 \pi}{z}")
+    @Quantity("β", "deg", "angle between adjacent rollers", role="geometry", tex=r"\frac{2 \pi}{z}")
     def beta(self) -> float:
         return 2 * math.pi / self.z
 
-    @Quantity("j_D", "mm", "clearance on the diameter", equation="7", role="geometry")
+    @Quantity("j_D", "mm", "diametral clearance", equation="7", role="geometry")
     def j_D(self) -> float:
         return self.D_i - (self.d_e + 2 * self.d)
 
-    @Quantity("d_i", "mm", "diameter of the bore, through its corners", role="geometry")
+    @Quantity("d_i", "mm", "diameter of the bore through its corners", role="geometry")
     def d_i(self) -> float:
         return self.d_e - 2 * self.delta_1
 
@@ -71,8 +71,9 @@ class ClutchInputs(Case):
             z=self.z, rho=self.rho,
         )  # fmt: skip
 
-    @Quantity("ψ", "deg", "angle of the hub contact to the flat's normal", source="after Eq. 15",
-              role="geometry", tex=r"\arctan\left(\frac{e}{a_f}\right)")  # fmt: skip
+    @Quantity("ψ", "deg", "angle from the normal of the flat to the radius through the hub "
+              "contact", source="after Eq. 15", role="geometry",
+              tex=r"\arctan\left(\frac{e}{a_f}\right)")  # fmt: skip
     def psi(self) -> float:
         return math.atan2(self.e, self.apothem)
 
@@ -105,15 +106,15 @@ class ClutchInputs(Case):
         torque = self.mu * most * self.b * self.z * self.D_i / 2
         if self.M_t > torque:
             raise ValueError(
-                f"M_t = {self.M_t:.4g} N m is too large for rollers of {self.d * 1e3:g} mm: it "
-                f"must not exceed {torque:.4g} N m, at which a roller carries "
+                f"M_t = {self.M_t:.4g} N m is too large for d = {self.d * 1e3:g} mm: M_t must not "
+                f"exceed {torque:.4g} N m, at which the normal force of a roller is "
                 f"{most * self.b / 1e3:.4g} kN"
             )
         largest = most / self.ring.d_i
         if self.p_t > largest:
             raise ValueError(
-                f"p_t = {self.p_t / 1e6:.4g} MPa is too large for rollers of {self.d * 1e3:g} mm: "
-                f"it must not exceed {largest / 1e6:.4g} MPa"
+                f"p_t = {self.p_t / 1e6:.4g} MPa is too large for d = {self.d * 1e3:g} mm: "
+                f"p_t must not exceed {largest / 1e6:.4g} MPa"
             )
 
     @model_validator(mode="after")

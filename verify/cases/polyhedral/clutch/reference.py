@@ -49,5 +49,8 @@ def touching(q: ClutchInputs, level: int) -> float:
 
 
 def moment(q: ClutchInputs, push: tuple[float, float]) -> float:
-    """Moment [N] about the axis of a force [N/m] on a flat at e; `push`: normal, along the flat."""
+    """Moment per width [N] about the axis, caused by a force [N/m] on a flat at e.
+
+    `push` contains the normal component of the force and the component along the flat.
+    """
     return q.e * push[0] - q.ring.apothem * push[1]

@@ -1,4 +1,4 @@
-"""Case of the ring locked against its rollers: share of the pressure that they carry."""
+"""Case of the ring locked against its rollers: part of the pressure that the rollers carry."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -18,9 +18,9 @@ PRESSED = 1.02  # over the touching pressure: forces are compared above it
 class LockedPolyhedralRing(LockedFormulas):
     """The paper assigns the whole blocking pressure to the rollers.
 
-    In fact, the hoop force of the ring carries a large part of it. This part follows from finite
-    elements with contact at the roller, and from complex potentials with Hertz's contact.
-    Dimensions and loads are assumed.
+    In fact, the hoop force of the ring balances a large part of this pressure. The remaining force
+    of a roller is computed with finite elements, and independently with complex potentials and
+    Hertz's theory of contact. Dimensions and loads are assumed.
     """
 
     id = "polyhedral-locking"
@@ -41,18 +41,21 @@ class LockedPolyhedralRing(LockedFormulas):
         ),
     )
     readings: ClassVar = (
-        "rollers and race are rigid; only the ring deforms, in plane stress",
+        "rollers and race are rigid, and only the ring deforms, in plane stress; elastic rollers "
+        "are named as such",
         "elastic rollers have the material of the ring and are in plane stress; the race is rigid",
-        "p_2 = p_t − K_mid p_1 (Eq. 19 with K in the middle of the flats)",
-        "friction of the hub acts towards the middle of the flat: the angle of R to the radius "
-        "through its contact is ψ + φ_1 (Eq. 14)",
-        "Eq. 13 uses the side of the polygon, not its arc; Eq. 16 uses γ = 0, N normal to the flat",
+        "p_2 = p_t − K_mid p_1 (Eq. 19 with K for the middle of the flats)",
+        "the friction force of the hub on the ring acts towards the middle of the flat; the angle "
+        "between the hub force R and the radius through the hub contact is ψ + φ_1 (Eq. 14)",
+        "Eq. 13 uses the side of the polygon instead of the arc; Eq. 16 uses γ = 0: N is normal to "
+        "the flat",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain; no friction at the rollers",
         "half a sector is modelled, with symmetry on both cuts; the roller is above the middle of "
         "the flat",
-        "the hub force at e is replaced by half of it on each side of the middle of the flat",
+        "the hub force at e is replaced by two forces of half the amount, one on each side of the "
+        "middle of the flat",
     )
 
     comparisons = compared.comparisons
@@ -67,7 +70,10 @@ class LockedPolyhedralRing(LockedFormulas):
 
     def pictures(self) -> Iterator[Picture]:
         """Picture of the whole ring under all loads."""
-        caption = "Locked ring under pressure, hub and rollers: von Mises stress, coarse mesh"
+        caption = (
+            "Von Mises stress of the locked ring under pressure, hub force and roller forces "
+            "(coarse mesh)"
+        )
         yield picture("locked", "von_mises", caption, share=0.02)
 
     def sketch(self) -> Sketch:
@@ -75,7 +81,7 @@ class LockedPolyhedralRing(LockedFormulas):
         return sketch.sketch(self, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the rollers are loose or parts are overstressed."""
+        """Warnings if the ring does not reach its rollers or if parts are overstressed."""
         if not self.alone.N > 0:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "
@@ -84,14 +90,14 @@ class LockedPolyhedralRing(LockedFormulas):
         elif self.p_t <= self.touch_long:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.touch_long / 1e6:.4g} MPa, at which a "
-                "long ring in plane strain reaches its rollers: p_2l is negative; its amount is "
-                "the missing pressure"
+                "long ring in plane strain reaches its rollers: p_2l is negative, and its amount "
+                "is the missing pressure"
             )
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
         yield from of_rollers(self.p_0)
 
     def refusal(self) -> str:
-        """Reason for not solving pressures at which the rollers are not loaded; "" if none."""
+        """Reason why finite elements do not solve a pressure that hardly loads rollers, or ""."""
         touch, long = self.alone.locked.touch, self.touch_long
         least = max(PRESSED * touch, long)
         if self.p_t <= least:

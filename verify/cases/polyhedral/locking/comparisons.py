@@ -25,18 +25,21 @@ from verify.judging.bands import OwnFillet, OwnFormula
 
 NEAR, ARC = 1e-4, "ratio of arc to chord of a side, from the balance of forces"
 CHORD = 1e-3, "statics: the pressure acts on the chord between two corners"
-FILLET = 5e-3, "a peak stress: 0.5 % distinguishes different fillets"
-BALANCE = "accepted error; the contact law is satisfied except for round-off"
+FILLET = 5e-3, "a sensitivity of 0.5 % in the peak stress distinguishes different fillets"
+BALANCE = "accepted residual; the contact law is satisfied except for round-off"
 HALVES = "plane stress; half of the hub force on each side of the middle of the flat"
 PLANE = "plane stress, rigid race, no friction at the rollers"
-FORCES = "estimated: ± ((2 a/d)² for the curvature + (a/wall)² + 1e-3)"
-SERIES = "balance of forces on a rigid flat over the series under equal loads; ± as for the series"
-CONTACT = (
-    "derived: first order in βκa, with κ of the contact line; ± ((2 a/d)² + (a/wall)² + 1e-3 + "
-    "j_D/d_e (1 + R/wall) for strain and bending of the ring)"
+FORCES = "estimated: ± ((2 a/d)² for the curvature of the roller + (a/wall)² for the wall + 1e-3)"
+SERIES = (
+    "derived: value from the balance of forces on a rigid flat, divided by the value of the series "
+    "under equal loads; ± the error estimated for the series"
 )
-RACE = "derived: first order in βκa; ± ((2 a/d)² + 1e-3)"
-ROUND = "(K_mid − 1) p_1 over the remaining pressure p_2, with K_mid of the series"
+CONTACT = (
+    "derived: term of first order in βκa, with the curvature κ of the contact line; "
+    "± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall) for strain and bending of the ring)"
+)
+RACE = "derived: term of first order in βκa; ± ((2 a/d)² + 1e-3)"
+ROUND = "derived: (K_mid − 1) p_1 over the blocking pressure p_2, with K_mid by the series"
 WIDE = "the error of Hertz's theory or of a straight wall is not small"
 
 
@@ -58,11 +61,12 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
                       blur="fillet blur", wide=WIDE)  # fmt: skip
     yield Comparison(check=check, quantity=q, numbers=blur, shares=HALVES)
     for key, axis, name in (
-        ("balance_x", "x", "balance of roller, hub, pressure and hoop forces at the cuts (Eq. 16)"),
+        ("balance_x", "x", "balance of forces normal to the flat, with hoop forces (Eq. 16)"),
         ("balance_y", "y", "balance of forces along the flat"),
         ("balance_roller", "x", "balance of forces on an elastic roller"),
     ):
-        yield balance(key, name, f"ΣF_{axis}", "N/mm", of={"side": self.side}, bound=1e-8,
+        yield balance(key, name, f"ΣF_{axis}", "N/mm",
+                      of={"the force of p_t on a side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
     yield fact("a wider support carries more of the pressure", "Δη", wider)
 
@@ -82,18 +86,18 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
         (case.N, "force of a roller under pressure, series", rigid, alone, {}),
         (case.efficiency, "incremental load-transfer ratio, pressure to rollers, series", rigid,
          alone, {}),
-        (case.N, "force of a roller under pressure and hub, series", rigid, None,
+        (case.N, "force of a roller under pressure and hub force, series", rigid, None,
          {"shares": HALVES}),
         (case.hub_share, "incremental load-transfer ratio, hub to rollers, series", rigid,
          None, {"shares": HALVES}),
-        (case.a, "half-width of the roller's contact, Hertz", hertz, None, bent),
-        (case.p_0, "pressure between roller and ring, Hertz", peak, None, bent),
+        (case.a, "half-width of the contact between roller and ring, Hertz", hertz, None, bent),
+        (case.p_0, "peak pressure between roller and ring, Hertz", peak, None, bent),
         (case.N, "force of an elastic roller under pressure, series", both, elastic, {}),
         (case.efficiency, "incremental load-transfer ratio, pressure to elastic rollers, series",
          both, elastic, {}),
-        (case.a, "half-width of an elastic roller's contact on the ring, Hertz",
+        (case.a, "half-width of the contact between elastic roller and ring, Hertz",
          Expected(*roller.on_ring(WIDTH, soft.a, elastic=True), CONTACT), elastic, {}),
-        (case.a_race, "half-width of an elastic roller's contact on the race, Hertz",
+        (case.a_race, "half-width of the contact between elastic roller and race, Hertz",
          Expected(*roller.on_race(soft.a_race), RACE), elastic, {"symbol": "a"}),
     )  # fmt: skip
     for q, name, expected, state, more in rows:
@@ -105,7 +109,7 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
     case, soft = LockedFormulas, self.soft
     for reference, words, touch, plane in (
         ("p_2", "", self.p_1r, "plane stress"),
-        ("p_2_long", ", of a long ring in plane strain", self.touch_long, "plane strain"),
+        ("p_2_long", ", against a long ring in plane strain", self.touch_long, "plane strain"),
     ):
         yield approximation(
             case.p_2_round, reference, name=f"blocking pressure, Eq. 19 with K = 1{words}",
@@ -114,9 +118,9 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
     reach = _roller(self).reach
     rigid, elastic = reach(self.a), reach(soft.a, soft.a_race)
     for q, words, reference, locked, R_b, slack in (
-        (case.F, "a roller, Eqs. 13 and 16 without the hub", "N_alone", self.alone, 0.0, rigid),
-        (case.N_16, "a roller, Eqs. 13 and 16 with the hub", "N", self, self.R_b, rigid),
-        (case.F, "an elastic roller, Eqs. 13 and 16 without the hub", "N_elastic", soft, 0.0,
+        (case.F, "a roller, Eqs. 13 and 16 without hub force", "N_alone", self.alone, 0.0, rigid),
+        (case.N_16, "a roller, Eqs. 13 and 16 with hub force", "N", self, self.R_b, rigid),
+        (case.F, "an elastic roller, Eqs. 13 and 16 without hub force", "N_elastic", soft, 0.0,
          elastic),
     ):  # fmt: skip
         statics = flat.roller_force(
@@ -144,7 +148,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """Load-transfer ratio of the widest roller contact minus that of the narrowest; uncertainty."""
+    """Difference of load-transfer ratios, widest minus narrowest contact; uncertainty."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])

@@ -80,7 +80,7 @@ def fine_zones(
 
 
 def held_fem(q: PolygonRing, width: float) -> float:
-    """Length [m]: force per length on a fixed part (2 `width` long) of the rim, over pressure."""
+    """Force per length on a fixed part (2 `width` long) of the rim, divided by the pressure [m]."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.polyhedral.half_sector import half_sector

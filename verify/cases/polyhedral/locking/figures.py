@@ -25,7 +25,7 @@ def figures(q: LockedFormulas, context: Context) -> Iterator[Curves]:
     side = q.d_i * np.sin(q.half_angle)
     rigid, soft = (np.array([one.under(x, q.d).N for x in p]) for one in (q.alone, q.soft))
     drawn = [
-        dashes("Eq. 16 without hub", p / MPa, np.maximum(p - q.p_1r, 0) * side / N_mm),
+        dashes("Eq. 16 without hub force", p / MPa, np.maximum(p - q.p_1r, 0) * side / N_mm),
         line("series", p / MPa, rigid / N_mm, 1),
         line("series, elastic rollers", p / MPa, soft / N_mm, 4),
     ]  # fmt: skip
@@ -38,8 +38,9 @@ def figures(q: LockedFormulas, context: Context) -> Iterator[Curves]:
         ]  # fmt: skip
     yield plot(
         "Force of a roller over the pressure", "p [MPa]", "N/b [N/mm]", drawn,
-        note=f"{q.alone.efficiency:.0%} of additional pressure reaches rigid rollers; the hoop "
-        "force of the ring carries the rest. Eq. 16 assigns all pressure to the rollers.",
+        note=f"Rigid rollers carry {q.alone.efficiency:.0%} of an increase of the pressure; the "
+        "hoop force of the ring balances the rest. Eq. 16 assigns the whole increase to the "
+        "rollers.",
     )  # fmt: skip
     if "rollers" in fem:
         yield _supports(q, *fem["rollers"], *fem["bonded"])
@@ -50,11 +51,13 @@ def _supports(q: LockedFormulas, a: Array, eta: Array, w: Array, bonded: Array) 
     states = [q.alone.under(q.p_t, d) for d in diameters(q)]
     sizes = ", ".join(f"{d / mm:.3g}" for d in diameters(q))
     return plot(
-        "Incremental load-transfer ratio over the width of the support", "half-width [mm]", "η",
+        "Incremental load-transfer ratio over the half-width of the support", "half-width [mm]",
+        "η",
         line("rollers, series", np.array([s.a for s in states]) / mm,
              np.array([s.efficiency for s in states]), 1),
         dots("rollers, FE", a / mm, eta, 2),
         dots("fixed length, FE", w / mm, bonded, 4),
         y_bottom=float(0.9 * min(eta.min(), bonded.min())),
-        note=f"Supports: rollers of {sizes} mm under p_t, and fixed lengths of the outside.",
+        note=f"Each support is a rigid roller of {sizes} mm diameter under p_t, or a fixed length "
+        "of the outer surface in place of a roller.",
     )  # fmt: skip

@@ -44,7 +44,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2_long(self) -> float:
         return self.p_t - self.touch_long
 
-    @Quantity("F/b", "N/mm", "force of a roller under all of p_2", source="Eqs. 13 and 16",
+    @Quantity("F/b", "N/mm", "force of a roller that carries all of p_2", source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:
         return self._on_a_side(self.p_2)
@@ -73,12 +73,12 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     N = Quantity(
         "N/b", "N/mm", "force of a roller", safe="too low",
-        source="series, with the half-width a of Hertz under N",
+        source="series, with Hertz's half-width a of the contact",
         tex=r"\frac{u_p p_t + u_h - \frac{j_D}{2}}{u_N(a)}",
     ).reads(lambda q: q.locked.N)  # fmt: skip
     efficiency = Quantity(
         "η", "1", "incremental load-transfer ratio, pressure to rollers",
-        source="1 by Eq. 16", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
+        source="Eq. 16 assumes η = 1", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
     ).reads(lambda q: q.locked.efficiency)  # fmt: skip
     hub_share = Quantity("η_h", "1", "incremental load-transfer ratio, hub to rollers",
                          source=SERIES,
@@ -88,12 +88,13 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     a_race = Quantity("a_r", "µm", "half-width of the contact on the race", source="Hertz",
                       when=lambda q: q.elastic).reads(lambda q: q.locked.a_race)  # fmt: skip
 
-    @Quantity("p_0", "MPa", "pressure between roller and ring", source="Hertz", safe="too high")
+    @Quantity("p_0", "MPa", "peak pressure between roller and ring", source="Hertz",
+              safe="too high")  # fmt: skip
     def p_0(self) -> float:
         return float(2 * self.N / (np.pi * self.a)) if self.a else 0.0
 
-    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets, locked", source=SERIES,
-              safe="too high")  # fmt: skip
+    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets of the locked ring",
+              source=SERIES, safe="too high")  # fmt: skip
     def fillet(self) -> float:
         return self._in_fillet(self.locked)
 
@@ -130,7 +131,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
 
     def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:
-        """State under the pressure p [Pa] of the ring that is between rollers of diameter d [m]."""
+        """State of the ring between rollers of diameter d [m], under the pressure p [Pa]."""
         own: dict[str, Any] = {"E": self.E, "nu": self.nu} if self.elastic else {}
         return locked(sector=self.sector, roller=Roller(d=d, j_D=self.j_D, **own), p=p, E=self.E,
                       nu=self.nu, assumption="plane stress", hub=hub)  # fmt: skip

@@ -79,7 +79,7 @@ def peak(touch: Any) -> float:
 
 
 def supports(q: LockingInputs) -> dict[str, Array]:
-    """Arrays of half-width and load-transfer ratio: for other rollers, for fixed lengths."""
+    """Half-widths and load-transfer ratios: arrays for other rollers and for fixed lengths."""
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
         ring = locked_fem(q, DRAWN, d=d, p=q.p_t)

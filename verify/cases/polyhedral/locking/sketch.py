@@ -1,4 +1,4 @@
-"""Sketch of the locked ring and of its clutch."""
+"""Sketch of the locked ring, also used for the clutch."""
 
 from typing import Any
 
@@ -25,7 +25,8 @@ def sketch(q: Any, *, d: float, e: float, p_t: float) -> Sketch:
             (x, y), (u, v) = np.array([start, end]) @ np.array([[c, s], [-s, c]])
             loads.append(sketches.arrow((x, y), (u, v), "" if k else label))
     return sketches.sketch(
-        f"ring with {q.z} flats, pressed against rollers of {d / mm:.4g} mm by p_t = "
-        f"{p_t / MPa:.4g} MPa; the hub acts on each flat with R at e = {e / mm:.4g} mm",
+        f"ring with {q.z} flats, pressed against rollers of {d / mm:.4g} mm diameter by p_t = "
+        f"{p_t / MPa:.4g} MPa in its bore. The hub exerts the force R on each flat at e = "
+        f"{e / mm:.4g} mm from the middle of the flat",
         body(q, gap=0.0), loads,
     )  # fmt: skip

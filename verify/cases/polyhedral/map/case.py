@@ -22,18 +22,19 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, 
 ASKED = (0, 3, 9, 11)  # indices of FLATS for which the maps contain the series
 NEAR_LAME = 0.02  # tolerance of K at 48 flats
 TRUE = 1e-3  # series against finite elements, all over the map
-AS_MESH = "equal to the accepted change when the mesh is halved"
-HALVED = 1e-3, "accepted change when the mesh is halved: 0.1 %"
+AS_MESH = "equal to the accepted change when the cell size is halved"
+HALVED = 1e-3, "accepted change when the cell size is halved: 0.1 %"
 FROM = 12  # K falls to its limit from this number of flats
 ETA = 0.01  # tolerance of the load-transfer ratio, series against finite elements
 PLANE: Assumption = "plane stress"
 
 
 class PolyhedralMap(MapInputs):
-    """Errors of K = 1 and of the paper's roller force are mapped over flats, walls and fillets.
+    """The error of K = 1 is mapped over the number of flats, the wall and the fillet radius.
 
-    The rings have 3 to 48 flats. Every ring of the maps is solved with finite elements; the series
-    is compared with them. Dimensions are assumed.
+    For each number of flats from 3 to 48, the part of the pressure that the rollers carry is also
+    computed; the paper assumes that they carry all of it. All rings are solved with finite elements
+    and with the series. Dimensions are assumed.
     """
 
     id = "polyhedral-map"
@@ -43,8 +44,9 @@ class PolyhedralMap(MapInputs):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (Scan(vary=("delta_1=3mm,4mm", "rho=2mm,3mm"), star=True),)
     readings: ClassVar = (
-        "d_i is the diameter through the corners with fillets: the wall in the corners is equal "
-        "for all numbers of flats; the wall above the flats is thicker with fewer flats",
+        "d_i is the diameter of the bore through its corners, measured with fillets. Therefore, "
+        "the wall in the corners is equal for all numbers of flats, and the wall above the flats "
+        "is thicker if the ring has fewer flats",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain, plane stress", "half a sector of each ring is modelled",
@@ -55,7 +57,8 @@ class PolyhedralMap(MapInputs):
     def K_many(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
 
-    @Quantity("K_{0}", "1", "K of {0} flats, middle", source="complex potentials").over(FLATS)
+    @Quantity("K_{0}", "1", "K in the middle of the flats, z = {0}",
+              source="complex potentials").over(FLATS)  # fmt: skip
     def K_mid(self, z: int) -> float:
         return float(1 / self.flexible_middle[FLATS.index(z), 0])
 
@@ -81,7 +84,7 @@ class PolyhedralMap(MapInputs):
         return Sector(z=z, d_e=self.d_e, d_i=self.d_e - 2 * delta_1, rho=rho)
 
     def flexibility(self, rings: Sequence[Size]) -> Array:
-        """1/K of middle of the flats, mean and corners for `rings`, by the series, (m, 3)."""
+        """1/K for middle of the flats, mean displacement and corners by the series, (rings, 3)."""
         found = (
             bore_pressure.stiffness_factors(sector=self.sector(size), nu=self.nu, assumption=PLANE)
             for size in rings
@@ -93,29 +96,30 @@ class PolyhedralMap(MapInputs):
         return fem.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: K in the middle of the map, limits of K, and both whole maps."""
+        """Rows: K for the wall and fillet of the inputs, limits of K, and both whole maps."""
         case = PolyhedralMap
         for z in FLATS:
             yield identity(case.K_mid(z), symbol="K_mid", order=4, sensitivity=HALVED,
                            shares=PLANE)  # fmt: skip
         yield Comparison(check=Agreement(
-            name="K of 48 flats is within 2 % of Lamé's limit", symbol="K", unit="1",
+            name="K of a ring with 48 flats is within 2 % of Lamé's limit", symbol="K", unit="1",
             pair=near_lame, accepted=NEAR_LAME, source=SUBJECT, **demanded(NEAR_LAME),
         ), quantity=case.K_many, shares=PLANE)  # fmt: skip
         yield Comparison(check=Accepted(
-            name="K approaches Lamé's limit steadily from 12 flats on", symbol="K - K_∞", unit="1",
+            name="|K − K_∞| decreases with the number of flats, from 12 flats on",
+            symbol="K - K_∞", unit="1",
             margin=falls,
         ), quantity=case.K_many, shares=PLANE)  # fmt: skip
         yield Accepted(name="corners of a ring with three flats move inwards under pressure",
                        symbol="K_corner", unit="1", margin=draws_in)  # fmt: skip
         more: dict[str, Any] = {"unit": "1", "everywhere": True, "shares": PLANE}
         for name, words in (("wall", "walls"), ("fillet", "fillets")):
-            yield Agreement(name=f"series and FE agree to 0.1 % over flats and {words}",
+            yield Agreement(name=f"1/K by series and FE agrees within 0.1 % over flats and {words}",
                             symbol="1/K_mid", pair=over_map(name), accepted=TRUE,
                             source=suites(AS_MESH), **more)  # fmt: skip
         yield Agreement(
-            name="series and FE agree to 1 % in the load-transfer ratio", symbol="η",
-            pair=shares, accepted=ETA, source=suites("the largest error that a row may have"),
+            name="load-transfer ratio by series and FE agrees within 1 %", symbol="η",
+            pair=shares, accepted=ETA, source=suites("the largest error accepted for a row"),
             **demanded(ETA), **more,
         )  # fmt: skip
 
@@ -145,7 +149,7 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """Pair of load-transfer ratios by series and finite elements for the flats that differ most."""
+    """Load-transfer ratios by series and finite elements, for the z at which they differ most."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 
@@ -159,7 +163,11 @@ def falls(context: Context) -> tuple[float, float, str]:
         np.array([abs(level.values[f"K_mid_{z}"] - limit) for z in over]) for level in context.fem
     ]
     step, U = float(-np.diff(on[-1]).max()), float(6 * np.abs(on[-1] - on[-2]).max())
-    return step, U, f"decrease of at least {step:.2g} between successive numbers of flats"
+    return (
+        step,
+        U,
+        f"|K − K_∞| decreases by at least {step:.2g} from one number of flats to the next",
+    )
 
 
 def near_lame(context: Context) -> Pair:

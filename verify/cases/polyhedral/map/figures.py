@@ -28,10 +28,12 @@ def figures(q: Any, context: Context) -> Sequence[Figure]:
     )
     solved = bool(context.fem)
     return (
-        _map("K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
-             f"Error [%] of p_1r = K p_1 with K = 1, for fillets of {q.rho * 1e3:.3g} mm."),
-        _map("K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
-             f"Error [%] of p_1r = K p_1 with K = 1, for walls of {q.delta_1 * 1e3:.3g} mm."),
+        _map("Error of K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
+             "Error [%] of p_1r = K p_1 with K = 1, for a fillet radius of "
+             f"{q.rho * 1e3:.3g} mm."),
+        _map("Error of K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
+             "Error [%] of p_1r = K p_1 with K = 1, for a wall thickness of "
+             f"{q.delta_1 * 1e3:.3g} mm."),
         _factors(q, context),
         _efficiency(q, context),
     )  # fmt: skip
@@ -52,7 +54,7 @@ def _factors(q: Any, context: Context) -> Curves:
     """Figure of K by three definitions; values beyond the limits are left out."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
-    names = ("middle of the flats", "mean of the outside", "corners")
+    names = ("K for the middle of the flats", "K for the mean displacement", "K for the corners")
     for k, name in enumerate(names):
         K = 1 / q.flexible_middle[:, k]
         seen = (K > LEAST) & (K < LARGEST)
@@ -63,10 +65,10 @@ def _factors(q: Any, context: Context) -> Curves:
     limit = np.full(2, q.K_many)
     curves.append(dashes("Lamé", x[[0, -1]], limit, 3))
     return plot(
-        "K by three definitions", "flats z", "K", curves,
+        "K by three definitions over the number of flats", "flats z", "K", curves,
         y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
-        note="Lines: series; dots: finite elements. At the corners, K exceeds the range of the "
-        "diagram for 3 to 5 flats and is negative for 3 flats.",
+        note="Lines: series; dots: finite elements. For 3 to 5 flats, K for the corners is outside "
+        "the range of the diagram; for 3 flats, it is negative.",
     )  # fmt: skip
 
 
@@ -82,5 +84,6 @@ def _efficiency(q: Any, context: Context) -> Curves:
         curves.insert(1, dots("η, FE", x, fem["efficiency"], 1))
     return plot(
         "Incremental load-transfer ratio, pressure to rollers", "flats z", "η", curves,
-        x_names=NAMES, note="Rigid rollers, 1.5 times the pressure that closes the clearance.",
+        x_names=NAMES, note="The rollers are rigid. The pressure is 1.5 times the pressure that "
+        "closes the clearance of a thin round ring.",
     )  # fmt: skip

@@ -36,7 +36,7 @@ class MapInputs(RoundRing):
         largest = 0.9 * (0.5 - max(WALLS)) * self.d_e
         if self.rho > largest:
             raise ValueError(
-                f"fillets leave no flat in the thickest walls of the map: ρ must be at most "
+                f"the fillets leave no flat in the thickest walls of the map: ρ must be at most "
                 f"{largest * 1e3:.4g} mm, got {self.rho * 1e3:g} mm"
             )
         return self
@@ -64,10 +64,10 @@ class MapInputs(RoundRing):
         )
 
     def touching(self, wall: float) -> float:
-        """Pressure [Pa] with which a thin ring of this wall closes the clearance: load scale."""
+        """Pressure [Pa] that closes the clearance of a thin round ring with this wall [m]."""
         return 2 * wall * self.E * self.j_D / ((self.d_e - 2 * wall) * (self.d_e - wall))
 
     def roller(self, z: int) -> float:
-        """Diameter [m] of z rollers: that of the inputs or, if too large for z, a smaller one."""
+        """Diameter [m] of z rollers: d of the inputs, or less if such rollers do not fit."""
         sine = float(np.sin(np.pi / z))
         return min(self.d, 0.9 * (self.d_e + self.j_D) * sine / (1 - sine))

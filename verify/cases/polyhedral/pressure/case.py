@@ -35,16 +35,16 @@ SOLID = 0.96  # δ_1/d_m at the end of figures; at 1 the bore vanishes
 ACCEPTED = 5e-4, "accepted error for uniform pressure on a round ring"
 LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
 MEAN = (
-    "derived: the mean over the wall is p d_i/(2 δ_1) for any pressure p, so that its error is "
-    "that of p_1"
+    "derived: the mean stress over the wall is p d_i/(2 δ_1) for any pressure p, so that its error "
+    "equals that of p_1"
 )
 RIM = (
-    "derived: the strain at the free outside is j_D/d_e; "
-    f"± {thin_ring.CELL:g} (δ_1/d_m)² for stresses at the edges of cells"
+    "derived: the hoop strain at the free outer surface is j_D/d_e; "
+    f"± {thin_ring.CELL:g} (δ_1/d_m)² for the error of stresses at the edges of cells"
 )
 BORE = (
-    "Lamé: the stress at the bore is (1 + (d_e/d_i)²)/2 E j_D/d_e; "
-    f"± 1 to 2 times {thin_ring.CELL:g} (δ_1/d_m)² for stresses at the edges of cells"
+    "Lamé: the hoop stress at the bore is (1 + (d_e/d_i)²)/2 E j_D/d_e; "
+    f"± 1 to 2 times {thin_ring.CELL:g} (δ_1/d_m)² for the error of stresses at the edges of cells"
 )
 OUTSIDE = (
     "Lamé: under the mean hoop stress σ_t, the outer diameter grows by d_i d_e/d_m² times σ_t d_m/E"
@@ -56,8 +56,8 @@ class RingPressure(ThinRing):
     """A round ring under pressure is the basis of the theory of the polygonal ring.
 
     The thin ring of the paper is compared with Lamé's thick ring and with finite elements. A sweep
-    demonstrates that they agree as the wall thickness vanishes. Dimensions are assumed, as the
-    paper prints none.
+    of the wall thickness demonstrates that the error of the thin ring vanishes with the wall.
+    Dimensions are assumed, because the paper prints none.
     """
 
     id = "polyhedral-pressure"
@@ -74,7 +74,7 @@ class RingPressure(ThinRing):
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
-        "a quarter is modelled, with symmetry on both cuts",
+        "a quarter of the ring is modelled, with symmetry on both cuts",
     )  # fmt: skip
 
     @Quantity("Δd_m", "µm", "growth of the mean diameter", equation="8",
@@ -82,17 +82,17 @@ class RingPressure(ThinRing):
     def growth(self) -> float:
         return float(expansion.growth(sigma_t=self.sigma_t, d_m=self.mean_diameter, E=self.E))
 
-    @Quantity("K", "1", "pressure ratio, thick to thin ring: K for many corners", role="step",
+    @Quantity("K", "1", "pressure of the thick ring over p_1: K for many corners", role="step",
               source="Lamé", tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
     def K(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
 
     p = Quantity(
-        "p", "MPa", "pressure that takes up the clearance, plane stress", source="Lamé",
+        "p", "MPa", "pressure that closes the clearance, plane stress", source="Lamé",
         tex=r"\frac{E j_D (d_e^2 - d_i^2)}{2 d_i^2 d_e} = K p_1",
     ).reads(lambda q: q.thick_ring("plane stress"))  # fmt: skip
     p_strain = Quantity(
-        "p_l", "MPa", "pressure that takes up the clearance, plane strain", source="Lamé",
+        "p_l", "MPa", "pressure that closes the clearance, plane strain", source="Lamé",
         tex=r"\frac{p}{1 - \nu^2}",
     ).reads(lambda q: q.thick_ring("plane strain"))  # fmt: skip
 
@@ -103,12 +103,12 @@ class RingPressure(ThinRing):
         return float(p)
 
     def of_wall(self, share: float) -> Self:
-        """The ring of the same d_m (mean diameter) and the wall `share` d_m, with no checks."""
+        """The ring with an equal mean diameter d_m and a wall thickness `share` d_m, unchecked."""
         sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
         return self.model_copy(update=sizes)
 
     def reference(self, level: int) -> Level:
-        """Results of the ring under a pressure E/1000 in its bore, scaled to a growth of j_D."""
+        """Results under a pressure E/1000 in the bore, scaled to the closed clearance j_D."""
         p_0, fine = self.E / 1000, 2 if self.delta_1 > THICK * self.d_m else 1
 
         def expanded(d_i: float, d_e: float, ends: Any) -> Any:
@@ -146,7 +146,7 @@ class RingPressure(ThinRing):
         )  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: thin ring and Lamé against finite elements, for this wall and vanishing walls."""
+        """Rows: thin ring and Lamé against finite elements, for this and for ever thinner walls."""
         ring, wall = RingPressure, {"d_e": self.d_e, "wall": self.delta_1}
         thin = thin_ring.pressure_error(**wall)
         outside = thin_ring.rim_stress_error(**wall)
@@ -156,7 +156,8 @@ class RingPressure(ThinRing):
         yield identity(ring.p, order=4, sensitivity=ACCEPTED)
         yield identity(ring.p_strain, order=4, sensitivity=ACCEPTED)
         yield approximation(ring.p_1, "p", order=4, expected=Expected(*thin, LAME))
-        yield approximation(ring.sigma_t, "mean_stress", order=4, against="the mean over the wall",
+        yield approximation(ring.sigma_t, "mean_stress", order=4,
+                            against="the mean hoop stress over the wall",
                             expected=Expected(*thin, MEAN))  # fmt: skip
         yield approximation(ring.sigma_t, "rim_stress", order=2,
                             against="the hoop stress at the outside",
@@ -172,7 +173,7 @@ class RingPressure(ThinRing):
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
         yield balance("balance", "balance of hoop force and bore pressure", "ΣF_x", "N/mm",
-                      of={"Lamé force": self.E / 1000 * self.d_i / 2}, bound=1e-9,
+                      of={"the pressure force": self.E / 1000 * self.d_i / 2}, bound=1e-9,
                       because="direct solution: machine epsilon × condition number")  # fmt: skip
 
     def figures(self) -> Iterator[Overlay]:
@@ -182,21 +183,22 @@ class RingPressure(ThinRing):
             title="Pressure that closes the clearance", x_label="wall δ_1/d_m",
             family=self.of_wall, over=np.linspace(WALLS[0], thickest, 60).tolist(),
             quantities=(RingPressure.p_1, RingPressure.p), reference="thinner", at=WALLS,
-            note=f"Mean diameter {self.shown('mean_diameter')}, clearance "
-            f"{self.shown('j_D')}. The error of the thin ring grows with the square of the wall.",
+            note=f"The mean diameter is {self.shown('mean_diameter')}, the clearance "
+            f"{self.shown('j_D')}. The error of the thin-ring formula grows with the square of the "
+            "wall thickness.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
         """Picture of the von Mises stress of the whole ring."""
-        caption = "Von Mises stress when the clearance is closed, plane stress"
+        caption = "Von Mises stress of the ring (plane stress) when the clearance is closed"
         yield picture("ring", "von_mises", caption, mirror="xy")
 
     def sketch(self) -> Sketch:
         """Sketch of the ring, its rollers and the pressure."""
         bore, at, r = self.d_i / self.d_e, 1.19, 0.13  # over d_e/2, clearance drawn much larger
         return sketches.sketch(
-            f"round ring of {self.shown('d_e')} under pressure in its bore, {self.shown('j_D')} "
-            "diametral clearance to its rollers (drawn much larger)",
+            f"round ring of {self.shown('d_e')} outer diameter under pressure in its bore. The "
+            f"diametral clearance to the rollers is {self.shown('j_D')}; it is drawn much larger",
             sketches.ring(bore, 1.0), sketches.rollers(6, r, at), sketches.circle(at + r),
             sketches.radial_loads(6, bore - 0.22, bore, "p"),
             sketches.leader((-1.25, 0.92), (-0.383 * (1 + bore), 0.3215 * (1 + bore)),
@@ -215,7 +217,7 @@ class RingPressure(ThinRing):
             )
         if self.R_p is None and self.straining > 3e-3:
             yield (
-                f"the ring strains by {self.straining:.2%} to close the clearance: most steels "
+                f"the hoop strain that closes the clearance is {self.straining:.2%}: most steels "
                 "yield at less; enter R_p"
             )
 

@@ -35,20 +35,21 @@ from verify.form.adapter import adapted
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
 PEAK = 1e-4  # relative error of a largest stress by the polynomial along the fillet
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
-HALVED = 1e-3, "accepted change when the mesh is halved: 0.1 %"
-LARGEST = "largest stress in the fillets by the series, ± 0.5 %"
-FILLET = 5e-3, "a peak stress: 0.5 % distinguishes different fillets"
+HALVED = 1e-3, "accepted change when the cell size is halved: 0.1 %"
+LARGEST = "derived from the largest stress in the fillets by the series, ± 0.5 %"
+FILLET = 5e-3, "a sensitivity of 0.5 % in the peak stress distinguishes different fillets"
 PLACES = {"e": "e", "corner": "the corner"}  # places of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "symmetric part of the hub force, equal for all flats; plane stress"
-BALANCE = "accepted error; direct solution"
+BALANCE = "accepted residual of a direct solution"
 
 
 class PolyhedralRing(PolygonSeries, HubRing):
     """The flats of a polygonal bore bulge under pressure, and the corners restrain the ring.
 
-    The paper does not derive K and assumes K = 1. In this case, K follows from complex potentials,
-    independent of the finite elements. Dimensions are assumed, as the paper prints none.
+    The paper has a correction factor K for this effect, but does not derive K and assumes K = 1.
+    Here, K is computed with complex potentials, independently of the finite elements. Dimensions
+    are assumed, because the paper prints none.
     """
 
     id = "polyhedral-ring"
@@ -68,35 +69,36 @@ class PolyhedralRing(PolygonSeries, HubRing):
         Scan(
             vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
             only=("K of the paper", "K = 1", "K in the middle of the flats",
-                  "K by the mean growth"),
+                  "K for the mean displacement of the outside"),
             at=("e=2mm",),
         ),
         Scan(vary=("rho=0.5mm,1mm,2mm,4mm", "delta_1=2mm,4mm,8mm"), star=True),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_i is the diameter through the corners with fillets, so that δ_1 is the thinnest wall. "
-        "With d_i measured to corners without fillets, K of three to six flats is 10 to 47 % "
-        "higher",
-        "K refers to the pressure at which the outside has grown by j_D/2 at the rollers, in the "
-        "middle of the flats; K by the mean growth and K at the corners are also reported",
+        "d_i is the diameter of the bore through its corners, measured with fillets, so that δ_1 "
+        "is the smallest wall thickness. If d_i is measured to corners without fillets, K of rings "
+        "with three to six flats is 10 to 47 % larger",
+        "K refers to the pressure at which the outside above the middle of the flats, where the "
+        "rollers are, has moved by j_D/2. K for the mean displacement of the outside and K for "
+        "the displacement at the corners are also reported",
         "the ring is narrow (plane stress); in plane strain, K is 1/(1 - ν²) times as large",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
         "half a sector is modelled, with symmetry on both cuts",
-        "the hub force at e is replaced by half of it on each side of the middle of the flat: its "
-        "symmetric part, equal for all flats",
+        "the hub force at e is replaced by its symmetric part: two forces of half the amount, one "
+        "on each side of the middle of the flat, equal for all flats",
     )
 
     @Quantity("K", "1", "K of the paper", source="before Eq. 11", tex="1", safe="too high")
     def K(self) -> float:
         return 1.0
 
-    K_mean = Quantity("K_mean", "1", "K by the mean growth", source=SERIES).reads(
-        lambda q: q.factors.mean
-    )
-    K_corner = Quantity("K_corner", "1", "K at the corners; negative if they move inwards",
-                        source=SERIES, role="step").reads(lambda q: q.factors.corner)  # fmt: skip
+    K_mean = Quantity("K_mean", "1", "K for the mean displacement of the outside",
+                      source=SERIES).reads(lambda q: q.factors.mean)  # fmt: skip
+    K_corner = Quantity("K_corner", "1", "K for the displacement at the corners; negative if the "
+                        "corners move inwards", source=SERIES,
+                        role="step").reads(lambda q: q.factors.corner)  # fmt: skip
 
     @Quantity("1/K_corner", "1", "flexibility at the corners")
     def flexibility(self) -> float:
@@ -124,7 +126,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return float(printed.mean_hoop_stress(sigma_t=self.sigma_t, K=self.K_mid))
 
     growth = Quantity(
-        "u_r(0)", "µm", "growth of the outside in the middle of the flats", role="step",
+        "u_r(0)", "µm", "displacement of the outside above the middle of flats", role="step",
         source="complex potential φ at the outside",
         tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
     ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
@@ -188,7 +190,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
                                 "shares": "plane stress"}  # fmt: skip
         yield identity(ring.K_mid, **same)
         yield identity(ring.K_mean, **same)
-        yield identity(ring.flexibility, scale={"1/K mid": 1 / self.K_mid}, **same)
+        yield identity(ring.flexibility, scale={"1/K_mid": 1 / self.K_mid}, **same)
         long = self.as_wide()
         wide = State(long, "strain", "plane strain")
         yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain"})
@@ -197,12 +199,17 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             shares="plane stress")  # fmt: skip
         yield approximation(ring.K, "K_mean", order=4, shares="plane stress",
                             expected=of_one(self.K_mean),
-                            name="K = 1 against the mean growth")  # fmt: skip
+                            name="K = 1 against K for the mean displacement of the "
+                            "outside")  # fmt: skip
         yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
                             expected=of_one(long.K_mid),
                             name="K = 1 against a long ring in plane strain")  # fmt: skip
         yield identity(ring.sigma_tr, **same)
-        twice = about(self.K_mid - 1, NEAR, "K_mid of the series, a superfluous factor as printed")
+        twice = about(
+            self.K_mid - 1,
+            NEAR,
+            "derived: K_mid − 1 by the series, because the printed formula applies K_mid twice",
+        )
         yield approximation(ring.sigma_tr_printed, "sigma_tr", order=4, expected=twice,
                             name="mean hoop stress in the corners, Eq. 12 as printed",
                             shares="plane stress")  # fmt: skip
@@ -218,29 +225,33 @@ class PolyhedralRing(PolygonSeries, HubRing):
                                 expected=about(share - 1, FILLET[0] * share, LARGEST))  # fmt: skip
         peak = {"order": 2, "sensitivity": FILLET, "uncertainty": max(PEAK, STRESS * residual)}
         yield identity(ring.fillet, **same | peak)
-        scale = {"hub force in the corner": max(abs(self.hub("corner", where)) for where in WHERE)}
+        scale = {
+            "the largest displacement by the hub force at the corner": max(
+                abs(self.hub("corner", where)) for where in WHERE
+            )
+        }
         for at, place in PLACES.items():
             for where, words in WHERE.items():
                 yield identity(ring.hub(at, where),
-                               name=f"displacement by the hub force at {place}: {words}",
+                               name=f"displacement of the {words} by the hub force at {place}",
                                symbol=f"u_{where}", scale=scale,
                                **same | {"order": 2, "shares": HUB})  # fmt: skip
         for x in "xy":
             yield balance(
-                f"balance_{x}", f"balance of half a sector, {x}", f"ΣF_{x}", "N/mm",
-                of={"side": UNIT * self.d_i / 2}, bound=1e-8, because=BALANCE,
+                f"balance_{x}", f"balance of forces on half a sector, {x}", f"ΣF_{x}", "N/mm",
+                of={"the pressure times d_i/2": UNIT * self.d_i / 2}, bound=1e-8, because=BALANCE,
             )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
-        """Figure of the outside when its flats reach the rollers."""
+        """Figure: displacement of the outside when the ring reaches its rollers."""
         degree = np.degrees
         yield AlongLine(
-            title="Growth of the outside when it reaches the rollers",
+            title="Radial displacement of the outside when the ring reaches its rollers",
             x=("angle from the middle of a flat [°]", "1"), y=("u_r", "µm"),
             at=degree(stations(self)), points=degree(np.linspace(0, self.half_angle, 121)),
             curve=lambda x: self.outside(np.radians(x)), reference="outside", order=3,
             scale=self.j_D / 2, scale_name="half the clearance",
-            note="The rollers are at 0°, the corner is at the right. Line: complex potentials.",
+            note="The roller is at 0°, the corner at the largest angle. Line: complex potentials.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
@@ -253,7 +264,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     def warnings(self) -> Iterator[str]:
         """Warnings if the fillets yield or the corners move inwards."""
-        when = " when the ring reaches the rollers"
+        when = " when the ring reaches its rollers"
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=when)
         if self.flexibility < 0:
             yield "the corners move inwards under pressure: only the flats reach their rollers"
@@ -261,7 +272,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
 def of_one(K: float) -> Expected:
     """Expected error of K = 1, if the series gives the value `K`."""
-    return about(1 / K - 1, NEAR, "1/K of the series (complex potentials)")
+    return about(1 / K - 1, NEAR, "derived: 1/K − 1 with K of the series (complex potentials)")
 
 
 RING = adapted(PolyhedralRing)

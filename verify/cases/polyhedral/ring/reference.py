@@ -21,7 +21,7 @@ DRAWN = (3, 6, 12)  # flats of the rings in the pictures
 
 
 def solve(q: HubRing, level: int) -> Level:
-    """Results for `level`: K in plane stress and strain, stresses, hub at e and in the corner."""
+    """Results for `level`: K in plane stress and strain, stresses, effect of the hub force."""
     from fem.plane.sectors import radial
 
     ring, long = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))

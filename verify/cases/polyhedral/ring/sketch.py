@@ -60,8 +60,9 @@ def sketch(q: Any) -> Sketch:
     x, y = half(q)[ARC // 2 + 1 : ARC + 4].mean(axis=0)
     thin = polar((q.d_i + q.d_e) / 2 / q.d_e, corner)
     return sketches.sketch(
-        f"ring with {q.z} flats in its bore, d_e = {q.shown('d_e')}, fillets of "
-        f"{q.shown('rho', 3)}; rollers and race as thin lines, clearance drawn much larger",
+        f"ring with {q.z} flats in its bore, outer diameter {q.shown('d_e')}, fillet radius "
+        f"{q.shown('rho', 3)}. Thin lines show rollers and race; the clearance is drawn much "
+        "larger",
         body(q), loads, sketches.leader((-1.3, 1.02), thin, f"δ_1 = {q.shown('delta_1')}"),
         sketches.leader((1.32, 1.05), (float(x), float(y)), "FE: half a sector"),
     )  # fmt: skip

@@ -16,11 +16,11 @@ from verify.form.adapter import adapted
 
 
 class WedgedRoller(WedgeFormulas):
-    """A roller stays in a wedge if tan(α/2) is below μ.
+    """A roller stays in a wedge of the angle α if tan(α/2) is below μ.
 
-    The friction force on a free roller is then N tan(α/2). The printed torque μ N z D_i/2 applies
-    only to rollers that a cage holds back until they slip. Finite elements of an elastic roller on
-    an elastic race with friction confirm both statements.
+    The friction force on a free roller is then N tan(α/2). The printed torque μ N z D_i/2 (Eq. 3)
+    applies only to rollers that a cage holds back until they slip. Finite elements of an elastic
+    roller on an elastic race with friction confirm these three statements.
     """
 
     id = "polyhedral-wedge"
@@ -30,26 +30,30 @@ class WedgedRoller(WedgeFormulas):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),)
     readings: ClassVar = (
-        "α is the full angle between both tangents: each contact normal is inclined by α/2 to the "
-        "plane normal to the bisector",
+        "α is the full angle between the tangents at both contacts; each contact normal is "
+        "inclined by α/2 to the plane perpendicular to the bisector",
         "D_i is a diameter: the lever of T is D_i/2",
         "N and T are forces at one contact of one roller; z rollers transmit the torque",
-        "only the two contacts act on a free roller; a cage force acts along the bisector",
-        "the rollers are long: plane strain, which only affects Hertz's half-width",
+        "only the forces at the two contacts act on a free roller; a cage force acts along the "
+        "bisector",
+        "the rollers are long and therefore in plane strain, which affects only Hertz's half-width",
     )
     assumptions: ClassVar = (
-        "α, μ, N, d and b are inputs with assumed default values: the paper prints no values, and "
-        "no equation for α",
-        "ring and race are flats: half of the roller is modelled, cut along the bisector; the "
-        "curvature of ring and race changes the contact width, not the balance of forces",
+        "α, μ, N, d and b are inputs with assumed default values, because the paper prints neither "
+        "their values nor an equation for α",
+        "the surfaces of ring and race are modelled as planes, and half of the roller is modelled, "
+        "cut along the bisector. The curvature of ring and race changes the contact width, but not "
+        "the balance of forces",
         "roller and race have the same material, so that tangential forces do not change the "
-        "pressure; on a rigid flat, nearly the whole contact would slip under N only",
-        "gap and pressure act along the normal of the flat race, so that a sliding roller stays in "
-        "the same wedge; for the stick zone, they act along the normal of the common, deformed "
-        "contact surface",
+        "contact pressure; on a rigid race, nearly the whole contact would slip under the normal "
+        "force alone",
+        "the contact pressure acts, and the gap is measured, along the normal of the undeformed "
+        "race, so that a sliding roller remains in the same wedge. For the stick zone, the normal "
+        "of the common, deformed contact surface is used instead",
         "the stick zone is computed under a separate load, so small that Cattaneo's half-planes "
-        f"are a good approximation: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
-        "no weight of the roller, one coefficient of friction, no effect of speed",
+        f"are a good approximation: a/(μR) is at most {TILT:g}, a/R at most {FLATTEST:g}",
+        "the weight of the roller and the effect of speed are neglected; the coefficient of "
+        "friction is equal at both contacts, for sticking and for sliding",
     )
 
     comparisons = compared.comparisons
@@ -62,7 +66,7 @@ class WedgedRoller(WedgeFormulas):
         return fem.solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a free roller leaves its wedge or the surfaces yield."""
+        """Warnings if a free roller is expelled from its wedge or if the surfaces yield."""
         if not stays(self):
             yield (
                 f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g} (Eq. 2): a free "

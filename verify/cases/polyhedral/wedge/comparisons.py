@@ -15,15 +15,18 @@ from verify.core.case import Check, Context
 from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
-BALANCED = "the forces are in balance on any mesh"
+BALANCED = "the forces are in equilibrium on any mesh"
 REST = 1e-3  # relative to N: counts as zero
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
 L2 = 0.03  # acceptance of tractions
 EDGES = 0.01  # limit of the slipping share of N if N and T grow together
-FREE = "statics of a free roller: its friction force is tan(α/2)/μ of the limit"
-HALF_PLANES = "estimated: ± ((a/(μR))² for inclined surfaces + 2 (a/R)² for half-planes)"
-SOLVER = "accuracy of the solver for a body that only contacts support"
-LIMIT = "Coulomb's law at every node, except for round-off"
+FREE = "derived: the friction force of a free roller is tan(α/2)/μ times the limit μN"
+HALF_PLANES = (
+    "estimated: ± ((a/(μR))² for the inclined contact surface + 2 (a/R)² for the approximation by "
+    "half-planes)"
+)
+SOLVER = "accuracy of the solver for a body that is supported by contacts only"
+LIMIT = "Coulomb's law is satisfied at every node, except for round-off"
 COULOMB = "Coulomb's law of friction"
 
 
@@ -51,13 +54,16 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
                         **printed)  # fmt: skip
     yield identity(case.N_per_M_caged, "N_per_M_caged",
                    name="normal force per torque of caged rollers (Eq. 4)", **caged)  # fmt: skip
-    yield identity(case.mu_c, name="least friction of a free roller (Eq. 2)", shares=COULOMB,
-                   sensitivity=(1e-4, "bisection to five digits"))  # fmt: skip
-    yield fact("friction 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
-    yield fact("friction 1 % below tan(α/2) releases the roller (Eq. 2)", "N",
+    yield identity(case.mu_c,
+                   name="least coefficient of friction that holds a free roller (Eq. 2)",
+                   shares=COULOMB,
+                   sensitivity=(1e-4, "the bisection determines five digits"))  # fmt: skip
+    yield fact("μ = 1.01 tan(α/2) holds the roller (Eq. 2)", "N", held)
+    yield fact("μ = 0.99 tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
-        name="T/(μN) for wedge angles below and above the limit", symbol="ΔT/(μN)", unit="1",
+        name="T/(μN) for wedge angles below and above the largest angle (Eq. 2)",
+        symbol="ΔT/(μN)", unit="1",
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
     ), quantity=case.wedged, shares=COULOMB)  # fmt: skip
     for k in SHARES:
@@ -66,21 +72,22 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     together = "N and T grow together"
     for part, (words, symbol, bound) in enumerate((
         ("slipping nodes carry less than 1 % of N", "N_slip", EDGES),
-        ("traction within 3 % of tan(α/2) p in L2", "q", L2),
+        ("traction q deviates by less than 3 % from tan(α/2) p (L2 norm)", "q", L2),
     )):  # fmt: skip
         yield Fact(name=f"{together}: {words}", symbol=symbol, unit="1", paper_only=True,
                    margin=below(bound, "slipping", part))  # fmt: skip
     for residual, name in (
-        ("along", "balance along the bisector"), ("across", "balance of forces on cut and contact"),
-        ("cage", "balance of forces of cage and contact"),
+        ("along", "balance of forces along the bisector"),
+        ("across", "balance of forces at cut and contact, across the bisector"),
+        ("cage", "balance of cage force and contact forces"),
     ):  # fmt: skip
         yield balance(residual, name, "ΣF", "N", of=scale, bound=1e-9, because=SOLVER)
-    yield balance("unslipped", "caged roller: all nodes at the limit of friction", "μp − q", "N",
+    yield balance("unslipped", "residual of Coulomb's law, caged roller", "μp − q", "N",
                   of=scale, bound=1e-10, because=LIMIT)  # fmt: skip
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Positive margin if 90 % of N remain with friction 1 % above tan(alpha/2)."""
+    """Margin, positive if 90 % of N remain with mu 1 % above tan(alpha/2); uncertainty."""
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 

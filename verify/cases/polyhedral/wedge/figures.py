@@ -20,18 +20,20 @@ def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
     yield converged(_limit)
     yield converged(lambda context: _torques(self, context))
     yield AlongLine(
-        title="Stick zone of a roller pressed without friction, then released", x=("T/(μN)", "1"),
-        y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k), points=np.linspace(0.0, 1.0, 201),
-        at=GROWTH, reference="growth", order=1, scale=1.0, neglects=True,
+        title="Stick zone of a roller pressed without friction and then released",
+        x=("T/(μN)", "1"), y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k),
+        points=np.linspace(0.0, 1.0, 201), at=GROWTH, reference="growth", order=1, scale=1.0,
+        neglects=True,
         note=f"The released roller is in equilibrium at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
     )  # fmt: skip
     yield AlongLine(
-        title="Traction of a roller while N and T grow together", x=("x/a", "1"),
+        title="Tangential traction on a roller while N and T grow together", x=("x/a", "1"),
         y=("q/(p_0 tan(α/2))", "1"), curve=lambda x: np.sqrt(1 - x**2),
         points=np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201)), at=ACROSS, reference="grown",
         order=1, scale=1.0, neglects=True,
-        note="The whole contact sticks: q is tan(α/2) p everywhere. Deviations: an odd part of the "
-        "order a/R due to the curvature of the roller, and the finite number of load steps.",
+        note="The whole contact sticks, so that q = tan(α/2) p everywhere. Small deviations have "
+        "two causes: the curvature of the roller (a part of the order a/R that is odd in x) and "
+        "the finite number of load steps.",
     )  # fmt: skip
 
 
@@ -39,12 +41,13 @@ def _limit(context: Context) -> Curves:
     share, left, ratio = context.fem[-1].arrays["over angles"]
     stays, unit = left > ANY, np.array([0.0, 1.0])
     return plot(
-        "Friction force of a roller over its limit μN", "tan(α/2)/μ", "T/(μN)",
+        "Friction force of a roller, divided by its limit μN", "tan(α/2)/μ", "T/(μN)",
         line("free roller, T = N tan(α/2)", unit, unit),
-        dashes("caged roller at the limit; Eq. 3 as printed", 1.5 * unit, unit**0, 1),
+        dashes("caged roller, T = μN (Eq. 3 as printed)", 1.5 * unit, unit**0, 1),
         dots("FE, free roller", share[stays], ratio[stays]),
-        dots("FE, expelled: N is zero", share[~stays], ratio[~stays], 2),
-        note="Wedges of different angles with equal friction. Beyond 1, a free roller is expelled.",
+        dots("FE, expelled roller (N = 0)", share[~stays], ratio[~stays], 2),
+        note="The wedge angle varies at a constant μ. Beyond tan(α/2)/μ = 1, a free roller is "
+        "expelled.",
     )  # fmt: skip
 
 
@@ -53,10 +56,10 @@ def _torques(q: WedgeFormulas, context: Context) -> Dots:
     return Dots(
         title="Torque of all rollers", label="M_t [N m]",
         items=(
-            ("Eq. 3, limit of friction", q.M_caged, None, "formula"),
-            ("FE, caged, slipping", fe["M_caged"], None, "fe"),
-            ("free, N tan(α/2)", q.M_free, None, "formula"),
-            ("FE, free", fe["M_free"], None, "fe"),
+            ("caged rollers that slip, Eq. 3", q.M_caged, None, "formula"),
+            ("caged rollers that slip, FE", fe["M_caged"], None, "fe"),
+            ("free rollers, T = N tan(α/2)", q.M_free, None, "formula"),
+            ("free rollers, FE", fe["M_free"], None, "fe"),
         ),
         note="All torques are for the same normal force N.",
     )  # fmt: skip
@@ -67,11 +70,11 @@ def pictures(self: WedgeFormulas) -> Iterator[Picture]:
     x, y, w = self.R * math.sin(self.half), self.R * math.cos(self.half), 3.0 * self.a
     yield Picture(
         field="roller", data="log_shear", symbol="τ_max/p_0", unit="1", factor=1.0, decades=True,
-        displacement="", mirror=("y",), caption="Largest shear stress in the roller over p_0, "
-        "logarithmic: it is concentrated between both contacts",
+        displacement="", mirror=("y",), caption="Maximum shear stress in the roller, divided "
+        "by p_0 (logarithmic scale). The stress is concentrated between the two contacts",
     )  # fmt: skip
     yield Picture(
         field="roller", data="shear", symbol="τ_max/p_0", unit="1", factor=1.0, displacement="",
-        caption="Largest shear stress over p_0 near the upper contact",
+        caption="Maximum shear stress near the upper contact, divided by p_0",
         window=(x - w, y - 1.5 * w, x + w, y + 0.5 * w),
     )  # fmt: skip

@@ -34,8 +34,8 @@ class WedgeFormulas(WedgeInputs):
     def T(self) -> float:
         return float(wedging.tangential_force(N=self.N, alpha=self.alpha))
 
-    @Quantity("tan(α/2)/μ", "1", "friction force of a free roller over its limit μN", role="step",
-              tex=r"\frac{\tan\left(\frac{\alpha}{2}\right)}{\mu}")  # fmt: skip
+    @Quantity("tan(α/2)/μ", "1", "friction force of a free roller, divided by its limit μN",
+              role="step", tex=r"\frac{\tan\left(\frac{\alpha}{2}\right)}{\mu}")  # fmt: skip
     def wedged(self) -> float:
         return math.tan(self.half) / self.mu
 
@@ -44,7 +44,7 @@ class WedgeFormulas(WedgeInputs):
     def alpha_max(self) -> float:
         return float(wedging.largest_angle(mu=self.mu))
 
-    @Quantity("μ_c", "1", "least coefficient of friction of a free roller", equation="2",
+    @Quantity("μ_c", "1", "least coefficient of friction that holds a free roller", equation="2",
               safe="too high",
               tex=r"\tan\left(\frac{\alpha}{2}\right)")  # fmt: skip
     def mu_c(self) -> float:

@@ -18,8 +18,9 @@ def sketch(self: WedgeInputs) -> Sketch:
     half = max(self.half, DRAWN)
     x = math.sin(half)
     return sketches.sketch(
-        "free body of a roller (wedge drawn wider): normal forces act out of the wedge, friction "
-        "forces into it; finite elements model the half above the bisector",
+        "free-body diagram of a roller; the wedge angle is drawn larger. The normal forces N act "
+        "out of the wedge, the friction forces T into the wedge. The finite-element model is the "
+        "half above the bisector",
         sketches.circle(1.0, "body"), arrow((-1.9, 0), (3.0, 0), style="axis"),
         _flat(half, 1), _flat(half, -1),
         arrow((x, -1.9), (x, 1.9), style="faint"),

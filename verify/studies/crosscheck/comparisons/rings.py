@@ -230,7 +230,8 @@ RINGS = (
         what="half a sector under pressure, plane stress", pose=partial(polyhedral, "plane stress"),
         quantities=(
             Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
-            Quantity(name="K_mean", row="K by the mean growth", symbol="K_mean", **K),
+            Quantity(name="K_mean", row="K for the mean displacement of the outside",
+                     symbol="K_mean", **K),
             Quantity(name="flexibility", row="flexibility at the corners", symbol="1/K_corner",
                      **K),
             Quantity(name="fillet", row="largest hoop stress in the fillets", symbol="σ_max",
@@ -253,9 +254,10 @@ RINGS = (
             pose=partial(hub, corner),
             quantities=(
                 Quantity(name="mid",
-                         row=f"displacement by the hub force at {place}: middle of the flats",
+                         row=f"displacement of the middle of the flats by the hub force at {place}",
                          symbol="u_mid", **HUB),
-                Quantity(name="corner", row=f"displacement by the hub force at {place}: corners",
+                Quantity(name="corner",
+                         row=f"displacement of the corners by the hub force at {place}",
                          symbol="u_corner", **HUB),
             ),
         )

@@ -54,7 +54,7 @@ ROUNDS = tuple(
         id=f"polyhedral-pressure, {a}", case="polyhedral-pressure", solver=CALCULIX,
         what=f"quarter of a round ring under pressure, {a}", pose=partial(expanded, a),
         quantities=(
-            Quantity(name="p", row=f"pressure that takes up the clearance, {a}", symbol="p",
+            Quantity(name="p", row=f"pressure that closes the clearance, {a}", symbol="p",
                      unit="MPa", allowed=LINEAR, why=MESH),
             *more,
         ),

@@ -1,4 +1,4 @@
-"""A loop of the accordion spring as solids and as a shell, compared with bricks of calculix."""
+"""A loop of the accordion spring with solid and shell elements, compared with calculix."""
 
 from functools import partial
 from pathlib import Path
@@ -17,13 +17,13 @@ WIDE = 20.0  # times the thickness, as in a row of the case
 ARC, LEAF = 12, 40  # cells of solids along an arc and half a leaf
 MOVED = 1e-3  # m, of the loop's head
 GRADED = 30.0  # cells over the width: the first over the last
-K = "stiffness of the loop, 20 times as wide as thick"
+K = "stiffness of a loop whose strip is 20 times as wide as thick"
 ROW = "loop as a shell and as solids, 20 times as wide as thick"
-BRICKS = "27-node cells of the project beside 20-node ones of reduced integration, on one mesh"
+BRICKS = "27-node elements of the project, 20-node elements of calculix, on the same mesh"
 
 
 def loop(held: bool) -> Posed:
-    """The loop as 27-node solids; its edges are free or, with `held`, in plane strain."""
+    """The loop with 27-node solid elements; the edge is free or, with `held`, in plane strain."""
     from fem.solid.solve import solve_solid
     from meshes.solid.strip import solid_strip
     from verify.studies.crosscheck.calculix.reading import strain_energy
@@ -63,7 +63,7 @@ def stiffness(energy: float) -> float:
 
 
 def shell() -> Posed:
-    """The loop as a shell, compared with bricks of the same cell sizes."""
+    """The loop with shell elements, compared with solid elements of the same size."""
     from verify.studies.crosscheck.calculix.reading import strain_energy
     from verify.studies.crosscheck.calculix.swept import SweptDeck
 
@@ -88,7 +88,8 @@ SOLIDS = (
     *(
         Cross(
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
-            what=f"half the width of a loop as solids, its edge {words}", pose=partial(loop, held),
+            what=f"half the width of a loop, solid elements, edge {words} in z",
+            pose=partial(loop, held),
             quantities=(
                 Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
                          beside=True, row=ROW),
@@ -98,10 +99,11 @@ SOLIDS = (
     ),
     Cross(
         id="spring-width, shell", case="spring-width", solver=CALCULIX,
-        what="half the width of a loop as a shell here, as bricks there", pose=shell,
+        what="half the width of a loop, shell elements against solid elements of calculix",
+        pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
-                     why="a shell beside solids, which differ by (b/R)² in arcs",
+                     why="shell theory deviates from solids by the order of (b/R)² in arcs",
                      beside=True, row=ROW),
         ),
     ),
