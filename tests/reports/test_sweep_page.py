@@ -16,7 +16,7 @@ from verify.studies.sweep.point import Solution
 from verify.studies.sweep.run import Solved, Timing
 
 CASE = find("polyhedral-ring", CASES)
-PAPER, EXACT = "K of the paper", "K for the mean displacement of the outside"
+PAPER, EXACT = "K of the paper", "K for the mean displacement of the outer surface"
 COMMAND = "freewheel sweep ring.toml --vary z=3:12:10"
 
 

@@ -109,7 +109,7 @@ def test_interpolation_is_tried_at_each_point_between_two_others(monkeypatch):
 def test_each_point_inside_a_range_keeps_its_limit():
     """Of stored studies; the ends of a range are values that were compared."""
     for row in (
-        "polyhedral-pressure/hoop stress, Eq. 9, against the hoop stress at the outside",
+        "polyhedral-pressure/hoop stress, Eq. 9, against the hoop stress at the outer surface",
         "polyhedral-ring/K of the paper",
     ):
         case, _, quantity = row.partition("/")

@@ -100,7 +100,7 @@ STATEMENTS: Mapping[str, Statement] = {
                   changes=plane_strain(), shared=True),
         ),
         corrected=(
-            Corrected("K = 1 against K for the mean displacement of the outside", "K_mean",
+            Corrected("K = 1 against K for the mean displacement of the outer surface", "K_mean",
                       "bending of the flats is included by the series"),
             Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
                       "bending of the flats is included by the series"),

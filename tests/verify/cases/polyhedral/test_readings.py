@@ -23,7 +23,8 @@ READINGS = [
     pytest.param(RING, expansion, "mean_hoop_stress", given(p=lambda k: 1.0999 * k["p"]),
                  "mean hoop stress in the corners, Eq. 12", id="Eq. 12 as printed"),
     pytest.param(RING, polyhedral_ring, "hub_force", given(along=lambda k: -k["along"]),
-                 "displacement of the middle of the flats by the hub force at e",
+                 "displacement of the outer surface at the middle of the flats by the hub force "
+                 "at e",
                  id="the hub's friction reversed"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda _: 0.0), EQ_21,
                  id="gamma = 0 in the first design"),

@@ -92,7 +92,7 @@ class ElasticClutch(ClutchInputs):
     def alpha_need(self) -> float:
         return float(2 * np.arctan(self.hub.grip))
 
-    @Quantity("α_ring", "deg", "steepest slope of the outside under p_t, without rollers",
+    @Quantity("α_ring", "deg", "steepest slope of the outer surface under p_t, without rollers",
               role="step")  # fmt: skip
     def alpha_ring(self) -> float:
         ring = self.hub.contact.sector

@@ -68,7 +68,7 @@ class RingPressure(ThinRing):
         Scan(vary=("delta_1=1mm,2mm,4mm,6mm,7mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
     )
     readings: ClassVar = (
-        "j_D is the diametral clearance between the outside of the ring and the rollers",
+        "j_D is the diametral clearance between the outer surface of the ring and the rollers",
         "the ring is free along its axis (plane stress); in plane strain, the pressure is "
         "1/(1 - ν²) times as large",
     )
@@ -160,7 +160,7 @@ class RingPressure(ThinRing):
                             against="the mean hoop stress over the wall",
                             expected=Expected(*thin, MEAN))  # fmt: skip
         yield approximation(ring.sigma_t, "rim_stress", order=2,
-                            against="the hoop stress at the outside",
+                            against="the hoop stress at the outer surface",
                             expected=Expected(*outside, RIM))  # fmt: skip
         yield approximation(ring.sigma_t, "bore_stress", order=2,
                             against="the hoop stress at the bore",

@@ -69,7 +69,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         Scan(
             vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
             only=("K of the paper", "K = 1", "K in the middle of the flats",
-                  "K for the mean displacement of the outside"),
+                  "K for the mean displacement of the outer surface"),
             at=("e=2mm",),
         ),
         Scan(vary=("rho=0.5mm,1mm,2mm,4mm", "delta_1=2mm,4mm,8mm"), star=True),
@@ -78,9 +78,9 @@ class PolyhedralRing(PolygonSeries, HubRing):
         "d_i is the diameter of the bore through its corners, measured with fillets, so that δ_1 "
         "is the smallest wall thickness. If d_i is measured to corners without fillets, K of rings "
         "with three to six flats is 10 to 47 % larger",
-        "K refers to the pressure at which the outside above the middle of the flats, where the "
-        "rollers are, has moved by j_D/2. K for the mean displacement of the outside and K for "
-        "the displacement at the corners are also reported",
+        "K refers to the pressure at which the outer surface above the middle of the flats, where "
+        "the rollers are, has moved by j_D/2. K for the mean displacement of the outer surface and "
+        "K for the displacement at the corners are also reported",
         "the ring is narrow (plane stress); in plane strain, K is 1/(1 - ν²) times as large",
     )
     assumptions: ClassVar = (
@@ -94,7 +94,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def K(self) -> float:
         return 1.0
 
-    K_mean = Quantity("K_mean", "1", "K for the mean displacement of the outside",
+    K_mean = Quantity("K_mean", "1", "K for the mean displacement of the outer surface",
                       source=SERIES).reads(lambda q: q.factors.mean)  # fmt: skip
     K_corner = Quantity("K_corner", "1", "K for the displacement at the corners; negative if the "
                         "corners move inwards", source=SERIES,
@@ -126,8 +126,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return float(printed.mean_hoop_stress(sigma_t=self.sigma_t, K=self.K_mid))
 
     growth = Quantity(
-        "u_r(0)", "µm", "displacement of the outside above the middle of flats", role="step",
-        source="complex potential φ at the outside",
+        "u_r(0)", "µm", "displacement of the outer surface above the middle of the flats",
+        role="step", source="complex potential φ at the outer surface",
         tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
     ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
 
@@ -140,8 +140,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outside at {1} by the hub force at {0}",
-              source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
+    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at {1} by the hub force at "
+              "{0}", source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]
 
@@ -157,7 +157,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     @shared
     def _lifts(self) -> Mapping[tuple[str, str], float]:
-        """Displacements [m] of the outside, by position of the hub force and of the outside."""
+        """Displacements [m] of the outer surface, by position of the hub force and by place."""
         return {
             (at, where): float(u)
             for at, hub in self._hubs.items()
@@ -199,8 +199,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             shares="plane stress")  # fmt: skip
         yield approximation(ring.K, "K_mean", order=4, shares="plane stress",
                             expected=of_one(self.K_mean),
-                            name="K = 1 against K for the mean displacement of the "
-                            "outside")  # fmt: skip
+                            name="K = 1 against K for the mean displacement of the outer "
+                            "surface")  # fmt: skip
         yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
                             expected=of_one(long.K_mid),
                             name="K = 1 against a long ring in plane strain")  # fmt: skip
@@ -233,7 +233,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
         for at, place in PLACES.items():
             for where, words in WHERE.items():
                 yield identity(ring.hub(at, where),
-                               name=f"displacement of the {words} by the hub force at {place}",
+                               name=f"displacement of the outer surface at the {words} by the hub "
+                               f"force at {place}",
                                symbol=f"u_{where}", scale=scale,
                                **same | {"order": 2, "shares": HUB})  # fmt: skip
         for x in "xy":
@@ -243,10 +244,10 @@ class PolyhedralRing(PolygonSeries, HubRing):
             )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
-        """Figure: displacement of the outside when the ring reaches its rollers."""
+        """Figure: displacement of the outer surface when the ring reaches its rollers."""
         degree = np.degrees
         yield AlongLine(
-            title="Radial displacement of the outside when the ring reaches its rollers",
+            title="Radial displacement of the outer surface when the ring reaches its rollers",
             x=("angle from the middle of a flat [°]", "1"), y=("u_r", "µm"),
             at=degree(stations(self)), points=degree(np.linspace(0, self.half_angle, 121)),
             curve=lambda x: self.outside(np.radians(x)), reference="outside", order=3,

@@ -230,7 +230,7 @@ RINGS = (
         what="half a sector under pressure, plane stress", pose=partial(polyhedral, "plane stress"),
         quantities=(
             Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
-            Quantity(name="K_mean", row="K for the mean displacement of the outside",
+            Quantity(name="K_mean", row="K for the mean displacement of the outer surface",
                      symbol="K_mean", **K),
             Quantity(name="flexibility", row="flexibility at the corners", symbol="1/K_corner",
                      **K),
@@ -254,10 +254,12 @@ RINGS = (
             pose=partial(hub, corner),
             quantities=(
                 Quantity(name="mid",
-                         row=f"displacement of the middle of the flats by the hub force at {place}",
+                         row="displacement of the outer surface at the middle of the flats by the "
+                         f"hub force at {place}",
                          symbol="u_mid", **HUB),
                 Quantity(name="corner",
-                         row=f"displacement of the corners by the hub force at {place}",
+                         row="displacement of the outer surface at the corners by the hub force "
+                         f"at {place}",
                          symbol="u_corner", **HUB),
             ),
         )

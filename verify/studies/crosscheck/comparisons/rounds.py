@@ -63,7 +63,8 @@ ROUNDS = tuple(
         ("plane stress", (
             Quantity(name="middle", row="growth of the mean diameter, Eq. 8", symbol="Δd_m",
                      unit="µm", allowed=LINEAR, why=MESH),
-            Quantity(name="hoop", row="hoop stress, Eq. 9, against the hoop stress at the outside",
+            Quantity(name="hoop",
+                     row="hoop stress, Eq. 9, against the hoop stress at the outer surface",
                      symbol="σ_t", unit="MPa", allowed=AVERAGED, why=NODAL),
         )),
         ("plane strain", ()),
