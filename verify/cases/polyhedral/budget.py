@@ -101,13 +101,13 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         corrected=(
             Corrected("K = 1 against K for the mean displacement of the outer surface", "K_mean",
-                      "bending of the flats is included by the series"),
+                      "the series includes the bending of the flats"),
             Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
-                      "bending of the flats is included by the series"),
+                      "the series includes the bending of the flats"),
             Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
             *(
                 Corrected(f"{row}, against the largest hoop stress in the fillets", "fillet",
-                          "the largest stress by the series replaces the mean over the wall")
+                          "the largest stress by the series replaces the mean stress over the wall")
                 for row in ("hoop stress, Eq. 9", "mean hoop stress, Eq. 12")
             ),
         ),
@@ -127,9 +127,9 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("force of an elastic roller, Eqs. 13 and 16 without hub force", "N_elastic",
                       BY_SERIES),
             Corrected("blocking pressure, Eq. 19 with K = 1", "p_2",
-                      "bending of the flats is included by the series"),
+                      "the series includes the bending of the flats"),
             Corrected("blocking pressure, Eq. 19 with K = 1, against a long ring in plane strain",
-                      "p_2_long", "bending of the flats is included by the series"),
+                      "p_2_long", "the series includes the bending of the flats"),
         ),
         finer=5, headline="force of a roller under pressure, series",
     ),

@@ -10,7 +10,10 @@ def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list
     if R_p is not None and stress > R_p:
         return [f"{stressed} exceeds R_p = {R_p / 1e6:.4g} MPa: the ring yields in the fillets"]
     if R_p is None and stress > STRAINED * E:
-        return [f"{stressed} is a strain of {stress / E:.2%}: most steels yield at less; enter R_p"]
+        return [
+            f"{stressed} corresponds to a strain of {stress / E:.2%}: most steels yield at less; "
+            "enter R_p"
+        ]
     return []
 
 

@@ -135,9 +135,9 @@ class PolyhedralClutch(ClutchFormulas):
             )
         elif not isfinite(self.M_el):
             yield (
-                "as soon as the ring touches the rollers, the hub force clamps them without more "
-                "pressure: the strength limits the torque, not the pressure. With a larger e or a "
-                "smaller μ, the pressure limits the torque"
+                "as soon as the ring touches the rollers, the hub force clamps the rollers without "
+                "more pressure: the strength limits the torque, not the pressure. With a larger e "
+                "or a smaller μ, the pressure limits the torque"
             )
         elif self.margin < 1:
             yield (

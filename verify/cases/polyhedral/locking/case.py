@@ -18,9 +18,9 @@ PRESSED = 1.02  # over the touching pressure: forces are compared above it
 class LockedPolyhedralRing(LockedFormulas):
     """The paper assigns the whole blocking pressure to the rollers.
 
-    In fact, the hoop force of the ring balances a large part of this pressure. The remaining force
-    of a roller is computed with finite elements, and independently with complex potentials and
-    Hertz's theory of contact. Dimensions and loads are assumed.
+    In fact, the hoop force of the ring balances a large part of this pressure. The roller force is
+    computed with finite elements, and independently with complex potentials and Hertz's theory of
+    contact. Dimensions and loads are assumed.
     """
 
     id = "polyhedral-locking"

@@ -33,7 +33,7 @@ class PolyhedralMap(MapInputs):
     """The error of K = 1 is mapped over the number of flats, the wall and the fillet radius.
 
     For each number of flats from 3 to 48, the part of the pressure that the rollers carry is also
-    computed; the paper assumes that they carry all of it. All rings are solved with finite elements
+    computed; the paper assigns all of it to the rollers. All rings are solved with finite elements
     and with the series. Dimensions are assumed.
     """
 
@@ -173,7 +173,9 @@ def falls(context: Context) -> tuple[float, float, str]:
 def near_lame(context: Context) -> Pair:
     """Pair: Lamé's limit of K, and K of a ring with 48 flats."""
     limit, K = context.inputs.K_many, context.series(f"K_mid_{FLATS[-1]}")[1]
-    return Pair(limit, K[-1], 3 * abs(K[-1] - K[-2]), f"{K[-1] / limit - 1:+.2%}")
+    return Pair(
+        limit, K[-1], 3 * abs(K[-1] - K[-2]), f"deviation {K[-1] / limit - 1:+.2%} from the limit"
+    )
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:

@@ -62,7 +62,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
     portions: ClassVar = (
         Portion(name="K", fem=fem.stiffness_fem, levels=(1, 2, 3),
                 keys=("K_mid", "K_mean", "flexibility")),
-        Portion(name="K in both planes", fem=fem.both_fem, levels=(1, 2, 3),
+        Portion(name="K in plane stress and strain", fem=fem.both_fem, levels=(1, 2, 3),
                 keys=("K_mid", "K_mean", "flexibility", "K_mid_strain")),
     )  # fmt: skip
     scans: ClassVar = (
@@ -268,7 +268,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         when = " when the ring reaches its rollers"
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=when)
         if self.flexibility < 0:
-            yield "the corners move inwards under pressure: only the flats reach their rollers"
+            yield "the corners move inwards under pressure; the ring expands only above the flats"
 
 
 def of_one(K: float) -> Expected:

@@ -62,7 +62,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield fact("μ = 0.99 tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
-        name="T/(μN) for wedge angles below and above the largest angle (Eq. 2)",
+        name="deviation of T/(μN) from tan(α/2)/μ below and above the largest wedge angle",
         symbol="ΔT/(μN)", unit="1",
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
     ), quantity=case.wedged, shares=COULOMB)  # fmt: skip
@@ -106,4 +106,4 @@ def over_angles(context: Context) -> tuple[float, float, str]:
     mu = context.inputs.mu
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)
     missed = np.where(stays, np.abs(ratio - share), EXPELLED / REST * np.abs(left))
-    return float(missed.max()), 0.0, f"largest difference {missed.max():.1e}"
+    return float(missed.max()), 0.0, f"largest deviation of T/(μN): {missed.max():.1e}"
