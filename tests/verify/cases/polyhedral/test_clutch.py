@@ -29,7 +29,7 @@ ENDLESS = LOCKS | FIRST | {"N_el", "M_el", "M_rigid", "M_wide", "margin"}
     [
         pytest.param({"z": 12, "e": "5 mm"}, set(), "", id="twelve rollers"),
         pytest.param({"mu": 0.22}, LOCKS, "Eqs. 17 to 20 give no limit", id="locks by Eq. 20"),
-        pytest.param({"mu": 0.3}, LOCKS | FIRST, "due to the hub force is 1.42", id="and by Eq. 21"),
+        pytest.param({"mu": 0.3}, LOCKS | FIRST, "the hub force is 1.42", id="and by Eq. 21"),
         pytest.param({"mu": 0.6}, ENDLESS, "strength limits", id="all lock"),
         pytest.param({"alpha": "10 deg"}, NEEDED, "expelled", id="expelled rollers"),
         pytest.param({"p_t": "15 MPa"}, set(), "the torque is zero", id="not touched"),
