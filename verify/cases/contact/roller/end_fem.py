@@ -131,7 +131,7 @@ def edge_fem(level: int) -> tuple[Array, Array]:
 
 
 def patch(found: "PatchContact") -> Field:
-    """Field of the pressure on both halves of the contact patch, magnified across the roller."""
+    """Field of the pressure on both halves of the contact patch."""
     s = np.concatenate([-found.across[:0:-1], found.across])
     y = np.concatenate([-found.stations[:0:-1], found.stations])
     p = np.hstack([found.p[:, ::-1], found.p])
