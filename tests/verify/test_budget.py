@@ -3,6 +3,8 @@
 import functools
 import math
 import re
+import sys
+import types
 from dataclasses import replace
 
 import pytest
@@ -155,6 +157,20 @@ def test_changes_hold_for_a_while_whatever_happens_and_for_what_was_memoised(mon
         look_inside(kept)
     assert (made.Solver, made.SLACK) == (ORIGINAL, 1e-4)
     assert kept() == 1e-4
+
+
+def test_a_change_holds_in_modules_imported_before_and_ends_in_modules_imported_during_it(
+    monkeypatch,
+):
+    before, during = types.ModuleType("before"), types.ModuleType("during")
+    before.Solver = made.Solver
+    monkeypatch.setitem(sys.modules, "before", before)
+    monkeypatch.setitem(sys.modules, "during", during)
+    with changed([Argument(f"{made.HERE}:Solver", {"assumption": "plane strain"})]):
+        during.Solver = made.Solver
+        found = before.Solver(assumption="plane stress"), during.Solver(assumption="plane stress")
+        assert [one.excess for one in found] == [0.0, 0.0]
+    assert before.Solver is during.Solver is ORIGINAL
 
 
 @pytest.mark.parametrize(("name", "error"), [("narrow", RuntimeError), ("nobody", LookupError)])

@@ -2,6 +2,7 @@
 
 import functools
 import importlib
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any
@@ -14,9 +15,10 @@ from verify.judging.budget_statement import Argument, Change, Constant
 def changed(changes: Sequence[Change]) -> Iterator[None]:
     """Apply `changes` while the body is executed; always restore the previous state afterwards.
 
-    Code that imports functions while it is executed, as the `fem` functions of cases do, obtains
-    the changed functions. Raises LookupError if a name does not exist, and RuntimeError if a
-    function that was to be called with other arguments was not called.
+    A changed function or class is replaced in every module that has imported it, because the
+    result must not depend on which modules were imported before. A constant is replaced in its own
+    module only. Raises LookupError if a name does not exist, and RuntimeError if a function that
+    was to be called with other arguments was not called.
     """
     calls: dict[str, int] = {}
     forget_memoised()  # otherwise an earlier result would replace the changed one
@@ -36,17 +38,26 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
 
 @contextmanager
 def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
-    module, name, original = _found(change.target)
+    _, _, original = _found(change.target)
 
     def counted(call: Callable[..., Any], *given: Any, **keywords: Any) -> Any:
         calls[change.target] += 1
         return call(*given, **{**keywords, **change.keywords})
 
-    setattr(module, name, _like(original, counted))
+    replacement = _like(original, counted)
+    _replace(original, replacement)
     try:
         yield
     finally:
-        setattr(module, name, original)
+        _replace(replacement, original)  # also in modules that were imported in the meantime
+
+
+def _replace(old: Any, new: Any) -> None:
+    """Bind `new` to every name of a loaded module that is bound to `old`."""
+    for module in list(sys.modules.values()):
+        names = getattr(module, "__dict__", {})
+        for name in [name for name, value in names.items() if value is old]:
+            names[name] = new
 
 
 def _like(original: Any, counted: Callable[..., Any]) -> Any:

@@ -1,6 +1,7 @@
 """Solution of one rerun of a budget, in any process, and its entry in the store."""
 
 import hashlib
+import importlib
 import json
 import math
 import time
@@ -24,7 +25,7 @@ from verify.studies.budget.generic import LOOSER, TIGHTER, tolerances
 from verify.studies.budget.plan import Plan, Step
 
 KIND = "budget"  # of stored solutions
-FORMAT = 1
+FORMAT = 2  # 1: changes did not reach modules that had imported a function before
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,8 @@ def _both(plan: Plan, step: Step, folder: Path | None) -> tuple[Mapping[str, flo
     own = next((rerun.fem for rerun in mine if rerun.fem is not None), None)
     if own is None and not changes:  # only inputs or the mesh: the usual cache
         return case.analytic(q), _usual(plan, q, step.level, folder)
+    for name in source_code.modules_of(case.reference):
+        importlib.import_module(name)  # before the change, so that none imports a changed constant
     with changed(changes):
         return case.analytic(q), (own or case.reference)(q, step.level)
 

@@ -91,7 +91,7 @@ def along(found: "Ridge") -> dict[str, Array]:
 
 
 def patch(found: "Ridge", name: str = "patch") -> Field:
-    """Field of the pressure on the contact patch, magnified across; cells along y are merged."""
+    """Field of the pressure on the contact patch; cells along y are merged."""
     loaded = found.contact.contact
     many = math.gcd(loaded.pressure.shape[1], loaded.pressure.shape[1] // SHOWN or 1)
     p = loaded.pressure.reshape(len(loaded.pressure), -1, many).mean(axis=2)
