@@ -82,6 +82,12 @@ def check_reasons(plan, found):
             assert any(alone.reason(name) for name in names), pattern
 
 
+def check_reruns(found):
+    """No cause is without a contribution because of an error in the suite."""
+    notes = {part.note for one in found.rows for part in one.balance.parts}
+    assert [note for note in notes if "Error:" in note] == []
+
+
 @pytest.mark.slow("the rows of all cases")
 def test_statements_of_all_cases_are_about_what_there_is():
     for case in CASES:
@@ -90,3 +96,4 @@ def test_statements_of_all_cases_are_about_what_there_is():
         check_statement(case, plan, names)
         if found := measured(plan):  # for this code
             check_reasons(plan, found)
+            check_reruns(found)
