@@ -34,7 +34,8 @@ READINGS = [
                  id="tilt about x in Eq. 7"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", lambda f: (
                  lambda s, j, *, Omega=0.0, theory: f(s, j, Omega=Omega / 2, theory=theory)),
-                 "weak form of Rayleigh's beam, mode 1 backward", id="polar for diametral inertia"),
+                 "weak form of Rayleigh's beam: whirl frequency of mode 1 backward",
+                 id="polar for diametral inertia"),
     pytest.param(STEP, SteppedBeam, "rotor", lambda f: lambda s, **_: f(s),
                  "the 45° rule removes more than half of the error of mode 1", id="no 45° rule"),
 ]  # fmt: skip

@@ -12,10 +12,10 @@ LARGEST_TWIST = 0.35  # rad, 20 deg
 ROUGH = 0.5e-6  # m, roughness of ground races: deflections below it follow no contact law
 LEANS = 0.02  # reduction of K_tilt by leaning forces without a warning
 WORDS = {
-    "offset": "the offset",
-    "crown": "the crown",
-    "gap": "the gap",
-    "together": "offset, crown and gap together",
+    "offset": "an offset",
+    "crown": "a crown",
+    "gap": "missing sprags",
+    "together": "offset, crown and missing sprags together",
 }
 
 
@@ -25,22 +25,24 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
     rolled = (
         "would roll over between the races"
         if held <= 0
-        else f"would have {held:.0%} of the torsional stiffness"
+        else f"would give {held:.0%} of the torsional stiffness K_zz"
     )
     return (
-        f"under {q.T:g} N m every sprag carries {q.N:.4g} N and deflects by {q.delta_0 * 1e6:.3g} "
-        f"µm, and the wind-up is {math.degrees(q.twist):.3g}°; the clutch acts as an isotropic "
-        f"bearing of {q.K_xx / 1e6:.4g} N/µm and a torsion spring of {q.K_zz:.4g} N m/rad",
-        f"under torque alone, bending and torsion are not coupled; an offset of {q.e * 1e6:g} µm "
-        f"causes a coupling of {abs(offset.coupling):.2%} of √(K_xx K_zz); with {q.missing} of "
-        f"{q.Z} sprags missing, it is {abs(gap.coupling):.2%}",
-        "the stiffness grows with the tenth root of the torque: half the torque lowers it by "
-        f"{1 - 0.5**0.1:.1%}; Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under "
-        f"even load, and tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} of the "
-        f"sprags missing, x and y are coupled by {gap.K_xy / gap.K_xx:.2%} of K_xx, and y and "
-        "torsion by tan ν of K_xz; by Eq. 3 both couplings are zero",
-        "d_t = R_i tan ν is constant only if the sprags roll: struts pinned to both races "
-        f"{rolled}",
+        f"under {q.T:g} N m, the normal force of each sprag is {q.N:.4g} N, the deflection of both "
+        f"its contacts is {q.delta_0 * 1e6:.3g} µm, and the wind-up of the races is "
+        f"{math.degrees(q.twist):.3g}°; the clutch acts as an isotropic bearing with the stiffness "
+        f"{q.K_xx / 1e6:.4g} N/µm and as a torsion spring with {q.K_zz:.4g} N m/rad",
+        "under torque alone, bending and torsion are not coupled; with an offset of "
+        f"{q.e * 1e6:g} µm, the coupling K_xz is {abs(offset.coupling):.2%} of √(K_xx K_zz); with "
+        f"{q.missing} of {q.Z} sprags missing, K_xz is {abs(gap.coupling):.2%} of √(K_xx K_zz)",
+        "the stiffness is proportional to the tenth root of the torque: at half the torque, the "
+        f"stiffness is {1 - 0.5**0.1:.1%} lower; Eq. 3 neglects the inclination of the sprag "
+        f"forces, and thus tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under even load and "
+        f"terms of the order of tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} "
+        f"of the sprags missing, the coupling of x and y is {gap.K_xy / gap.K_xx:.2%} of K_xx, and "
+        "that of y and torsion is K_xz tan ν; by Eq. 3 both couplings are zero",
+        "d_t = R_i tan ν is constant only if the sprags roll on the races: sprags pinned to both "
+        f"races {rolled}",
     )
 
 
@@ -66,17 +68,19 @@ def open_ends(q: ClutchStiffness, key: str) -> bool:
 
 
 def refusal(q: ClutchStiffness) -> str:
-    """Reason why struts do not cover the inputs; empty if they do."""
+    """Reason why the struts of the reference do not cover the inputs; empty if they do."""
     twist = float(preload_twist(q.clutch(), T=q.T))
     if twist > LARGEST_TWIST:
         return (
-            f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, but may be at most "
-            f"{math.degrees(LARGEST_TWIST):.3g}° for rolling sprags; check it without --fem"
+            f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, but the struts of the "
+            f"reference represent rolling sprags up to {math.degrees(LARGEST_TWIST):.3g}° only; "
+            "check it without --fem"
         )
     if open_ends(q, "crown") or open_ends(q, "together"):
         return (
             f"the crown's drop of {q.drop * 1e6:g} µm leaves the ends of the sprags without "
-            f"contact under {q.T:g} N m, so that slices converge too slowly; check it without --fem"
+            f"contact under {q.T:g} N m, so that results of struts converge too slowly with the "
+            "number of slices; check it without --fem"
         )
     return ""
 
@@ -95,21 +99,21 @@ def warnings(q: ClutchStiffness) -> Iterator[str]:
     leaning = q.leaning
     if leaning > LEANS * abs(q.K_tilt - leaning):
         yield (
-            f"K_tilt = {q.K_tilt:.4g} N m/rad does not include the inclination of the sprag forces "
-            f"as the race tilts, which reduces it by {leaning:.4g} N m/rad: "
+            f"K_tilt = {q.K_tilt:.4g} N m/rad neglects that the sprag forces incline as the race "
+            f"tilts; their inclination reduces the tilting stiffness by {leaning:.4g} N m/rad: "
             f"{_above(q.K_tilt, leaning)}"
         )
     for key, what in WORDS.items():
         if count := open_slices(q, key):
             share = count / q.n_s / (q.Z - (q.missing if q.in_state[key].with_gap else 0))
-            yield f"under {what}, {share:.0%} of the contacts are open (δ_jk < 0)"
+            yield f"with {what}, {share:.0%} of the slices have no contact (δ_jk < 0)"
     if q.twist > LARGEST_TWIST:
         yield (
-            f"the races rotate by {math.degrees(q.twist):.3g}° under {q.T:g} N m, farther than the "
-            "sprags can roll: use more sprags, or a larger wedge angle"
+            f"the wind-up of the races is {math.degrees(q.twist):.3g}° under {q.T:g} N m, larger "
+            "than the sprags can follow by rolling: use more sprags, or a larger wedge angle"
         )
     if math.tan(q.nu) > FRICTION:
         yield (
-            f"tan ν = {math.tan(q.nu):.3g} is more than the friction {FRICTION:g} that oiled "
-            "steel hardly exceeds: the clutch slips"
+            f"tan ν = {math.tan(q.nu):.3g} exceeds the friction coefficient {FRICTION:g}, which "
+            "oiled steel hardly exceeds: the clutch slips"
         )

@@ -14,16 +14,16 @@ from verify.form.adapter import adapted
 class ClutchLink(ClutchStiffness):
     """A sprag clutch under torque acts as a bearing and a torsion spring between two rotors.
 
-    Its stiffness is derived from one potential and compared with that of struts between rigid hubs.
-    The struts have the inclination of the sprags, and their kinematics are exact. The terms that
-    the equations neglect are derived; they give the intervals of the expected errors.
+    Eqs. 1 to 11 derive the stiffness of the clutch from one potential. In the reference, each sprag
+    is a strut of the same inclination between rigid hubs, and the kinematics are exact. The terms
+    that the equations neglect are derived separately; they give the expected intervals of errors.
     """
 
     id = "rotor-clutch"
-    title = "Sprag clutch as a link of two rotors"
+    title = "Sprag clutch between two rotors"
     source = "huang2022"
     place = "Eqs. 1-11"
-    method: ClassVar = Method("struts in exact kinematics", "struts")
+    method: ClassVar = Method("struts with exact kinematics", "struts")
     levels: ClassVar = (16, 32, 64, 128)
     scans: ClassVar = (
         Scan(
@@ -36,20 +36,23 @@ class ClutchLink(ClutchStiffness):
         Scan(vary=("T=15N m,40N m", "Z=8,12", "nu=2.5deg,3.15deg", "L=6mm,9mm")),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_t of Eq. 4 is R_i tan ν, as follows from T = Z N R_i tan ν",
-        "k_n of Eq. 2 is the constant of the force law of a whole sprag with both contacts; the "
-        "slope of this law is the tangent stiffness",
-        "the twist of Eq. 8 includes the twist under the preload",
-        "2 L(x_k) in Eq. 6: both contacts have the crown",
+        "d_t in Eq. 4 is R_i tan ν, because Z normal forces N cause the torque T = Z N R_i tan ν",
+        "k_n in Eq. 2 is the constant of the force law of a whole sprag, whose deflection is that "
+        "of both contacts; the tangent stiffness is the slope of this force law",
+        "the angle of twist in Eq. 8 includes the twist under the preload torque T",
+        "in Eq. 6, both contacts of a sprag have the crown L(x_k): together they reduce the "
+        "deflection by 2 L(x_k)",
     )
     assumptions: ClassVar = (
-        "rigid races; sprags are forces along lines, with the deflection of line contacts",
-        "with elastic races, the wind-up of the same clutch is almost twice as large: the row on "
-        "rigid races in sprag-wedge gives the value for the verdicts of Eqs. 2, 4 and 11",
-        "sprags roll, so that the distance of their lines of action from the axis is constant",
-        "with an offset or a gap, the bearings hold the inner race in position; the torque is "
-        "constant",
-        "the crown is a parabola; Eq. 6 is valid for any crown",
+        "the races are rigid; each sprag transmits a force along the line through both contacts "
+        "and deflects as two line contacts",
+        "with elastic races, the wind-up of the same clutch is almost twice as large; the verdicts "
+        "of Eqs. 2, 4 and 11 use the comparison with elastic races in the case sprag-wedge",
+        "the sprags roll on the races, so that the distance from the axis to the line of action of "
+        "each sprag force is constant",
+        "if the inner race has an offset or sprags are missing, bearings hold the inner race in "
+        "position; the torque T is the same in all states",
+        "the crown is a parabola; Eq. 6 is valid for any profile of the crown",
     )
 
     comparisons = compared.rows

@@ -29,12 +29,12 @@ from verify.judging.checks import Fact
 from verify.judging.misprints import Misprint
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
 
-SAME = "the same problem on both sides, to round-off"
-RIGID = "rigid races; line contacts as struts"
-HELD = "ends held in both races"
+SAME = "formula and struts solve the same problem, to round-off"
+RIGID = "rigid races; each sprag is a strut with the deflection of line contacts"
+HELD = "sprags pinned to both races"
 DIFFERENCES = 1e-8  # relative error of a tangent by central differences
-INCLINED = "derived: forces along struts inclined by ν (Eq. 3: directions cos ψ − tan ν sin ψ), "\
-           "and the effect of tilting forces; both to within a twentieth"  # fmt: skip
+INCLINED = "derived: effect of the inclination ν of the sprag forces (cos ψ − tan ν sin ψ in "\
+           "place of cos ψ in Eq. 3), and of their rotation with the race; each ± 5 %"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]
 link = ClutchStiffness
 
@@ -90,8 +90,8 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     yield _identical(q, link.K_zz, "gap")
     for entry in ENTRIES:
         yield _approximate(q, getattr(link, entry), "together")
-    tilted = "derived: forces inclined by ν, contact points that approach and move along the axis "\
-             "as the race tilts; both to within a twentieth"  # fmt: skip
+    tilted = "derived: effect of the inclination ν of the sprag forces, and of the radial and "\
+             "axial motion of the contact points as the race tilts; each ± 5 %"  # fmt: skip
     fine = q.clutch(n_s=FINE)
     for entry in PLACES:
         interval = partial(left_out, entry, fine, T=q.T, n_s=q.n_s, **q.aside)
@@ -103,7 +103,7 @@ def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
     """Rows of entries that Eq. 3 neglects, with forces along the struts."""
     for state, demand in (
         ("gap", (1e-9, SAME)),
-        ("together", (1e-6, "error by the slices of a crown")),
+        ("together", (1e-6, "error caused by slices of finite length on a crown")),
     ):
         for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
             whole = partial(getattr, q.in_state[state], scale)
@@ -115,7 +115,8 @@ def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
     def interval() -> bounds.Interval:
         return bounds.held_ends(q.nu, q.delta_0, q.R_e - q.R_i)
 
-    source = "derived: tan²ν and Q/(k l); the square of their sum is neglected"
+    source = "derived: tan²ν and Q/(k l), with sprag force Q and length l between the contacts; "\
+             "the square of their sum is neglected"  # fmt: skip
     yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
                         expected=Computed(interval, source))  # fmt: skip
     yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
@@ -123,14 +124,14 @@ def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
 
 def _balances(q: ClutchStiffness) -> Iterator[Comparison]:
     for words, key in (("even load", "off_diagonal"), (HELD, "off_diagonal_pinned")):
-        yield balance(key, f"entries off the diagonal, {words}", "K_ab", "N/mm",
+        yield balance(key, f"off-diagonal entries of the stiffness matrix, {words}", "K_ab", "N/mm",
                       of={"K_xx": q.K_xx}, bound=1e-12,
-                      because="sums over evenly spaced sprags, round-off")  # fmt: skip
+                      because="sums over evenly spaced sprags are zero, to round-off")  # fmt: skip
     yield balance("axial", "axial stiffness, even load", "K_z", "N/mm", of={"K_xx": q.K_xx},
-                  bound=1e-12, because="forces lie in the plane across the axis")  # fmt: skip
+                  bound=1e-12, because="all forces are perpendicular to the axis")  # fmt: skip
     for words, key in (("even load", "torque"), (HELD, "torque_pinned")):
-        yield balance(key, f"torque, {words}", "M_z − T", "N m", of={"T": q.T}, bound=1e-11,
-                      because="Newton's tolerance 1e-12")  # fmt: skip
+        yield balance(key, f"balance of torque, {words}", "M_z − T", "N m", of={"T": q.T},
+                      bound=1e-11, because="tolerance of Newton's method, 1e-12")  # fmt: skip
 
 
 def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
@@ -165,8 +166,9 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
                 points=over_angle, exponent=2, sensitivity=fine)  # fmt: skip
     yield limit(link.K_zz, f"torsional stiffness as deflections vanish, {HELD}", "d_0",
                 points=over_yield, exponent=1, sensitivity=fine)  # fmt: skip
-    yield limit(link.K_xz_first, "coupling linear in a small offset", "d_0", points=over_offset,
-                exponent=2, sensitivity=(1e-6, "the next term of the series"))  # fmt: skip
+    yield limit(link.K_xz_first, "coupling of bending and torsion as the offset vanishes", "d_0",
+                points=over_offset, exponent=2,
+                sensitivity=(1e-6, "the next term of the series"))  # fmt: skip
 
 
 def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
@@ -201,21 +203,21 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
         exponent = math.log(2) / math.log(two / one)
         return Pair(exponent, 10 / 9, 0.0, f"{exponent:.12g}")
 
-    tangent = Deviation(name="tangent stiffness against differences of the loads, 1e-8",
+    tangent = Deviation(name="tangent stiffness against central differences of the loads",
                         symbol="ΔK/K_xx",
                         unit="1", size=by_differences, accepted=DIFFERENCES, source=SUBJECT,
-                        whole="K_xx", fem_needed=False, by="differences of the loads",
+                        whole="K_xx", fem_needed=False, by="central differences of the loads",
                         everywhere=True)  # fmt: skip
     yield Comparison(check=tangent, quantity=link.K_xx, state=q.state("gap"))
-    for number, words, symbol, id_ in ((5, "five displacements, all resisted by stiffness", "K_ps",
-                                        "clutch-stiffness-dofs"),
-                                       (6, "six displacements, the axial one not resisted by "
-                                           "stiffness", "K_s",
+    for number, words, symbol, id_ in ((5, "stiffness matrix of five displacements has rank 5",
+                                        "K_ps", "clutch-stiffness-dofs"),
+                                       (6, "stiffness matrix of six displacements has rank 5 (no "
+                                           "axial stiffness)", "K_s",
                                         "clutch-element-dofs")):  # fmt: skip
         yield Fact(name=words, symbol=symbol, unit="1", margin=displacements(number),
                    fem_needed=False, printed=(f"huang2022:{id_}",))  # fmt: skip
     exponent = Agreement(name="exponent of Palmgren's line contact", symbol="n", unit="1",
-                         pair=palmgrens, accepted=1e-12, source="the same power, to round-off",
+                         pair=palmgrens, accepted=1e-12, source="the same exponent, to round-off",
                          by="theory", fem_needed=False, everywhere=True,
                          printed=("huang2022:exponent-numerator",
                                   "huang2022:exponent-denominator"))  # fmt: skip
@@ -229,16 +231,16 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         F = printed.radial_force(q.sums, q.at_T)
         share = abs(K) / q.K_xx
         words = (
-            f"with ψ_i the stiffness is {share:.0e} K_xx, and the force without displacement is "
-            f"{F:.4g} N"
+            f"with one angle ψ_i the stiffness is {share:.0e} K_xx, and the force without "
+            f"displacement is {F:.4g} N"
         )
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
     def whole_displacement(_: Context) -> tuple[float, str]:
-        """Positive margin if K of Eq. 10 times the whole displacement is n times the load."""
+        """Positive margin if K of Eq. 10 times the total displacement is n times the load."""
         ratio = float((q.tangent @ q.at_T)[4] / q.T)
         n = 1 / uniform.secant_over_tangent()
-        words = f"K times the whole displacement is {ratio:.5f} times the load"
+        words = f"K times the total displacement is {ratio:.5f} times the load"
         return 1e-9 - abs(ratio - n), words
 
     def another_lever(_: Context) -> tuple[float, str]:
@@ -246,7 +248,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         clutch, at = q.in_state["gap"].sums, q.in_state["gap"].at_T
         K = printed.stiffness_with_lever(clutch, at, lever=2 * clutch.d_t)
         ratio = float(K[4, 0] / K[0, 4])
-        words = f"with twice the lever ∂M_z/∂x is {ratio:.4g} times ∂F_x/∂γ_z"
+        words = f"with twice the lever d_t, ∂M_z/∂x is {ratio:.4g} times ∂F_x/∂γ_z"
         return 1e-9 - abs(ratio - 2), words
 
     def no_coupling(context: Context) -> tuple[float, str]:
@@ -254,18 +256,19 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (
-            f"even load: formulas {formula:.0e}, struts {struts:.0e}; an offset of {q.e * 1e6:g} "
-            f"µm causes {abs(q.in_state['offset'].coupling):.2%}, {q.missing} missing sprags "
-            f"{abs(q.in_state['gap'].coupling):.2%} of √(K_xx K_zz)"
+            f"relative coupling under even load: {formula:.0e} by formulas, {struts:.0e} by "
+            f"struts; K_xz with an offset of {q.e * 1e6:g} µm is "
+            f"{abs(q.in_state['offset'].coupling):.2%} of √(K_xx K_zz), with {q.missing} sprags "
+            f"missing {abs(q.in_state['gap'].coupling):.2%}"
         )
         return 1e-12 - max(formula, struts), words
 
     for name, symbol, erratum, margin in (
         ("Eq. 9 with one angle for all sprags", "F_r", "eq-9-sprag-index", one_angle),
-        ("Eq. 10 with whole displacements", "P_s", "eq-10-increments", whole_displacement),
-        ("a torque with a lever different from that in Eq. 4",
+        ("Eq. 10 with total displacements", "P_s", "eq-10-increments", whole_displacement),
+        ("torque of Eq. 9 with a lever other than d_t of Eq. 4",
          "M_z", "eq-9-torque-row", another_lever),
-        ("bending and torsion coupled by the torque alone", "K_xz", "eq-11-bending-torsion",
+        ("coupling of bending and torsion under torque alone", "K_xz", "eq-11-bending-torsion",
          no_coupling),
     ):  # fmt: skip
         yield Misprint(name=name, symbol=symbol, unit="1", erratum=f"huang2022:{erratum}",

@@ -50,8 +50,8 @@ def sketch(q: SpragLink) -> Sketch:
         *(leader(q.R_e * np.array(start), tip, name) for start, tip, name in named),
     )  # fmt: skip
     return sketches.sketch(
-        f"{q.Z} sprags between the races, to scale, drawn as lines through both contacts, at "
-        f"{math.degrees(q.nu):.4g}° to the radius at the inner race",
+        f"{q.Z} sprags between the races, to scale. Each line connects both contacts of a sprag; "
+        f"its angle to the radius at the inner race is {math.degrees(q.nu):.4g}°.",
         shapes,
     )  # fmt: skip
 
@@ -65,7 +65,7 @@ def _over_torque(context: Context) -> Curves:
     T = np.geomspace(0.01, 2.0, 81) * q.T
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
-        line("tenth root of the torque, as K_xx, K_yy, K_zz and K_tilt", T, k / q.k),
+        line("K_xx, K_yy, K_zz and K_tilt: tenth root of torque", T, k / q.k),
         dots("the given torque", q.T, 1.0),
     ]  # fmt: skip
     if context.fem:
@@ -97,9 +97,9 @@ def _over_offset(context: Context) -> Curves:
         curves.append(dots("struts", x, y, 2))
     return plot(
         "Coupling of bending and torsion over a static offset", "Δx [µm]", "K_xz [N]", curves,
-        note="The coupling is zero under even load. For offsets above the deflection of "
-             f"{q.delta_0 / um:.4g} µm, sprags lose contact one after the other: K_xz increases in "
-             "steps.",
+        note="The coupling is zero without offset. If the offset exceeds the deflection of a "
+             f"sprag, {q.delta_0 / um:.4g} µm, sprags lose contact one after the other, and K_xz "
+             "increases in steps.",
     )  # fmt: skip
 
 
@@ -131,12 +131,12 @@ def _over_crown(context: Context) -> Curves:
     changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
     found = _entries(q, changed, n_s=THIN, crowned=True)
     return plot(
-        "Stiffness over the crown", "drop at the ends [µm]", "K/K(no crown)",
+        "Stiffness over the drop of the crown", "drop at the ends [µm]", "K/K(no crown)",
         line("K_xx", drop / um, found["K_xx"]), line("K_tilt", drop / um, found["K_tilt"], 1),
         # dots, as the curve lies on that of K_xx
         dots("K_zz", drop[::3] / um, found["K_zz"][::3], 2),
         note="The torque is the same for all crowns. A crown mainly reduces the tilting stiffness, "
-             "since it unloads the ends of the sprags.",
+             "because the crown unloads the ends of the sprags.",
     )  # fmt: skip
 
 
@@ -146,9 +146,10 @@ def _over_gap(context: Context) -> Curves:
     counts = np.arange(1, most + 1)
     found = _entries(q, [q.model_copy(update={"missing": int(m)}) for m in counts], gap=True)
     return plot(
-        "Stiffness without some neighbouring sprags", "number of missing sprags", "K/K(all sprags)",
+        "Stiffness over the number of missing sprags", "missing sprags", "K/K(all sprags)",
         # dots, as the curve lies on that of K_xx
         (curve(name, counts.astype(float), y, "dots" if name == "K_tilt" else "line", number)
          for number, (name, y) in enumerate(found.items())),
-        note="The gap is on the x-axis, and the bearings keep the inner race concentric.",
+        note="The missing sprags are adjacent and lie around the x-axis. Bearings hold the inner "
+             "race concentric.",
     )  # fmt: skip

@@ -18,7 +18,10 @@ UNEVEN = {  # cause of the unevenness of each state, and its name in text
     "offset": (("with_offset",), "with an offset"),
     "crown": (("with_crown",), "with a crown"),
     "gap": (("with_gap",), "with sprags missing"),
-    "together": (("with_offset", "with_crown", "with_gap"), "with offset, crown and gap"),
+    "together": (
+        ("with_offset", "with_crown", "with_gap"),
+        "with offset, crown and sprags missing",
+    ),
 }
 
 
@@ -83,7 +86,7 @@ class ClutchStiffness(SpragLink):
     def K_xz(self) -> float:
         return self.general("K_xz")
 
-    @Quantity("K_xz1", "N", "coupling of bending and torsion by an offset, first order",
+    @Quantity("K_xz1", "N", "coupling of bending and torsion, first order in the offset",
               source="to first order in the offset",
               tex=r"\frac{Z}{2} k (n - 1) \frac{\Delta x}{\delta_0} d_t")  # fmt: skip
     def K_xz_first(self) -> float:
@@ -127,7 +130,7 @@ class ClutchStiffness(SpragLink):
     def K_x_tilt_y(self) -> float:
         return self._tilted["K_x_tilt_y"]
 
-    @Quantity("K_zz'", "N m/rad", "torsional stiffness, ends held in both races")
+    @Quantity("K_zz'", "N m/rad", "torsional stiffness, sprags pinned to both races")
     def K_zz_pinned(self) -> float:
         return clutch_inclined.held_torsional_stiffness(
             Z=self.Z, R_i=self.R_i, R_e=self.R_e, nu=self.nu, k=self.k, N=self.N
@@ -155,7 +158,7 @@ class ClutchStiffness(SpragLink):
 
     @shared
     def sums(self) -> SpragCoupling:
-        """Clutch of Eqs. 3 to 11, with crown or gap in the states that have them."""
+        """Clutch of Eqs. 3 to 11, with crown or missing sprags in the states that have them."""
         return self.clutch(crowned=self.with_crown, gap=self.with_gap)
 
     @shared

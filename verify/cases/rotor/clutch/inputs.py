@@ -35,11 +35,11 @@ class SpragLink(Case):
     a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; "
                                "default: Palmgren's formula for steel", omitted=None, gt=0, le=1e4,
                                example="6.6 µm")  # fmt: skip
-    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor along x in the "
+    e: float = given("1 µm", "µm", "Δx", "static offset of the inner race along x in the "
                      "states with offset", gt=0, le=1e4)  # fmt: skip
     drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the ends "
                         "of a sprag in the states with crown", ge=0, le=1e4)  # fmt: skip
-    missing: int = count(1, "m", "number of missing neighbouring sprags in the states with gap",
+    missing: int = count(1, "m", "number of adjacent missing sprags, in states without them",
                          ge=1, le=197)  # fmt: skip
 
     @model_validator(mode="after")
@@ -81,14 +81,14 @@ class SpragLink(Case):
         return tuple(range(self.missing))
 
     def angles(self, *, uneven: bool = False) -> Array:
-        """Angles of the sprags [rad]; a gap is centred on the x-axis."""
+        """Angles of the sprags [rad]; missing sprags lie around the x-axis."""
         first = -(self.missing - 1) * math.pi / self.Z
         return even_angles(Z=self.Z, psi_0=first, missing=self.gap() if uneven else ())
 
     def clutch(
         self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None
     ) -> SpragCoupling:
-        """Clutch of the formulas, with a crown or a gap where requested."""
+        """Clutch of the formulas, with a crown or missing sprags where requested."""
         return SpragCoupling(
             psi=self.angles(uneven=gap), R_i=self.R_i, nu=self.nu, L=self.L, k_n=self.k_n,
             n_s=n_s or self.n_s, crown=self.crown if crowned else None,

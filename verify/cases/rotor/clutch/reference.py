@@ -1,4 +1,4 @@
-"""Reference for the clutch's formulas: struts between rigid hubs, inclined, exact kinematics."""
+"""Reference for the clutch's formulas: inclined struts between rigid hubs, exact kinematics."""
 
 import math
 from dataclasses import replace

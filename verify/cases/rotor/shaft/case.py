@@ -19,11 +19,11 @@ FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 
 
 class UniformShaft(BeamTheories):
-    """Beam elements by Euler, Rayleigh and Timoshenko for a shaft with known closed-form solutions.
+    """Beam elements by Euler, Rayleigh and Timoshenko, compared with closed-form solutions.
 
-    The whirl frequencies of the same shaft as an elastic body are also known exactly, so that the
-    errors of the three beam theories can be computed. The paper prints no dimensions; the
-    dimensions here were chosen for this project.
+    The whirl frequencies of the uniform shaft as an elastic body are also known exactly and give
+    the errors of the three beam theories. The paper prints no dimensions; the dimensions here were
+    chosen for this project.
     """
 
     id = "rotor-shaft"
@@ -41,14 +41,15 @@ class UniformShaft(BeamTheories):
         ),
     )  # fmt: skip
     readings: ClassVar = (
-        "the shear coefficient is Hutchinson's; with Cowper's coefficient, the error decreases "
-        "only with (d/L)²",
-        "terms in Ω² and the centrifugal stiffening are both neglected: they cancel if sections "
-        "rotate as rigid discs",
+        "the shear coefficient is Hutchinson's; with Cowper's coefficient, the error of "
+        "Timoshenko's beam decreases only with (d_o/L)²",
+        "the inertia terms in Ω² and the centrifugal stiffening are both neglected, because they "
+        "cancel each other if cross-sections rotate as rigid discs",
     )
     assumptions: ClassVar = (
-        "ends supported in the transverse direction and free along the axis; rigid bearings",
-        "linear elasticity, no damping",
+        "rigid bearings hold both ends in the transverse direction; the ends can move along the "
+        "axis and tilt",
+        "linear elasticity without damping",
         "critical speeds are those of synchronous forward whirl",
     )
 
@@ -65,12 +66,15 @@ class UniformShaft(BeamTheories):
     def warnings(self) -> Iterator[str]:
         """Warnings if a theory is inaccurate, or if the speed is almost critical or too high."""
         if (error := self.euler.at_rest(1) / self.exact.at_rest(1) - 1) > 0.02:
-            yield f"Euler's beam has an error of {error:+.1%} at mode 1: use Timoshenko's theory"
+            yield (
+                f"the error of Euler's beam in the frequency of mode 1 is {error:+.1%}: use "
+                "Timoshenko's theory"
+            )
         worst = max((self.at_rest(j) / self.exact.at_rest(j) - 1 for j in MODES), key=abs)
         if abs(worst) > CEILING:
             yield (
-                f"Timoshenko's beam has an error of up to {worst:+.2%} in modes 1 to 3: the shaft "
-                "is too short or thin-walled"
+                "the error of Timoshenko's beam in the frequencies of modes 1 to 3 is up to "
+                f"{worst:+.2%}: the shaft is too short or thin-walled"
             )
         near = min(abs(self.n / self.exact.critical - 1), 1.0)
         if near < 0.1:

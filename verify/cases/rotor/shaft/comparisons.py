@@ -32,9 +32,9 @@ FINE = 1e-5  # relative to a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
 DIGITS = 2e-12  # relative accuracy of both sides for this quantity
 FOUR, TWO = "the elements have convergence order four", "the elements have convergence order two"
-SOLVED = "exact solution of Timoshenko's equation over that of the elastic cylinder; ± 5e-5"
+SOLVED = "exact frequency by Timoshenko's equation over that of the elastic cylinder; ± 5e-5"
 SERIES = "neglected terms of Timoshenko's equation, to second order"
-NEIGHBOURS = "sufficient to distinguish neighbouring orders"
+NEIGHBOURS = "sufficient to distinguish this order from the next integer"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 Points = tuple[list[float], list[float], list[float]]
 
@@ -45,18 +45,21 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
     yield from _bodies(beam)
     yield from _neglected(beam)
     first = BeamTheories.at_rest(1)
-    yield limit(first, "Euler's beam as d/L goes to 0", "ω", points=partial(_euler_limit, beam),
-                exponent=2)  # fmt: skip
-    limit_check = FormulasLimit(name="Timoshenko's beam as d/L goes to 0", symbol="ω", unit="1",
-                         points=lambda _: _timoshenko_limit(beam), exponent=4)  # fmt: skip
+    yield limit(first, "frequency of Euler's beam as d_o/L goes to 0", "ω",
+                points=partial(_euler_limit, beam), exponent=2)  # fmt: skip
+    limit_check = FormulasLimit(name="frequency of Timoshenko's beam as d_o/L goes to 0", symbol="ω",
+                         unit="1", points=lambda _: _timoshenko_limit(beam),
+                         exponent=4)  # fmt: skip
     yield Comparison(check=limit_check, quantity=first)
     yield from _orders(beam)
     stated: dict[str, Any] = {"symbol": "ω", "unit": "rad/s", "source": SUBJECT}
-    within = Agreement(name="Timoshenko's beam is within 0.2 % of the elastic body, modes 1 to 3",
+    within = Agreement(name="frequencies of modes 1 to 3 at rest: Timoshenko's beam is within "
+                            "0.2 % of the elastic body",
                        pair=partial(_within_ceiling, beam), accepted=CEILING,
                        **stated)  # fmt: skip
     yield Comparison(check=within, quantity=first)
-    fine = Agreement(name="32 elements are within 1e-5 at d/L = 0.03, mode 1",
+    fine = Agreement(name="frequency of mode 1 at rest for d_o/L = 0.03: 32 elements are within "
+                          "1e-5 of the exact beam",
                      pair=partial(_fine, beam), accepted=FINE, **stated)  # fmt: skip
     yield Comparison(check=fine, quantity=first, shares=BEAM)
     sense = Accepted(name="rotation raises forward and lowers backward whirl frequencies",
@@ -83,7 +86,7 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
         for q, words in _named(modes):
             third = short and q == BeamTheories.whirl(3, "forward")
             yield _whirl(
-                q, f"beam_{theory}_{q.name}", f"elements of {state.words}'s beam, {words}",
+                q, f"beam_{theory}_{q.name}", f"elements of {state.words}'s beam: {words}",
                 order=2 if short else 4, state=state, demand=2e-3 if third else 1e-3,
             )  # fmt: skip
     euler, rayleigh, timoshenko = zip(THEORIES, _theories(beam), strict=True)
@@ -92,20 +95,21 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
                                     (timoshenko, 3, "forward")):  # fmt: skip
         q = BeamTheories.whirl(j, sense)
         yield _whirl(q, f"weak_{theory}_{q.name}",
-                     f"weak form of {state.words}'s beam, mode {j} {sense}", order=4, state=state,
-                     by="weak form")  # fmt: skip
+                     f"weak form of {state.words}'s beam: whirl frequency of mode {j} {sense}",
+                     order=4, state=state, by="weak form")  # fmt: skip
 
 
 def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
     """Rows of the elastic body against elasticity, and of both gyroscopic splittings."""
     shaft, exact = BeamTheories, _elasticity(beam)
     yield _whirl(shaft.pochhammer, "solid_at_rest_1",
-                 "elastic body at rest, Pochhammer's equation", order=4)  # fmt: skip
+                 "elastic body: frequency of mode 1 at rest (Pochhammer's equation)",
+                 order=4)  # fmt: skip
     modes = ((1, "forward"), (1, "backward"), (2, "forward"), (3, "forward"))
     for q, words in _named(modes):
-        yield _whirl(q, f"solid_{q.name}", f"elastic body, {words}", order=4, state=exact)
+        yield _whirl(q, f"solid_{q.name}", f"elastic body: {words}", order=4, state=exact)
     name = "gyroscopic splitting of mode 1"
-    yield _whirl(shaft.split, "beam_timoshenko_split", f"{name}, elements", order=2,
+    yield _whirl(shaft.split, "beam_timoshenko_split", f"{name}, beam elements", order=2,
                  state=_theories(beam)[-1])  # fmt: skip
     yield _whirl(shaft.split, "solid_split", f"{name}, elastic body", order=4, state=exact)
 
@@ -118,13 +122,13 @@ def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
         error = bounds.frequency(j, **shape) / beam.exact.at_rest(j) - 1
         yield approximation(BeamTheories.at_rest(j), f"solid_at_rest_{j}",
                             expected=about(error, NEAR, SOLVED),
-                            name=f"Timoshenko's beam, mode {j}, at rest",
+                            name=f"frequency of Timoshenko's beam at rest, mode {j}",
                             sensitivity=(1e-3, FOUR), **fine)  # fmt: skip
     for theory, state in zip(THEORIES[:2], _theories(beam), strict=False):
         interval = bounds.neglected(theory, beam.rotary, beam.shear)  # type: ignore[arg-type]
         expected = Expected(*interval, SERIES) if interval else underived(SERIES)
         yield approximation(BeamTheories.at_rest(1), "solid_at_rest_1", expected=expected,
-                            name=f"{state.words}'s beam, mode 1, at rest", state=state,
+                            name=f"frequency of {state.words}'s beam at rest, mode 1", state=state,
                             **fine)  # fmt: skip
 
 
@@ -135,7 +139,7 @@ def _orders(beam: BeamTheories) -> Iterator[Comparison]:
         ("Euler's elements", "beam_euler", euler, 4, DEMAND),
         ("Rayleigh's elements", "beam_rayleigh", rayleigh, 4, DEMAND),
         ("Timoshenko's elements", "beam_timoshenko", timoshenko, 2, 0.1),
-        ("the weak form", "weak_timoshenko", timoshenko, 4, DEMAND),
+        ("Timoshenko's beam in weak form", "weak_timoshenko", timoshenko, 4, DEMAND),
         ("the elastic body", "solid", _elasticity(beam), 4, 0.03),
     ):
         check = Order(name=f"convergence order of {words}", symbol="p", unit="1", order=order,
@@ -203,8 +207,10 @@ def _whirl(
 
 def _named(modes: tuple[tuple[int, str], ...]) -> Iterator[tuple[Quantity, str]]:
     """Quantities of the frequencies and the critical speed, with their names in rows."""
-    yield from ((BeamTheories.whirl(j, sense), f"mode {j} {sense}") for j, sense in modes)
-    yield BeamTheories.critical, "critical speed"
+    yield from (
+        (BeamTheories.whirl(j, sense), f"whirl frequency of mode {j} {sense}") for j, sense in modes
+    )
+    yield BeamTheories.critical, "first critical speed"
 
 
 def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], list[float]]]:

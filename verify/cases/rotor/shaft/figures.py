@@ -73,13 +73,14 @@ def over_slenderness(context: Context) -> Curves:
                          error("timoshenko", cowper(nu=q.nu, m=q.m)), 3))  # fmt: skip
     if context.fem:
         formula = np.array([q.shaft(L=q.d_o / x).whirl(1, theory="euler")[0] for x in RATIOS])
-        curves.append(dots("Euler over the elastic body, FE", np.array(RATIOS),
+        curves.append(dots("Euler against the elastic body, FE", np.array(RATIOS),
                            abs(formula / context.fem[-1].arrays["limit"] - 1) * 100))  # fmt: skip
     return plot(
-        "Error of mode 1 at rest over d/L", "d_o/L", "|error| [%]", curves,
+        "Error of the frequency of mode 1 at rest over d_o/L", "d_o/L", "|error| [%]", curves,
         y_log=True,
-        note=f"Against three-dimensional elasticity, d_i/d_o = {q.m:.3g}. Only with Hutchinson's "
-             "coefficient does the error decrease with the fourth power.",
+        note="The error is the difference from three-dimensional elasticity, for d_i/d_o = "
+             f"{q.m:.3g}. Only with Hutchinson's shear coefficient does the error of Timoshenko's "
+             "beam decrease with the fourth power of d_o/L.",
     )  # fmt: skip
 
 
@@ -127,15 +128,15 @@ def refinement(context: Context, order: int) -> Refinement:
         (name, abs(np.array(context.series(key)[1]) / exact - 1)) for name, key, exact in series
     )
     notes = {
-        4: "Euler's elements, the weak form of Timoshenko's beam, and the elastic body, which has "
-        "1.5 times as many cells along the shaft.",
-        2: "The shape functions of Timoshenko beam elements neglect inertia, and the shear caused "
-        "by inertia.",
+        4: "Curves: Euler's beam elements, the weak form of Timoshenko's beam, and the elastic "
+        "body. The elastic body has 1.5 cells along the shaft for each beam element.",
+        2: "The order of convergence is 2, because the shape functions of Timoshenko's beam "
+        "elements neglect inertia and the shear caused by inertia.",
     }
     return Refinement(
-        title="Error against the exact value of the same theory, "
-        + ("mode 1 forward" if order == 4 else "Timoshenko's elements"),
+        title="Error of the whirl frequency against the exact value of the same theory, "
+        + ("mode 1 forward" if order == 4 else "Timoshenko's beam elements"),
         x_label="beam elements along the shaft", y_label="relative error",
         cells=BEAMS / np.array([r.h for r in context.fem]), errors=errors, order=order,
-        note=f"{notes[order]} Lines: slope {order}.",
+        note=f"{notes[order]} Straight lines have the slope {order}.",
     )  # fmt: skip

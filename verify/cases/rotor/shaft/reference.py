@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts, over all le
 
 
 def solve(q: TurningShaft, level: int) -> Level:
-    """Results of all models on a level."""
+    """Results of all models on the mesh of a level."""
     values = elements(q, level) | weak_forms(q, level) | of_body(q, body(q, q.L, level))
     limit = np.array([_half_at_rest(q, q.d_o / ratio, level) for ratio in RATIOS])
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
@@ -88,7 +88,7 @@ def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> RotatingSolid:
-    """Elastic body, supported transversely at its ends; `half`: its half, symmetric at L/2."""
+    """Elastic body, supported transversely at its ends; with `half`, one of its halves at L/2."""
     cells = level * ALONG // (2 if half else 1)
     across = (level + 1) // 2 if half else level
     mesh = section(
@@ -102,7 +102,7 @@ def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> Rotati
 
 
 def of_body(q: TurningShaft, solid: RotatingSolid) -> dict[str, float]:
-    """Whirl frequencies of the body at its speed and at rest, their splitting, critical speed."""
+    """Whirl frequencies of the body at its speed and at rest, splitting and critical speed."""
     found = solid.modes(q.n, len(MODES))
     at_rest = solid.modes(0.0, len(MODES)).forward
     return _whirl("solid", found.forward, found.backward) | {

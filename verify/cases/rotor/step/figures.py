@@ -21,8 +21,8 @@ LIMITS = (0.01, 0.02, 0.05)
 
 MODE = Picture(
     field="mode 1", data="stress along z", symbol="σ_z", unit="cut", factor=1.0, share=0.1,
-    caption="Mode 1: axial stress in the plane of bending; the colour scale ends at the magnitude "
-            "that 98 % of the volume do not exceed",
+    caption="Axial stress of mode 1 in the plane of bending; the colour scale ends at the stress "
+            "that is not exceeded in 98 % of the volume",
 )  # fmt: skip
 
 
@@ -92,12 +92,13 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def _map(q: Any, title: str, m: Any) -> Map:
     return Map(
-        title=f"Error of mode 1, {title}", x_label="d_2/d_1", y_label="L_2/L",
+        title=f"Error of the frequency of mode 1, {title}", x_label="d_2/d_1", y_label="L_2/L",
         columns=tuple(f"{r:g}" for r in RATIOS), rows=tuple(f"{s:g}" for s in SHARES),
         error=m, limits=LIMITS,
-        note="Frequency of the beam over that of the elastic body, minus one, at rest, with the "
-             f"thick part in the middle; d_1/L = {q.d_1 / q.L:.3g}, bearings as given. Weak form "
-             "of the beam, coarse mesh of the body (0.1 % of the frequency).",
+        note="The error is the frequency of the beam at rest over that of the elastic body, minus "
+             f"one. The thick part is in the middle, d_1/L = {q.d_1 / q.L:.3g}, and the bearings "
+             "are those of the inputs. The beam is solved by its weak form; the mesh of the body "
+             "is coarse and causes an error of 0.1 % of the frequency.",
     )  # fmt: skip
 
 
@@ -109,6 +110,6 @@ def over_ratio(context: Context) -> Curves:
         for which, words, style in ((0, "nominal diameters", "line"), (1, "45° rule", "dashes"))
     ]  # fmt: skip
     return plot(
-        "Error of mode 1 over the step", "d_2/d_1", "error [%]", curves,
-        note="These errors are errors of beam theory: finer beam elements do not reduce them.",
+        "Error of the frequency of mode 1 over d_2/d_1", "d_2/d_1", "error [%]", curves,
+        note="The errors are errors of beam theory: finer beam elements do not reduce the errors.",
     )  # fmt: skip

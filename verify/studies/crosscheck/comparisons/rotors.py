@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from fem.rotor.model import Rotor
 
 EXACT = 1e-6
-BEAMS = "the same beam elements and shear coefficients; eigenvalues are rounded"
+BEAMS = "same beam elements and shear coefficients; only round-off of eigenvalues differs"
 PIECES = 12  # elements of a shaft
 HARD = 1e10  # N/m, of bearings that hold the ends of a shaft
 MODES = 6
@@ -88,7 +88,7 @@ def sprags(node: int) -> Posed:
 def posed(
     rotor: "Rotor", speeds: Sequence[float], unbalance: dict[str, Any] | None = None
 ) -> Posed:
-    """Problem of `rotor`: frequencies at each speed and, with an unbalance, the probe's orbit."""
+    """Problem of `rotor`: frequencies at each speed and, with an unbalance, orbit of the probe."""
     from fem.rotor.modes import modes
     from fem.rotor.response import unbalance_response
     from verify.studies.crosscheck.rotors import asked, write
@@ -134,28 +134,29 @@ SPEEDS = (200.0, 600.0, 1200.0)  # rad/s
 ROTORS = (
     Cross(
         id="rotor-shaft", case="rotor-shaft", solver=ROSS,
-        what=f"a uniform shaft of {PIECES} elements that turns, in hard bearings",
+        what=f"a uniform rotating shaft of {PIECES} elements in stiff bearings",
         pose=partial(shaft, True),
         quantities=(
-            frequency(1, "elements of Timoshenko's beam, mode 1 backward"),
-            frequency(2, "elements of Timoshenko's beam, mode 1 forward"),
-            frequency(6, "elements of Timoshenko's beam, mode 3 forward"),
+            frequency(1, "elements of Timoshenko's beam: whirl frequency of mode 1 backward"),
+            frequency(2, "elements of Timoshenko's beam: whirl frequency of mode 1 forward"),
+            frequency(6, "elements of Timoshenko's beam: whirl frequency of mode 3 forward"),
         ),
     ),
     Cross(
         id="rotor-step", case="rotor-step", solver=ROSS,
-        what="a shaft with a thick part that turns in elastic bearings", pose=partial(step, True),
+        what="a rotating shaft with a thick part in elastic bearings", pose=partial(step, True),
         quantities=(
-            frequency(1, "beam elements (Timoshenko), mode 1 backward"),
-            frequency(2, "beam elements (Timoshenko), mode 1 forward"),
-            frequency(6, "beam elements (Timoshenko), mode 3 forward"),
+            frequency(1, "beam elements (Timoshenko): whirl frequency of mode 1 backward"),
+            frequency(2, "beam elements (Timoshenko): whirl frequency of mode 1 forward"),
+            frequency(6, "beam elements (Timoshenko): whirl frequency of mode 3 forward"),
         ),
     ),
     *(
         Cross(
             id=f"rotor-sprag, node {n}", case="rotor-sprag", solver=ROSS,
-            what="two rotors joined across by bearings and clutch, no tilt nor turn of it; "
-            f"node {n} at 5,000 and 7,000 r/min",
+            what="two rotors connected by bearings and a clutch without tilting and torsional "
+            f"stiffness, with the orbit of node {n}, at 5,000 r/min (speed 1) and 7,000 r/min "
+            "(speed 2)",
             pose=partial(sprags, n),
             quantities=(
                 *(frequency(k, f"natural frequency {k}, beams", beside=True) for k in whirls),
@@ -168,7 +169,8 @@ ROTORS = (
     ),
     Cross(
         id="rotor-system", case="rotor-system", solver=ROSS,
-        what="two coaxial shafts with discs and an intershaft bearing at one speed, damped",
+        what="two coaxial shafts of equal speed (200, 600 and 1,200 rad/s) with discs, bearings to "
+        "the ground and an intershaft bearing, all with damping",
         pose=partial(system, SPEEDS),
         quantities=(
             *(frequency(k, f"natural frequency {k} at the speed" if i == 2 else "", i,

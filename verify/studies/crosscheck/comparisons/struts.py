@@ -114,17 +114,17 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 STRUTS = (
     Cross(
         id="rotor-clutch", case="rotor-clutch", solver=CALCULIX,
-        what="springs between two rigid hubs, held in both, the inner one aside and tilted, then "
-        "turned back",
+        what="springs pinned to two rigid hubs; the inner hub is displaced and tilted, then "
+        "rotated back by 0.004 rad",
         pose=struts,
         quantities=(
-            quantity("F_x", "F_x", "N", "stiffness along x, ends held in both races"),
+            quantity("F_x", "F_x", "N", "stiffness along x, sprags pinned to both races"),
             quantity("M_y", "M_y", "N m"),
-            quantity("M_z", "M_z", "N m", "torque, ends held in both races"),
+            quantity("M_z", "M_z", "N m", "balance of torque, sprags pinned to both races"),
             quantity("F_x, back", "F_x", "N"),
             quantity("M_y, back", "M_y", "N m"),
             quantity("M_z, back", "M_z", "N m",
-                     "torsional stiffness, ends held in both races"),
+                     "torsional stiffness, sprags pinned to both races"),
         ),
     ),
 )  # fmt: skip
