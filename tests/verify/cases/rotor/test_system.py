@@ -61,14 +61,14 @@ def unbalances(change):
     ("owner", "name", "reading", "row"),
     [
         pytest.param(transfer_bending, "numbers", shafts_turn_backwards,
-                     "natural frequency 1 at the speed", id="shafts turn backwards"),
+                     "natural frequency 1 at speed n", id="shafts turn backwards"),
         pytest.param(rotor_study, "transfer_unbalance_response",
                      unbalances(lambda v, e: v if e > 0 else np.conj(v)),
-                     "companion with anisotropic bearings: amplitude",
+                     "second test rotor (anisotropic bearings): amplitude of the probe node",
                      id="conjugate unbalance on the shaft that turns against the other"),
         pytest.param(transfer_model.Spring, "stiffness", lambda f: property(
                      lambda s: (f.fget(s)[0], np.conj(f.fget(s)[1]))),
-                     "companion with anisotropic bearings: load of the link",
+                     "second test rotor (anisotropic bearings): load of the bearing between shafts",
                      id="conjugate deviator of stiffness"),
     ],
 )  # fmt: skip
@@ -107,5 +107,7 @@ def test_a_rotor_without_links_or_unbalances_has_fewer_rows(red):
     result = judge_case(Job(SYSTEM, q), [as_solved(solve(q, n)) for n in SYSTEM.levels])
     assert not red(result)
     quantities = {row.quantity for row in result.rows}
-    assert "critical speed 1, the first shaft's unbalance" in quantities
-    assert not {"amplitude at the probe", "load of the first link"} & quantities
+    assert "critical speed 1, unbalance of the first shaft" in quantities
+    assert (
+        not {"amplitude of the probe node", "load of the first bearing between shafts"} & quantities
+    )

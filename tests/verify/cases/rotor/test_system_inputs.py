@@ -67,22 +67,26 @@ def said_of(raw):
 def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_speeds():
     q, found, summary, warned = said_of(RAW)
     below, above = (q.study.excited[k].speeds[j] / RPM for k, j in ((0, 0), (1, 1)))
-    assert found[0] == "clear: no critical speed within 15% of 5600 to 9000 r/min"
-    assert f"critical at {below:.5g} r/min (unbalance of outer, forward): " in found[1]
-    assert f"{1 - below / 5600:.1%} below them" in found[1]
-    assert f"critical at {above:.5g} r/min (unbalance of inner, forward): " in found[2]
-    assert f"{above / 9000 - 1:.1%} above them" in found[2]
+    assert found[0] == (
+        "clear: no critical speed within 15% of the operating range 5600 to 9000 r/min"
+    )
+    assert f"critical speed {below:.5g} r/min (unbalance of outer, forward whirl): " in found[1]
+    assert f"{1 - below / 5600:.1%} below the operating range" in found[1]
+    assert f"critical speed {above:.5g} r/min (unbalance of inner, forward whirl): " in found[2]
+    assert f"{above / 9000 - 1:.1%} above the operating range" in found[2]
     assert summary["verdict"] == "clear"
     assert not warned
     q, found, summary, _ = said_of(changed(margin=0.25))
-    assert found[0] == "not clear: 2 critical speeds within 25% of 5600 to 9000 r/min"
+    assert found[0] == (
+        "not clear: 2 critical speeds within 25% of the operating range 5600 to 9000 r/min"
+    )
     assert summary["verdict"] == "not clear"
     distances = {round(c["speed"]): c["distance"] for c in summary["critical_speeds"]}
     first = q.study.excited[0].speeds[0] / RPM
     assert distances[round(first)] == pytest.approx(first / 5600 - 1)
     _, found, _, _ = said_of(changed(speed_from="4000 r/min"))
     assert found[0].startswith("not clear: 1 critical speed within")
-    assert found[1].endswith("within the operating speeds")
+    assert found[1].endswith("in the operating range")
 
 
 UNDAMPED = changed(

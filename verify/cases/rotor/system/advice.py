@@ -1,4 +1,4 @@
-"""Texts on critical speeds of a rotor and its operating speeds, with the verdict first."""
+"""Texts on critical speeds of a rotor and its operating range, with the verdict first."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -39,7 +39,7 @@ def too_near(q: TransferRotor) -> list[Critical]:
 
 
 def distance(q: TransferRotor, speed: float) -> float:
-    """Signed relative distance of `speed` from the operating speeds: 0 inside, negative below."""
+    """Signed relative distance of `speed` from the operating range: 0 inside, negative below."""
     if speed < q.speed_from:
         return speed / q.speed_from - 1
     return speed / q.speed_to - 1 if speed > q.speed_to else 0.0
@@ -52,18 +52,23 @@ def findings(q: TransferRotor) -> Sequence[str]:
 def _verdict(q: TransferRotor) -> list[str]:
     asked = f"{q.speed_from / RPM:.5g} to {q.speed_to / RPM:.5g} r/min"
     if not (met := too_near(q)):
-        return [f"clear: no critical speed within {q.margin:.0%} of {asked}"]
+        return [f"clear: no critical speed within {q.margin:.0%} of the operating range {asked}"]
     number = f"{len(met)} critical speed{'s' if len(met) > 1 else ''}"
-    return [f"not clear: {number} within {q.margin:.0%} of {asked}", *(_told(q, c) for c in met)]
+    return [
+        f"not clear: {number} within {q.margin:.0%} of the operating range {asked}",
+        *(_told(q, c) for c in met),
+    ]
 
 
 def _told(q: TransferRotor, critical: Critical) -> str:
     far = distance(q, critical.speed)
-    place = "within the operating speeds" if far == 0 else f"{abs(far):.1%} "
-    place += "" if far == 0 else "below them" if far < 0 else "above them"
+    place = "in the operating range" if far == 0 else f"{abs(far):.1%} "
+    place += (
+        "" if far == 0 else "below the operating range" if far < 0 else "above the operating range"
+    )
     return (
-        f"critical at {critical.speed / RPM:.5g} r/min (unbalance of {critical.shafts}, "
-        f"{SENSE[critical.whirl]}): {place}"
+        f"critical speed {critical.speed / RPM:.5g} r/min (unbalance of {critical.shafts}, "
+        f"{SENSE[critical.whirl]} whirl): {place}"
     )
 
 
@@ -93,16 +98,18 @@ def _amplitudes(q: TransferRotor) -> list[str]:
         for k, spring in enumerate(springs, start=1)
     }
     worst = max(loads, key=loads.__getitem__)
-    together = ", sum over the unbalances of all shafts" if len(q.study.responses) > 1 else ""
+    together = (
+        "; both are sums over the unbalances of all shafts" if len(q.study.responses) > 1 else ""
+    )
     return [
-        f"at {q.speed / RPM:.5g} r/min node {q.probe} whirls with "
-        f"{q.amplitude * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
-        f"{loads[worst]:.4g} N at {worst}{together}"
+        f"at {q.speed / RPM:.5g} r/min, the amplitude of node {q.probe} is "
+        f"{q.amplitude * 1e6:.3g} µm (zero to peak), and the largest bearing load is "
+        f"{loads[worst]:.4g} N, at {worst}{together}"
     ]
 
 
 def summary(q: TransferRotor) -> Mapping[str, Any]:
-    """Verdict, critical speeds with their distances from operating speeds, and whirl, as JSON."""
+    """Verdict, critical speeds with distances from the operating range, and whirl, as JSON."""
     return {
         "verdict": "not clear" if too_near(q) else "clear",
         "critical_speeds": [
@@ -118,5 +125,5 @@ def refusal(q: TransferRotor) -> str:
     """Reason why the reference does not cover the rotor (too many segments); empty if it does."""
     most = 60
     if len(q.segments) > most:
-        return f"there are {len(q.segments)} segments; beam elements cover at most {most}"
+        return f"the rotor has {len(q.segments)} segments; the reference accepts at most {most}"
     return ""

@@ -13,10 +13,10 @@ from verify.form.adapter import adapted
 
 
 class RotorSystem(TransferRotor):
-    """Rotor of coaxial shafts with discs, bearings, links and unbalances, described in a file.
+    """Rotor of coaxial shafts with discs, bearings, clutches and unbalances, described in a file.
 
-    Exact transfer matrices give every frequency and critical speed; refined beam elements converge
-    to these values. The default inputs were chosen for this project.
+    Exact transfer matrices give each natural frequency and critical speed; refined beam elements
+    converge to these values. The default inputs were chosen for this project.
     """
 
     id = "rotor-system"
@@ -29,14 +29,15 @@ class RotorSystem(TransferRotor):
     )
     readings: ClassVar = (
         "an unbalance rotates with the shaft on which it is mounted",
-        "critical speeds are those of the whole rotor, for the unbalance of any shaft",
+        "critical speeds are computed for the unbalance of each shaft, and stated as speeds of the "
+        "first shaft",
     )
     assumptions: ClassVar = (
-        "nodes are the ends of segments; bearings, discs and clutches act at a node",
+        "the nodes are the ends of the segments; each bearing, disc and clutch acts at a node",
         "Timoshenko's beams with Hutchinson's shear coefficient; rigid discs",
         "linear bearings whose coefficients do not depend on the speed",
         "frequencies and critical speeds are computed without damping, the response with damping",
-        "amplitudes by unbalances of shafts with different speeds are added",
+        "if shafts rotate at different speeds, the amplitudes due to their unbalances are added",
     )
 
     comparisons = compared.rows

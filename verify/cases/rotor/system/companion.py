@@ -1,9 +1,9 @@
-"""A second rotor (companion), in which bearings and shafts differ in every property.
+"""A second test rotor (companion), in which bearings and shafts differ in every property.
 
 Stiffness and damping of the bearings differ in x and y, with coupling terms. The bearings resist
 tilting, the shafts rotate in opposite senses, and each shaft has two unbalances at an angle. A
-wrong sign or conjugate that has no effect on the default rotor changes the results of the
-companion.
+wrong sign or conjugate that has no effect on the default rotor changes the results of the second
+test rotor.
 """
 
 from typing import TypeVar
@@ -17,7 +17,7 @@ T = TypeVar("T", bound=CoaxialRotor)
 
 
 def companion(form: type[T]) -> T:
-    """The companion as an instance of the case class `form` (of formulas or reference)."""
+    """The second test rotor as an instance of the case class `form` (of formulas or reference)."""
     turned = np.deg2rad
     return form(
         speed=5200 * RPM,

@@ -14,7 +14,7 @@ from verify.core.results import Row
 from verify.judging.checks import Fact, Identity, Order
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-SHARP = "both sides solve the same beam: they differ only by the size of the elements"
+SHARP = "both methods solve the same beam: only the element size causes a difference"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 COARSE, FINE = 2e-4, 5e-6
 FINER = 8
@@ -24,7 +24,7 @@ rotor = TransferRotor
 
 @dataclass(frozen=True, kw_only=True)
 class Present(Identity):
-    """A row that exists only if the rotor has the quantity: critical speed, link or unbalance."""
+    """A row that exists only if the rotor has its critical speed, link or unbalance."""
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if self.analytic in context.analytic else []
@@ -32,7 +32,7 @@ class Present(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Companion(Present):
-    """A row on the companion, which exists only for the default rotor."""
+    """A row on the second test rotor; it exists only if the inputs are the default rotor."""
 
     paper_only: bool = True
 
@@ -41,24 +41,25 @@ def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
     """All rows of a rotor, in the order of the report page."""
     for k in range(1, FREQUENCIES + 1):
         yield _identical(rotor.frequency(k))
-    yield Fact(name="sense of each whirl", symbol="", unit="1", margin=_senses)
+    yield Fact(name="sense of whirl of each mode", symbol="", unit="1", margin=_senses)
     for criticals in (rotor.critical_first, rotor.critical_other):
         for k in range(1, CRITICALS + 1):
             yield _identical(criticals(k), symbol="n_c")
-    yield _identical(rotor.torsion, name="torsional frequency")
-    yield _identical(rotor.amplitude, name="amplitude at the probe", demand=LOADS)
-    for one, words in ((rotor.support_load, "support"), (rotor.link_load, "link")):
+    yield _identical(rotor.torsion, name="lowest torsional frequency")
+    yield _identical(rotor.amplitude, name="amplitude of the probe node", demand=LOADS)
+    for one, words in ((rotor.support_load, "bearing to the ground"),
+                       (rotor.link_load, "bearing between shafts")):  # fmt: skip
         yield _identical(one, name=f"load of the first {words}", symbol="F", demand=LOADS)
     if q.is_default:
         yield from _of_companion()
     for name, level, figure in (
-        ("frequencies with one element per segment", 0, COARSE),
-        (f"frequencies with {FINER} elements per segment", -1, FINE),
+        ("frequency of largest error, one element per segment", 0, COARSE),
+        (f"frequency of largest error, {FINER} elements per segment", -1, FINE),
     ):
         yield _accepted(q, name, level, figure)
     last = rotor.euler(FREQUENCIES)
-    order = Order(name="convergence order of a frequency by Euler's theory", symbol="p", unit="1",
-                  errors=errors_of(last), order=4, demand=0.05,
+    order = Order(name="convergence order of the highest compared frequency by Euler's theory",
+                  symbol="p", unit="1", errors=errors_of(last), order=4, demand=0.05,
                   demand_reason="terms of higher order matter on the coarsest level")  # fmt: skip
     yield Comparison(check=order, quantity=last)
 
@@ -75,34 +76,38 @@ def _identical(
 
 
 def _of_companion() -> Iterator[Comparison]:
-    """Rows of all judged values of the companion."""
+    """Rows of all judged values of the second test rotor."""
     built = State(
         companion(TransferRotor),
         "companion",
-        "companion with anisotropic bearings",
+        "second test rotor (anisotropic bearings)",
         displayed=False,
     )
     for k in (1, 2, 3, 4):
-        yield _identical(rotor.frequency(k), built, name=f"{built.words}: frequency {k}")
+        yield _identical(rotor.frequency(k), built, name=f"{built.words}: natural frequency {k}")
     for criticals, shaft in ((rotor.critical_first, "outer"), (rotor.critical_other, "inner")):
         for k in (1, 2):
-            words = f"{built.words}: critical speed {k}, the {shaft} shaft's unbalance"
+            words = f"{built.words}: critical speed {k}, unbalance of the {shaft} shaft"
             yield _identical(criticals(k), built, name=words, symbol="n_c")
-    for one, words in ((rotor.amplitude, "amplitude"),
-                       (rotor.support_load, "load of the first support"),
-                       (rotor.link_load, "load of the link")):  # fmt: skip
+    for one, words in ((rotor.amplitude, "amplitude of the probe node"),
+                       (rotor.support_load, "load of the first bearing to the ground"),
+                       (rotor.link_load, "load of the bearing between shafts")):  # fmt: skip
         symbol = "F" if one is not rotor.amplitude else ""
         yield _identical(one, built, name=f"{built.words}: {words}", symbol=symbol, demand=LOADS)
 
 
 def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Comparison:
-    """Row of the frequency or critical speed with the largest difference on a level."""
+    """Row of the frequency or critical speed with the largest error on a level."""
 
     def pair(context: Context) -> Pair:
         exact, v = q.undamped, context.fem[level].values
         found = farthest(np.array(list(exact.values())), np.array([v[key] for key in exact]), 0.0)
         off = abs(found.value / found.reference - 1)
-        return replace(found, words=f"difference at most {off:.1e}, {figure:.0e} accepted")
+        return replace(
+            found,
+            words=f"largest error of frequencies and critical speeds {off:.1e}, accepted "
+            f"{figure:.0e}",
+        )
 
     check = Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure,
                       source=SUBJECT)  # fmt: skip

@@ -45,18 +45,19 @@ def _campbell(q: TransferRotor) -> Campbell:
         title="Natural frequencies over the speed", x_label="n [r/min]", y_label="f [Hz]",
         speeds=speeds / RPM, frequencies=w / Hz, whirl=whirl, excitations=lines, critical=met,
         range=(q.speed_from / RPM, q.speed_to / RPM), y_top=top,
-        note=f"By transfer matrices, without damping. {_sense(q)}",
+        note=f"Computed by transfer matrices, without damping. {_sense(q)}",
     )  # fmt: skip
 
 
 def _sense(q: TransferRotor) -> str:
     if q.rotor.isotropic:
         return (
-            "Unbalance excites whirl where the unbalance line crosses a branch of the same sense."
+            "An unbalance excites whirl at the speeds where its line crosses the curve of a mode "
+            "with the same sense of whirl."
         )
     return (
-        "On bearings that differ in x and y, whirl is elliptical and unbalance excites every "
-        f"branch; the sense of whirl is that at {q.speed / RPM:.5g} r/min."
+        "The bearings differ in x and y: orbits are elliptical, and unbalance excites each mode. "
+        f"The sense of whirl is that at {q.speed / RPM:.5g} r/min."
     )
 
 
@@ -97,7 +98,7 @@ def _response(q: TransferRotor) -> Curves:
             y = found.amplitude(q.probe - 1) / um
             curves.append(line(f"unbalance of {names}", speeds / RPM, y, k))
     return plot(f"Amplitude of node {q.probe} over the speed", "n [r/min]", "|r| [µm]", curves,
-                y_log=True, note="Semi-major axis of the orbit.")  # fmt: skip
+                y_log=True, note="The amplitude is the semi-major axis of the orbit.")  # fmt: skip
 
 
 def _refinement(context: Context) -> Sequence[Figure]:
@@ -113,8 +114,8 @@ def _refinement(context: Context) -> Sequence[Figure]:
     )
     return (
         Refinement(
-            title="Beams against transfer matrices", x_label="elements per segment",
-            y_label="|error|", cells=cells, errors=errors, order=2,
-            note="Natural frequencies at the given speed.",
+            title="Error of beam elements against transfer matrices",
+            x_label="elements per segment", y_label="|error|", cells=cells, errors=errors, order=2,
+            note="The curves are the errors of natural frequencies at speed n.",
         ),
     )  # fmt: skip

@@ -34,9 +34,10 @@ def _turning(q: Any) -> bool:
 class TransferRotor(DescribedRotor):
     """Results of transfer matrices of a rotor; speeds in rad/s, frequencies in Hz."""
 
-    @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed n", role="step",
-              source="rotating Timoshenko shaft; the number of negative eigenvalues of D equals "
-                     "the number of roots below ω, so that no root is missed",
+    @Quantity("ω_1", "rad/s", "lowest natural frequency at speed n", role="step",
+              source="rotating shaft by Timoshenko's theory; the number of negative "
+                     "eigenvalues of D equals the number of roots below ω, so that no root is "
+                     "missed",
               tex=r"\omega,\quad \det D(\omega, n)=0,\quad "
               r"\frac{d}{dz}\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}="
               r"\begin{pmatrix} 0&1&\frac{1}{\kappa GA}&0\\ 0&0&0&\frac{1}{EI}\\ "
@@ -45,7 +46,7 @@ class TransferRotor(DescribedRotor):
     def lowest(self) -> float:
         return float(self.study.modes.w[0])
 
-    @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed",
+    @Quantity("f_{0}", "Hz", "natural frequency {0} at speed n",
               when=lambda q, k: len(q.study.modes.w) >= k).over(ORDERS)  # fmt: skip
     def frequency(self, k: int) -> float:
         return float(self.study.modes.w[k - 1] / TURN)
@@ -55,12 +56,12 @@ class TransferRotor(DescribedRotor):
     def sense(self, k: int) -> float:
         return float(self.study.modes.whirl[k - 1])
 
-    @Quantity("n_c{0}", "r/min", "critical speed {0}, the first shaft's unbalance", safe="too low",
+    @Quantity("n_c{0}", "r/min", "critical speed {0}, unbalance of the first shaft", safe="too low",
               when=_found(1)).over(range(1, CRITICALS + 1))  # fmt: skip
     def critical_first(self, k: int) -> float:
         return float(self.study.excited[0].speeds[k - 1])
 
-    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of a shaft at another speed",
+    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of a shaft with another speed",
               safe="too low",
               when=_found(2)).over(range(1, CRITICALS + 1))  # fmt: skip
     def critical_other(self, k: int) -> float:
@@ -79,11 +80,12 @@ class TransferRotor(DescribedRotor):
     def amplitude(self) -> float:
         return float(sum(r.amplitude(self.probe - 1)[0] for r in self.study.responses))
 
-    @Quantity("F_s", "N", "load of supports[1]", safe="too high", when=_turning)
+    @Quantity("F_s", "N", "load of supports[1], the first bearing to the ground", safe="too high",
+              when=_turning)  # fmt: skip
     def support_load(self) -> float:
         return float(sum(r.load(self.rotor.supports[0])[0] for r in self.study.responses))
 
-    @Quantity("F_l", "N", "load of links[1]", safe="too high",
+    @Quantity("F_l", "N", "load of links[1], the first bearing between shafts", safe="too high",
               when=lambda q: _turning(q) and q.rotor.links)  # fmt: skip
     def link_load(self) -> float:
         return float(sum(r.load(self.rotor.links[0])[0] for r in self.study.responses))

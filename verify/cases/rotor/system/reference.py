@@ -56,7 +56,7 @@ def _bearing(spring: Any) -> dict[str, Any]:
 
 
 def solve(q: CoaxialRotor, level: int) -> Level:
-    """Beam results of the rotor and, for the default rotor, of its companion."""
+    """Beam results of the rotor and, for the default rotor, of the second test rotor."""
     values = fem_values(q, level)
     if q.is_default:
         other = fem_values(companion(CoaxialRotor), level)

@@ -56,10 +56,10 @@ def sketch(q: DescribedRotor) -> Sketch:
         shapes.append(_diamond((joined[0] + joined[1]) / 2, size / 2))
     names = ", ".join(s.name for s in q.shafts)
     title = (
-        f"shafts {names}, radii on a larger scale than lengths; nodes of discs above, of bearings "
-        "below"
+        f"shafts: {names}. Radii have a larger scale than lengths. Numbers above are nodes of "
+        "discs, numbers below are nodes of bearings"
     )
-    title += "; diamonds: links between shafts" if q.links else ""
+    title += ". Diamonds are bearings or clutches between shafts" if q.links else ""
     return sketches.sketch(title, shapes)
 
 

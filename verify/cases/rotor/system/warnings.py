@@ -44,8 +44,8 @@ def _links(q: DescribedRotor) -> Iterator[str]:
         gap = q.places[link.node - 1] - q.places[link.to - 1]
         if abs(gap) > AXIAL_GAP:
             yield (
-                f"links[{k}] joins nodes at an axial distance of {abs(gap) * 1e3:.4g} mm: set "
-                "start of the shafts"
+                f"links[{k}] joins nodes at an axial distance of {abs(gap) * 1e3:.4g} mm: correct "
+                "the input start of a shaft"
             )
 
 
@@ -80,9 +80,9 @@ def _damping(q: DescribedRotor) -> Iterator[str]:
         along_y = s.c if s.cyy is None else s.cyy, s.k if s.kyy is None else s.kyy
         if any(c * q.speed_to > RIGID * k for c, k in (across, along_y)):
             yield (
-                f"{name}: damping times the highest operating speed exceeds {RIGID:g} of the "
-                "stiffness, so that the bearing acts as rigid; frequencies and critical speeds do "
-                "not include damping"
+                f"{name}: damping times the highest operating speed exceeds {RIGID:g} times the "
+                "stiffness, so that the bearing acts as rigid; frequencies and critical speeds are "
+                "computed without damping"
             )
 
 
@@ -121,4 +121,4 @@ def _steps(q: DescribedRotor) -> Iterator[str]:
 
 def _speed(q: DescribedRotor) -> Iterator[str]:
     if q.speed > 1.2 * q.speed_to or q.speed < 0.8 * q.speed_from:
-        yield f"speed = {q.speed / RPM:.5g} r/min is not within the operating speeds"
+        yield f"speed = {q.speed / RPM:.5g} r/min is not within the operating range"

@@ -173,11 +173,11 @@ ROTORS = (
         "the ground and an intershaft bearing, all with damping",
         pose=partial(system, SPEEDS),
         quantities=(
-            *(frequency(k, f"natural frequency {k} at the speed" if i == 2 else "", i,
+            *(frequency(k, f"natural frequency {k} at speed n" if i == 2 else "", i,
                         beside=True)
               for i in (1, 2, 3) for k in (1, 2, 3, 4)),
             *(Quantity(name=f"orbit, speed {i}", symbol="|r|", unit="µm", allowed=EXACT, why=BEAMS,
-                       row="amplitude at the probe" if i == 2 else "", beside=True)
+                       row="amplitude of the probe node" if i == 2 else "", beside=True)
               for i in (1, 2, 3)),
         ),
     ),
