@@ -145,15 +145,15 @@ STATEMENTS = (
               holds=lambda a: outer(a, 11, 1, last=11),
               compares=lambda a: outer_peaks(a, 1, last=11),
               printed=value("outer-highest-node-at-critical-1")),
-    Statement(name="node 11 has the highest peak of the outer rotor at critical speed 1, with its "
-                   "free end", symbol="x_11", holds=lambda a: outer(a, 11, 1),
+    Statement(name="node 11 has the highest peak of nodes 1 to 12 (with the free end) at critical "
+                   "speed 1", symbol="x_11", holds=lambda a: outer(a, 11, 1),
               compares=lambda a: outer_peaks(a, 1)),
     Statement(name="node 11 has the highest peak of nodes 1 to 11 at critical speeds 3 and 5",
               symbol="x_11", holds=lambda a: outer(a, 11, 3, 5, last=11),
               compares=lambda a: outer_peaks(a, 3, 5, last=11),
               printed=value("outer-highest-node-at-critical-3-and-5")),
-    *(Statement(name=f"node {node} stays below half the median of nodes without bearings at every "
-                     "peak",
+    *(Statement(name=f"amplitude of node {node} at every peak is below half the median of nodes "
+                     "without bearings",
                 symbol=f"x_{node}", holds=partial(small, node=node),
                 compares=lambda a: outer_peaks(a, *ORDERS),
                 printed=value(f"outer-small-node-at-bearing-{k}"))
@@ -177,8 +177,9 @@ STATEMENTS = (
     growing("peaks of node 4 grow with unbalance 2", 4),
     growing("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2", 19,
             slice(None, None, 2)),
-    Statement(name="peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m", symbol="x_19",
-              holds=anomaly, compares=lambda a: a["peaks"][:, 1:, 1, 18]),
+    Statement(name="peak of node 19 at critical speed 3 is lower for unbalance 2 of 5e-5 than of "
+                   "3e-5 kg m", symbol="x_19", holds=anomaly,
+              compares=lambda a: a["peaks"][:, 1:, 1, 18]),
     *(Statement(name=name, symbol=symbol, holds=holds, compares=lambda a: a["loads"])
       for name, symbol, holds in (
           ("loads of bearings 3 and 4 grow with unbalance 2", "F", lambda a: grows(a["loads"])),

@@ -16,12 +16,12 @@ from verify.form.adapter import adapted
 
 
 class SpragRotor(CentralSystem):
-    """Model with the paper's 22 nodes and twelve unknown dimensions and stiffnesses.
+    """Model of two rotors with the paper's 22 nodes, and with twelve unknown parameters.
 
     The paper prints three critical speeds, but none of the dimensions and stiffnesses. Many sets of
-    parameters give all three speeds; each set is compared with all other statements of the paper.
-    The set that is fitted from the middle of all ranges (the central system) is computed by exact
-    transfer matrices, by refined beams and as elastic bodies.
+    these parameters give all three speeds; each set is compared with all other statements of the
+    paper. One set, the central system, is fitted with the middle of all ranges as initial value. It
+    is computed by exact transfer matrices, by refined beam elements and as elastic bodies.
     """
 
     id = "rotor-sprag"
@@ -36,24 +36,28 @@ class SpragRotor(CentralSystem):
         ),
     )
     readings: ClassVar = (
-        "orders 1, 3 and 5 are the three lowest forward whirls: on isotropic supports, unbalance "
-        "excites only forward whirl, and the response peaks there; orders 2, 4 and 6 are the "
-        "corresponding backward whirls, although their critical speeds are lower",
-        "the parameters are fitted with the paper's mesh: one beam element in each of the 20 "
+        "critical speeds 1, 3 and 5 of the paper are the three lowest forward critical speeds, "
+        "because unbalance on isotropic bearings excites forward whirl only; critical speeds 2, 4 "
+        "and 6 are backward, although each is lower than the forward critical speed of its pair",
+        "the parameters are fitted with the mesh of the paper, one beam element in each of the 20 "
         "segments",
-        "node 12 is the free end of the drum: it moves more than node 11 in every overhung drum",
+        "node 12 is the free end of the drum; in an overhung drum it moves more than node 11, "
+        "which the paper states as the node with the highest amplitude",
     )
     assumptions: ClassVar = (
-        "linear vibration about the preloaded state; isotropic bearings unless stated otherwise",
-        "both rotors have the same speed (engaged clutch); steel; Hutchinson's shear coefficients",
-        "Rayleigh damping acts on absolute motion; the damping ratios at critical speeds 1 and 5 "
-        "are uniformly distributed over their range in the sets of parameters",
-        "both unbalances in phase (no angle is printed); shares with opposite phase are also "
-        "reported",
-        "the load of the clutch is uneven in space (offset of the rings); all sprags have one "
-        "contact law",
-        "rigid races: the torsional stiffness of the clutch is that of rotor-clutch; it is too "
-        "high, by the difference that sprag-wedge reports for the wind-up with rigid races",
+        "vibrations about the preloaded state are linear; bearings are isotropic unless stated "
+        "otherwise",
+        "the clutch is engaged, so that both rotors have the same speed; all parts are of steel; "
+        "the shear coefficients are Hutchinson's",
+        "Rayleigh damping acts on the absolute motion; over the sets of parameters, the logarithms "
+        "of the damping ratios at critical speeds 1 and 5 are uniformly distributed from ζ_min to "
+        "ζ_max",
+        "both unbalances are in phase, because the paper prints no angle; results for opposite "
+        "phase are also stated",
+        "sprags carry unequal loads only because of an offset of the rings; all sprags have the "
+        "same contact law",
+        "races are rigid: the torsional stiffness of the clutch is too high, by the error of rigid "
+        "races in the case sprag-wedge",
     )
 
     tables = staticmethod(tabulated.tables)
@@ -71,21 +75,23 @@ class SpragRotor(CentralSystem):
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
-        """Critical speeds, difference of the rig's speed from the nearest one, sprag deflection."""
+        """Critical speeds, difference of the rig's speed from the nearest, and sprag deflection."""
         found = {k: self.critical_forward(k) for k in ORDERS}
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())
         yield (
-            f"the central system has forward critical speeds at {speeds} r/min; twelve unknowns "
-            "were fitted to these speeds, which are therefore no evidence for any of the unknowns"
+            f"the forward critical speeds of the central system are {speeds} r/min; its twelve "
+            "parameters were fitted to three printed speeds, so that this agreement is no evidence "
+            "for the value of any parameter"
         )
         yield (
-            f"{self.rig_speed / RPM:.5g} r/min differs by {near[0]:.0%} from critical speed "
-            f"{near[1]}"
+            f"the speed of the test rig, {self.rig_speed / RPM:.5g} r/min, differs by "
+            f"{near[0]:.0%} from the nearest critical speed, number {near[1]}"
         )
         yield (
-            f"{self.T:.3g} N m deflects the sprags by {self.delta_0 * 1e6:.2g} µm: an offset of "
-            f"{self.offset * self.delta_0 * 1e6:.2g} µm couples bending and torsion"
+            f"under {self.T:.3g} N m, the deflection of each sprag is {self.delta_0 * 1e6:.2g} µm; "
+            f"the assumed offset of the rings, {self.offset * self.delta_0 * 1e6:.2g} µm, couples "
+            "bending and torsion"
         )
 
     def warnings(self) -> Iterator[str]:
@@ -94,11 +100,15 @@ class SpragRotor(CentralSystem):
             off = abs(self.rig_speed / self.critical_forward(k) - 1)
             if off < 0.1:
                 yield (
-                    f"{self.rig_speed / RPM:.5g} r/min is within {off:.1%} of critical speed {k}: "
-                    "orbits at this speed depend more on the damping than on the stiffness"
+                    f"the speed of the test rig, {self.rig_speed / RPM:.5g} r/min, is within "
+                    f"{off:.1%} of critical speed {k}: orbits at this speed depend more on the "
+                    "damping than on the stiffness"
                 )
         if self.zeta_high > 0.05:
-            yield "peaks 3 and 5 differ by 12 % in speed: with damping ratios above 5 % they merge"
+            yield (
+                "critical speeds 3 and 5 differ by 12 %: with damping ratios above 5 %, the peaks "
+                "of the response at these speeds merge"
+            )
 
 
 SPRAG_ROTOR = adapted(SpragRotor)

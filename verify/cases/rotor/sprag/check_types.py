@@ -17,8 +17,8 @@ from verify.papers.ledger import published
 
 Arrays = Mapping[str, Array]
 COARSE = 2e-4  # acceptance figure of the mesh with one beam element for each element of the paper
-NO_SETS = "no set of parameters gives the three critical speeds"
-FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
+NO_SETS = "no set of parameters gives the three printed critical speeds"
+FITTED = f"{len(PARAMETERS)} parameters were fitted to three critical speeds"
 
 
 def arrays(context: Context) -> Arrays:
@@ -81,13 +81,13 @@ class Claimed(Share):
     def words(self, context: Context) -> str:
         a = arrays(context)
         other = held_of(self.statement, opposite(a))
-        return f"{held_of(self.statement, a)}; unbalances opposite: {other}"
+        return f"{held_of(self.statement, a)}; with opposite unbalances in {other}"
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
     """Text: in how many of the sets that have the compared peaks a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
-    with_peak = "" if asked.all() else " with a peak"
+    with_peak = "" if asked.all() else " with the compared peaks"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
 
 
@@ -105,7 +105,7 @@ class Spread(Claim):
         if not values.size:
             verdict = judge.Verdict(Status.FAIL, NO_SETS)
             return [self._row(context.case, Kind.FACT, verdict)]
-        spread = f"5 to 95 % of sets: {band(values, f)} {self.unit}".removesuffix(" 1")
+        spread = f"median (5 to 95 % of sets): {band(values, f)} {self.unit}".removesuffix(" 1")
         verdict = judge.Verdict(Status.CALIBRATED, f"{spread}{self.words}; {FITTED}")
         return [
             self._row(
@@ -161,7 +161,9 @@ class FittedTo(Claim):
         v, entry = context.analytic[self.analytic], published(self.printed[0])
         r = entry.value * units.factor(entry.unit)
         status = Status.CALIBRATED if abs(v / r - 1) <= COARSE else Status.FAIL
-        verdict = judge.Verdict(status, f"exact model {v / r - 1:+.1e}; {FITTED}", v - r)
+        verdict = judge.Verdict(
+            status, f"error of the exact model {v / r - 1:+.1e}; {FITTED}", v - r
+        )
         return [
             self._row(
                 context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
@@ -185,5 +187,7 @@ class Drawn(Claim):
 
     def rows(self, context: Context) -> list[Row]:
         verdict = judge.fact(self.margin(context), 0.0)
-        verdict = replace(verdict, reason=f"{verdict.reason}; {len(self.printed)} printed numbers")
+        verdict = replace(
+            verdict, reason=f"{verdict.reason}; {len(self.printed)} printed numbers were compared"
+        )
         return [self._row(context.case, Kind.FACT, verdict)]

@@ -17,7 +17,7 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 BEAMS = 5e-6  # acceptance figure of 8 beam elements in each element of the paper
 BARS = 1e-5  # tolerance for torsion elements, with linear twist
 WITHIN_PRINTED = 3e-3
-EIGHT = "acceptance criterion of beams against transfer matrices, 8 elements in each segment"
+EIGHT = "accepted error of 8 beam elements in each segment against transfer matrices"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 system = CentralSystem
 
@@ -36,7 +36,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"20 elements differ by at most {error:.1e}"
+    return WITHIN_PRINTED - error, 0.0, f"the error of 20 elements is at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
@@ -45,7 +45,7 @@ def coarse(context: Context) -> Pair:
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])
     found = farthest(exact, np.array([v[key] for key in keys]), 0.0)
-    return replace(found, words=f"at most {abs(found.value / found.reference - 1):.1e}")
+    return replace(found, words=f"largest error {abs(found.value / found.reference - 1):.1e}")
 
 
 def identical(
@@ -69,43 +69,45 @@ def hit(context: Context) -> float:
 
 
 IDENTITIES = (
-    *(identical(system.frequency(k), f"natural frequency {k}, beams")
+    *(identical(system.frequency(k), f"natural frequency {k}, beam elements")
       for k in range(1, MODES + 1)),
-    *(identical(critical(k), f"{whirl} critical speed {k}, beams", f"n_{k}")
+    *(identical(critical(k), f"{whirl} critical speed {k}, beam elements", f"n_{k}")
       for whirl, critical in (("forward", system.critical_forward),
                               ("backward", system.critical_backward)) for k in ORDERS),
     *(identical(system.amplitude(n), system.amplitude(n).what) for n in DISCS),
     identical(system.torsion_clutch, "torsional frequency of the clutch"),
     identical(system.torsion_shaft, "torsional frequency of the inner shaft", demand=BARS),
-    identity(system.coupling, sensitivity=(1e-9, "the same sums in both models")),
+    identity(system.coupling, sensitivity=(1e-9, "formula and reference compute the same sums")),
     Comparison(
         check=Accepted(
-            name="20 elements against the exact model, frequencies 1 to 6", symbol="Δf/f", unit="1",
-            margin=printed_bound, fitted="on a fitted system",
+            name="largest error of natural frequencies 1 to 6 by 20 beam elements",
+            symbol="Δf/f", unit="1", margin=printed_bound, fitted="on a fitted system",
             printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies"),
         ),
         quantity=system.frequency(1), shares=BEAM,
     ),
     Comparison(
-        check=Agreement(name="20 elements against the exact model within 2e-4", symbol="ω",
-                        unit="rad/s", pair=coarse, accepted=COARSE, source=SUBJECT),
+        check=Agreement(name="frequency or critical speed with the largest error by 20 beam "
+                             "elements", symbol="ω", unit="rad/s", pair=coarse, accepted=COARSE,
+                        source=SUBJECT),
         quantity=system.critical_forward(1), shares=BEAM,
     ),
 )  # fmt: skip
 FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
     *(Comparison(
-        check=FittedTo(name=f"critical speed {k}, central system", symbol=f"n_{k}", unit="r/min",
-                       analytic=f"critical_forward_{k}",
+        check=FittedTo(name=f"critical speed {k} of the central system", symbol=f"n_{k}",
+                       unit="r/min", analytic=f"critical_forward_{k}",
                        printed=(f"huang2022:critical-speed-{k}",)),
         quantity=system.critical_forward(k),
       ) for k in ORDERS),
-    Rounded(name="every set of parameters has the three printed speeds", symbol="Δn/n", unit="1",
-            residual=hit, bound=1.1e-8, scale_name="printed speed",
-            bound_reason="tolerance of accepted sets, and round-off of a second assembly"),
-    Share(name="initial values of the fit that lead to all three speeds", symbol="", unit="%",
-          of="initial values",
+    Rounded(name="every set of parameters gives the three printed critical speeds",
+            symbol="Δn/n", unit="1", residual=hit, bound=1.1e-8, scale_name="printed speed",
+            bound_reason="tolerance of the fit, and round-off of matrices assembled twice"),
+    Share(name="share of initial values of the fit that lead to all three critical speeds",
+          symbol="", unit="%", of="initial values",
           holds=lambda c: arrays(c)["start met"] > 0),
-    Share(name="initial values of the fit that lead to all three speeds within the ranges",
+    Share(name="share of initial values of the fit that lead to all three critical speeds, with "
+               "parameters in their ranges",
           symbol="", unit="%", of="initial values",
           holds=lambda c: arrays(c)["start in range"] > 0),
 )  # fmt: skip

@@ -41,8 +41,9 @@ class Bodies(Claim):
         wide = arrays(context)["solid, wide bands"][self.order - 1] / values[0] - 1
         within = "within" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "not surely within"
         reason = (
-            f"the beams differ by {m:+.2%} ± {100 * U:.1g} %; bodies supported on 20 mm differ "
-            f"from those on 10 mm by {wide:+.2%}: {within} the 0.3 % between beam models"
+            f"error of the beams {m:+.2%} ± {100 * U:.1g} %; bearing seats 20 mm wide instead of "
+            f"10 mm change the frequency of the bodies by {wide:+.2%}: the error of the beams is "
+            f"{within} 0.3 %, the printed difference between beam models"
         )
         verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [

@@ -43,7 +43,7 @@ um, mm = 1e-6, 1e-3
 PEERS = np.array([0, 10_000, 20_000, 30_000, 40_000]) * RPM
 FORWARD, BACKWARD = 1, -1
 TURN = np.exp(2j * pi * np.linspace(0, 1, 91))
-BANDS = "line: median of the sets of parameters, band: 5 to 95 %"
+BANDS = "Each line is the median over the sets of parameters; its band is the 5 to 95 % range."
 CRITICAL = tuple((n / RPM, f"n_{k}") for k, n in zip(ORDERS, PRINTED, strict=True))
 
 
@@ -67,8 +67,8 @@ def campbell(a: Arrays) -> Campbell:
         critical=tuple((n / RPM, n / (2 * pi), f"n_{k}")
                        for k, n in zip(ORDERS, PRINTED, strict=True)),
         peers=(speeds.ravel(), peers.ravel()), peers_name="transfer matrices",
-        note="critical speeds 1, 3 and 5 are the forward critical speeds, to which the parameters "
-             "were fitted",
+        note="n_1, n_3 and n_5 are the printed critical speeds, to which the forward critical "
+             "speeds were fitted.",
     )  # fmt: skip
 
 
@@ -137,33 +137,34 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
     x = a["grid"] / RPM
     return tuple(
         plot(
-            f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)", "n [r/min]",
+            f"Response of node {SHOWN_NODES[i]} for three unbalances 2 (Fig. 11)", "n [r/min]",
             "|x| [µm]",
             (
                 line(f"{U * 1e5:.3g}e-5 kg m", x, a["nodes over speed"][1, k, i] / um, k)
                 for k, U in enumerate(context.inputs.unbalances_2)
             ),
-            y_log=True, note="medians of the sets of parameters",
+            y_log=True, note="The lines are medians over the sets of parameters.",
         )
         for i in (SHOWN_NODES.index(node) for node in DISCS)
     )  # fmt: skip
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Figure of torsion of node 19 over the offset, extrapolated linearly from small offsets."""
+    """Figure of the torsion of node 19 over the offset, in proportion to small offsets."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
     return plot(
-        "Torsion of node 19 at the bending critical speeds", "offset of the clutch Δx/δ_0",
+        "Torsion of node 19 at bending critical speeds over the offset",
+        "offset of the clutch Δx/δ_0",
         "|θ_z| [µrad]",
         (line(f"n_{k}", offsets, middle[i] * offsets, i) for i, k in enumerate(ORDERS)),
         bands=tuple(
             Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
             for i in range(len(ORDERS))
         ),
-        y_log=True, note=f"{BANDS}. The torsion is proportional to the offset, and zero without "
-                         "offset",
+        y_log=True, note=f"{BANDS} The torsion is proportional to the offset, and zero without "
+                         "offset.",
     )  # fmt: skip
 
 
@@ -176,7 +177,8 @@ def orbits(context: Context, a: Arrays) -> tuple[Shapes, ...]:
             panels=tuple(
                 _orbit(f"k_y = {times:.3g} k_x", a[f"orbit, {key}"][:, i]) for key, times in stiffer
             ),
-            note="the set of median size; the nine sets nearest in size are drawn behind it",
+            note="The strong line is the orbit of median size over the sets of parameters; the "
+            "faint lines are the nine orbits nearest in size.",
         )
         for i, node in enumerate(DISCS)
     )
@@ -202,5 +204,6 @@ def parallel(a: Arrays) -> Parallel:
         title="Sets of parameters that all have the three printed critical speeds", axes=axes,
         members=members, highlighted=((len(members) - 1, "central system", 0),),
         members_name="sets of parameters",
-        note="every line has all three speeds: the speeds determine none of the parameters",
+        note="Each line is a set of parameters that gives all three speeds: the speeds determine "
+             "none of the parameters.",
     )  # fmt: skip

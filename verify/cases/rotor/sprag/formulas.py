@@ -111,24 +111,26 @@ class CentralSystem(SpragRotorInputs):
     def frequency(self, k: int) -> float:
         return float(self._frequencies[k - 1] / (2 * pi))
 
-    @Quantity("n_{0}", "r/min", "critical speed {0} (forward), central system",
+    @Quantity("n_{0}", "r/min", "critical speed {0} (forward) of the central system",
               safe="too low").over(ORDERS)  # fmt: skip
     def critical_forward(self, k: int) -> float:
         return self._critical("forward", k)
 
-    @Quantity("n_{0}'", "r/min", "critical speed {0} (backward), central system").over(ORDERS)
+    @Quantity("n_{0}'", "r/min", "critical speed {0} (backward) of the central system").over(ORDERS)
     def critical_backward(self, k: int) -> float:
         return self._critical("backward", k)
 
     @Quantity("Ω_1", "rad/s", "lowest of the forward critical speeds", role="step",
-              source="Sec. 1, before Fig. 6; forward critical speeds with r = x + iy",
+              source="Sec. 1, text before Fig. 6; forward critical speeds, written in r = x + iy",
               tex=r"\Omega,\quad M \ddot q + (C + \Omega G)\dot q + K q=f,\quad "
               r"K v=\Omega^2 (M - G_1) v,\quad C=\alpha M + \beta K,\quad "
               r"\zeta=\frac{1}{2}\left(\frac{\alpha}{\omega} + \beta \omega\right)")  # fmt: skip
     def lowest(self) -> float:
         return self.critical_forward(ORDERS[0])
 
-    @Quantity("x_{0}", "µm", "amplitude of node {0} at the rig's speed, no damping").over(DISCS)
+    @Quantity(
+        "x_{0}", "µm", "amplitude of node {0} at the speed of the test rig, without damping"
+    ).over(DISCS)
     def amplitude(self, node: int) -> float:
         U = {DISCS[0] - 1: self.u_rig_1, DISCS[1] - 1: self.u_rig_2}
         response = transfer_unbalance_response(self._rotor, self.rig_speed, U)
@@ -146,7 +148,7 @@ class CentralSystem(SpragRotorInputs):
     def exponent(self) -> float:
         return EXPONENT
 
-    @Quantity("K_xx", "N/µm", "radial stiffness of the clutch, central system", role="step")
+    @Quantity("K_xx", "N/µm", "radial stiffness of the clutch of the central system", role="step")
     def across(self) -> float:
         return float(CENTRAL[K_C])
 

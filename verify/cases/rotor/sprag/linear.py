@@ -73,7 +73,7 @@ def exponents(a: dict[str, Array]) -> Array:
 
 
 def linear(context: Context) -> Pair:
-    """Exponent of the power law that relates torsion to the offset, and its expected value 1.
+    """Exponent of the power law of torsion over the offset, and the expected exponent 1.
 
     The member with the largest difference is taken.
     """
@@ -91,12 +91,16 @@ def never_between(context: Context) -> tuple[float, str]:
     peaks = peaks[np.isfinite(peaks).all(axis=1)]
     rising = peaks[:, 1] > peaks[:, 0]
     if not rising.any():
-        return -1.0, f"does not rise from 1 to 3e-5 kg m in any of {rising.size} sets with a peak"
+        return -1.0, (
+            "the peak does not rise for unbalance 2 from 1 to 3e-5 kg m in any of "
+            f"{rising.size} sets with a peak"
+        )
     step = peaks[rising, 2] / peaks[rising, 1] - 1
     words = (
-        f"rises from 1 to 3e-5 kg m in {int(rising.sum())} of {rising.size} sets with a peak; in "
-        f"all of these it also rises from 3 to 5e-5 kg m, by {100 * step.min():.0f} % or more; it "
-        f"falls from 3 to 5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
+        "the peak rises for unbalance 2 from 1 to 3e-5 kg m in "
+        f"{int(rising.sum())} of {rising.size} sets with a peak; in all of these sets it also "
+        f"rises from 3 to 5e-5 kg m, by {100 * step.min():.0f} % or more; the peak falls from 3 to "
+        f"5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
     )
     return float(step.min()), words
 
@@ -124,11 +128,11 @@ def ellipses(context: Context) -> tuple[float, str]:
     same, other = ((a[f"axes, {k}"][..., 0] / a[f"axes, {k}"][..., 1])
                    for k in ("isotropic", "anisotropic"))  # fmt: skip
     words = (
-        f"the axes of the orbits differ by {float(np.abs(same - 1).max()):.0e} on supports with "
-        "equal stiffness in x and y; in the median they differ by "
+        f"both axes of an orbit differ by at most {float(np.abs(same - 1).max()):.0e} if the "
+        "bearings are equally stiff in x and y; the median difference is "
         f"{100 * float(np.median(other[:, 1]) - 1):.1f} % (node 19) and "
-        f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) if k_y is "
-        f"{1 + context.inputs.anisotropy:.2g} k_x"
+        f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) if k_y of the bearings to the "
+        f"ground is {1 + context.inputs.anisotropy:.2g} k_x"
     )
     return float(np.median(other) - 1) - 1e6 * circles(context), words
 
@@ -136,8 +140,9 @@ def ellipses(context: Context) -> tuple[float, str]:
 def no_coupling(context: Context) -> tuple[float, str]:
     p = exponents(dict(arrays(context)))
     words = (
-        "torsion at the bending critical speeds is zero for an evenly loaded clutch in every set, "
-        f"and grows with the offset to the power {p.min():.4f} to {p.max():.4f}"
+        "torsion at the bending critical speeds is zero for an evenly loaded clutch in every set; "
+        "with an offset, it is proportional to a power of the offset with the exponent "
+        f"{p.min():.4f} to {p.max():.4f}"
     )
     return 1e-12 - untouched(context), words
 
@@ -173,38 +178,38 @@ def ratio_of_axes(i: int) -> Callable[[Context], Array]:
 
 
 LINEAR_ROWS: tuple[Check, ...] = (
-    Drawn(name="nodes and their unknowns are those of Fig. 1", symbol="", unit="1",
+    Drawn(name="node numbers and unknowns per node are those printed", symbol="", unit="1",
          margin=as_drawn,
          printed=tuple(f"huang2022:{key}" for key in (*NODES, "commercial-beam-dofs"))),
-    Rounded(name="amplitudes are convex in unbalance 2 (both unbalances solved together)",
+    Rounded(name="amplitudes are convex functions of unbalance 2",
             symbol="Δx/x", unit="1",
             residual=lambda c: max(0.0, float(arrays(c)["convex"].max())), bound=ROUND_OFF,
             scale_name="chord", bound_reason="round-off"),
-    Rounded(name="orbits are circles on isotropic supports", symbol="b/a − 1", unit="1",
+    Rounded(name="orbits are circles on isotropic bearings", symbol="b/a − 1", unit="1",
             residual=circles, bound=ROUND_OFF, scale_name="semi-major axis",
             bound_reason="round-off"),
-    Rounded(name="no torsion without offset", symbol="θ_z", unit="1", residual=untouched,
+    Rounded(name="torsion is zero without offset", symbol="θ_z", unit="1", residual=untouched,
             bound=1e-12, scale_name="torsion with offset", bound_reason="round-off"),
     Rounded(name="angular momenta of both rotors balance", symbol="ΣJθ_z", unit="1",
             residual=momentum, bound=FREE, scale_name="angular momentum of the inner rotor",
-            bound_reason="the drive's 0.1 N m/rad over J_out Ω² at critical speed 1"),
+            bound_reason="stiffness of the drive, 0.1 N m/rad, over J_out Ω² at critical speed 1"),
     Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
               accepted=LINEAR,
-              source=suites("half of the sensitivity required of rows, 1 %"),
+              source=suites("half of the required sensitivity, 1 %"),
               by="theory", everywhere=True),
-    *(Spread(name=f"critical speed {k} without {what} stiffness of the clutch",
+    *(Spread(name=f"change of critical speed {k} without {what} stiffness of the clutch",
              symbol=f"Δn_{k}/n_{k}", unit="%", values=of_speed(key, i))
       for key, what in (("without clutch", "lateral and tilting"),
                         ("without clutch across", "lateral"), ("without clutch in tilt", "tilting"))
       for i, k in enumerate(ORDERS)),
-    *(Spread(name="backward critical speed paired with forward critical speed "
+    *(Spread(name="difference between the forward and the backward critical speed of pair "
                   f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
-             values=of_speed("backward", i), words=" below the forward critical speed")
+             values=of_speed("backward", i), words=" of the forward critical speed")
       for i, k in enumerate(ORDERS)),
-    *(Spread(name=f"ratio of the orbit's axes at node {n}, supports that differ in x and y",
+    *(Spread(name=f"ratio of the axes of the orbit of node {n}, bearings stiffer in y",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
-    Misprint(name="peak 3 of node 19 over unbalance 2", symbol="x_19", unit="1",
+    Misprint(name="peak of node 19 at critical speed 3 over unbalance 2", symbol="x_19", unit="1",
           erratum="huang2022:unbalance-2-third-peak", margin=never_between,
           printed=("huang2022:anomaly-unbalance-with-larger-peak",
                    "huang2022:anomaly-unbalance-with-smaller-peak")),
@@ -214,7 +219,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
           margin=ellipses),
     Misprint(name="torsional resonance at bending critical speeds", symbol="θ_z", unit="1",
           erratum="huang2022:eq-11-bending-torsion", margin=no_coupling),
-    Misprint(name="critical speeds at 5000 r/min", symbol="n", unit="1",
+    Misprint(name="critical speeds computed at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
     Misprint(name="reason given for the response nodes", symbol="", unit="1",

@@ -39,17 +39,18 @@ def table_1(context: Context) -> Table:
     for i in range(MODES):
         exact, beams = v[f"frequency_{i + 1}"], coarse[f"frequency_{i + 1}"]
         rows.append((
-            i + 1, "not in the text", round(beams, 3), round(exact, 3),
+            i + 1, "not available", round(beams, 3), round(exact, 3),
             f"{100 * (beams / exact - 1):.4f}", round(float(solid[-1, i]), 2),
             f"{100 * (exact / float(solid[-1, i]) - 1):+.2f}",
         ))  # fmt: skip
     return Table(
-        title=f"Natural frequencies at {context.inputs.speed / RPM:.5g} r/min (Table 1's layout)",
+        title=f"Natural frequencies at {context.inputs.speed / RPM:.5g} r/min (layout of Table 1)",
         header=("order", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
-                "20 elements, error [%]", "elastic bodies [Hz]", "exact beams, error [%]"),
+                "error of 20 elements [%]", "elastic bodies [Hz]", "error of exact beams [%]"),
         rows=tuple(rows),
-        note="Frequencies of the central system, with backward before forward whirl. The text "
-             "contains no number of Table 1.",
+        note="The frequencies are those of the central system; in each pair, backward whirl comes "
+             "before forward whirl. The numbers of Table 1 are not in the text of the paper that "
+             "was available for this project.",
     )  # fmt: skip
 
 
@@ -62,12 +63,13 @@ def facts(context: Context) -> Table:
         for s in STATEMENTS
     )
     return Table(
-        title="Statements of the paper that were not fitted, in the sets of parameters",
-        header=("statement", "place", "holds in", "%", "unbalances opposite: holds in", "%"),
+        title="Statements of the paper that were not used in the fit",
+        header=("statement", "place", "holds in", "%", "opposite unbalances: holds in", "%"),
         rows=rows,
-        note=f"No set was chosen by these statements; at most {int(most.max())} of "
-             f"{len(STATEMENTS)} hold in one set. A set is not evaluated if a compared response "
-             "has no peak near a critical speed.",
+        note=f"At most {int(most.max())} of the "
+             f"{len(STATEMENTS)} statements hold in the same set of parameters. A set is not "
+             "counted for a statement if a response that the statement compares has no peak near a "
+             "critical speed.",
     )  # fmt: skip
 
 
@@ -88,12 +90,13 @@ def unknowns(members: Array | None) -> Table:
     return Table(
         title="Values missing in the paper: ranges before and after the fit of three critical "
               "speeds",
-        header=("symbol", "what", "unit", "from", "to", "5th percentile", "median",
-                "95th percentile", "reason"),
+        header=("symbol", "parameter", "unit", "lower limit", "upper limit", "5th percentile",
+                "median", "95th percentile", "reason of the limits"),
         rows=tuple(rows),
-        note="Logarithms of the values are uniformly distributed before the fit. Discs are 20 mm "
-             "wide, the drum has the relative wall thickness of the outer race in Ref. 9; all "
-             "parts are of steel.",
+        note="Before the fit, the logarithms of the values are uniformly distributed between the "
+             "limits. Percentiles and medians are those after the fit. Discs are 20 mm wide. The "
+             "ratio of bore to diameter of the drum is that of the outer race in Ref. 9. All parts "
+             "are of steel.",
     )  # fmt: skip
 
 
@@ -111,11 +114,12 @@ def slopes(elasticities: Array) -> Table:
     )
     return Table(
         title="Change of a critical speed in % for an increase of a parameter by 1 %",
-        header=("symbol", "what", *(f"n_{k}" for k in ORDERS)), rows=rows,
-        note="Medians of the sets. The three speeds determine three combinations of the "
-             "parameters; a step of 1 % along these changes the speeds "
+        header=("symbol", "parameter", *(f"n_{k}" for k in ORDERS)), rows=rows,
+        note="The values are medians over the sets. The three speeds determine three combinations "
+             "of the parameters: a change of 1 % in one of these combinations changes the speeds "
              "by " + ", ".join(f"{float(x):.2g}" for x in stiff)
-        + f" %. Along {len(PARAMETERS) - len(stiff)} other combinations the speeds do not change.",
+        + f" %, respectively. Changes in {len(PARAMETERS) - len(stiff)} other combinations do not "
+        "change the speeds.",
     )  # fmt: skip
 
 

@@ -159,10 +159,12 @@ ROTORS = (
             "(speed 2)",
             pose=partial(sprags, n),
             quantities=(
-                *(frequency(k, f"natural frequency {k}, beams", beside=True) for k in whirls),
+                *(frequency(k, f"natural frequency {k}, beam elements", beside=True)
+                  for k in whirls),
                 Quantity(name="orbit, speed 2", symbol=f"x_{n}", unit="µm", allowed=EXACT,
                          why=BEAMS, beside=True,
-                         row=f"amplitude of node {n} at the rig's speed, no damping"),
+                         row=f"amplitude of node {n} at the speed of the test rig, without "
+                         "damping"),
             ),
         )
         for n, whirls in ((4, (1, 2, 3)), (19, (4, 5, 6)))
