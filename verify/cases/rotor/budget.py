@@ -62,7 +62,7 @@ STATEMENTS: Mapping[str, Statement] = {
                   inputs=flat, rows=("stiffness*", "tilting*", "coupling*", "torsional*")),
             Rerun(cause=Cause.DISPLACEMENT, what="a tenth of the offset", inputs=centred,
                   rows=("*offset*", "*and tilt")),
-            Rerun(cause=Cause.GEOMETRY, what="a tenth of the crown", inputs=uncrowned,
+            Rerun(cause=Cause.GEOMETRY, what="a tenth of the drop of the crown", inputs=uncrowned,
                   rows=("*crown*",)),
         ),
         left=(
@@ -70,7 +70,8 @@ STATEMENTS: Mapping[str, Statement] = {
                  "neither wedge angle nor offset nor crown explains this difference; no other "
                  "cause was varied"),
             Left(("stiffness along x, sprags pinned*",),
-                 "with a smaller wedge angle the difference decreases by more than its size"),
+                 "with a smaller wedge angle the difference changes its sign: two effects of "
+                 "opposite sign partly cancel each other"),
         ),
         without=(Without(Cause.PLANE, "struts"),
                  Without(Cause.CONTACT, "none: the same contact law in both")),

@@ -1,7 +1,8 @@
 """Inputs of a sprag clutch between two rotors: sprags, deflections, torque, and uneven states.
 
 The paper states only the torque of its test rig. Radii and number of sprags are those that the
-same authors print for their clutch of 2018; wedge angle and length are identified there.
+same authors print for their clutch of 2018; wedge angle and length are those identified for that
+clutch.
 """
 
 import math
@@ -39,7 +40,8 @@ class SpragLink(Case):
                      "states with offset", gt=0, le=1e4)  # fmt: skip
     drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the ends "
                         "of a sprag in the states with crown", ge=0, le=1e4)  # fmt: skip
-    missing: int = count(1, "m", "number of adjacent missing sprags, in states without them",
+    missing: int = count(1, "m", "number of adjacent sprags that are missing in the states with "
+                         "sprags missing",
                          ge=1, le=197)  # fmt: skip
 
     @model_validator(mode="after")

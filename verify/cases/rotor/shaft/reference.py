@@ -88,7 +88,7 @@ def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> RotatingSolid:
-    """Elastic body, supported transversely at its ends; with `half`, one of its halves at L/2."""
+    """Elastic body, supported transversely at its ends, or its `half` with symmetry at L/2."""
     cells = level * ALONG // (2 if half else 1)
     across = (level + 1) // 2 if half else level
     mesh = section(

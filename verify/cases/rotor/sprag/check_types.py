@@ -69,8 +69,8 @@ class Share(Claim):
 class Claimed(Share):
     """A statement of the paper, evaluated for the sets that have the compared peaks.
 
-    It is also evaluated with opposite unbalances. The statement of the paper names only nodes, not
-    values.
+    The statement is also evaluated with opposite unbalances. It contains only nodes, no values of
+    the response.
     """
 
     statement: Statement

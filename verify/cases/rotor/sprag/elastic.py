@@ -24,7 +24,8 @@ from verify.judging.convergence import grid_convergence
 class Bodies(Claim):
     """Row of exact beams against elastic bodies with the same springs and discs, status SHOWN.
 
-    No second source gives the flexibility of a bell on a shaft, so that no interval is expected.
+    No second source gives the flexibility of a drum on a shaft; therefore, no interval of the error
+    is derived.
     """
 
     kind = Kind.APPROXIMATION

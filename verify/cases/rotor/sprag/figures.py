@@ -81,7 +81,7 @@ def shapes(context: Context, a: Arrays) -> Whirl:
         lines = tuple(
             (z[own], both[own, 0], both[own, 1]) for own in (slice(OUTER), slice(OUTER, None))
         )
-        modes.append(Mode(name=f"order {order}, forward", lines=lines))
+        modes.append(Mode(name=f"mode {order}, forward", lines=lines))
     return Whirl(
         title=f"Modes 1, 3 and 5 of the central system at {context.inputs.speed / RPM:.5g} r/min "
         "(Fig. 7)",
@@ -137,7 +137,8 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
     x = a["grid"] / RPM
     return tuple(
         plot(
-            f"Response of node {SHOWN_NODES[i]} for three unbalances 2 (Fig. 11)", "n [r/min]",
+            f"Response of node {SHOWN_NODES[i]} for three values of unbalance 2 (Fig. 11)",
+            "n [r/min]",
             "|x| [µm]",
             (
                 line(f"{U * 1e5:.3g}e-5 kg m", x, a["nodes over speed"][1, k, i] / um, k)
@@ -201,7 +202,7 @@ def parallel(a: Arrays) -> Parallel:
     )
     members = np.concatenate([a["members"], CENTRAL[None]]) / factors
     return Parallel(
-        title="Sets of parameters that all have the three printed critical speeds", axes=axes,
+        title="Sets of parameters that give the three printed critical speeds", axes=axes,
         members=members, highlighted=((len(members) - 1, "central system", 0),),
         members_name="sets of parameters",
         note="Each line is a set of parameters that gives all three speeds: the speeds determine "

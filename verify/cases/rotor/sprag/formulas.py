@@ -105,9 +105,7 @@ Whirl = Literal["forward", "backward"]
 class CentralSystem(SpragRotorInputs):
     """Results of the central system."""
 
-    @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed of comparison").over(
-        range(1, MODES + 1)
-    )
+    @Quantity("f_{0}", "Hz", "natural frequency {0} at speed n").over(range(1, MODES + 1))
     def frequency(self, k: int) -> float:
         return float(self._frequencies[k - 1] / (2 * pi))
 
@@ -167,7 +165,7 @@ class CentralSystem(SpragRotorInputs):
     def coupling(self) -> float:
         return coupling(self.offset)
 
-    @Quantity("K_xz1", "N", "coupling of bending and torsion by the offset, first order",
+    @Quantity("K_xz1", "N", "coupling of bending and torsion, first order in the offset",
               role="step",
               source="to first order in the offset",
               tex=r"(m - 1) K_{xx} d_t \Delta x/\delta_0")  # fmt: skip

@@ -71,8 +71,8 @@ class SpragRotorInputs(Case):
                             "the sprags (not printed)", ge=0.001, le=0.9,
     )  # fmt: skip
     anisotropy: float = given(
-        0.2, "1", "k_y/k_x − 1", "relative excess of the stiffness along y over that along x, "
-                                 "bearings to the ground (not printed)", ge=0, le=2,
+        0.2, "1", "k_y/k_x − 1", "stiffness of the bearings to the ground: relative excess along "
+                                 "y over that along x (not printed)", ge=0, le=2,
     )  # fmt: skip
 
     @model_validator(mode="after")

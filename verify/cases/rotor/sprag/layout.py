@@ -53,12 +53,12 @@ PARAMETERS = (
     Parameter(symbol="d_1", what="shaft diameter of the outer rotor", unit="mm", factor=1e-3,
               low=25, high=45, reason="seats of angular contact bearings for 36,000 r/min"),
     Parameter(symbol="D", what="drum diameter of the outer rotor", unit="mm", factor=1e-3,
-              low=45, high=80, reason="about 52.5 mm, as in the same authors' clutch (Ref. 9)"),
+              low=45, high=80, reason="about 52.5 mm in the clutch of the same authors (Ref. 9)"),
     Parameter(symbol="d_2", what="diameter of the inner rotor", unit="mm", factor=1e-3,
-              low=16, high=32, reason="about 22.2 mm, as the inner race of the same authors' "
-                                      "clutch (Ref. 9)"),
+              low=16, high=32, reason="about 22.2 mm for the inner race in the clutch of the "
+                                      "same authors (Ref. 9)"),
     Parameter(symbol="m_4", what="mass of the disc at node 4", unit="kg", factor=1.0,
-              low=0.3, high=3, reason="steel, 20 mm wide, diameter 55 to 160 mm"),
+              low=0.3, high=3, reason="steel disc, 20 mm wide, with a diameter of 55 to 160 mm"),
     Parameter(symbol="m_19", what="mass of the disc at node 19", unit="kg", factor=1.0,
               low=0.3, high=3, reason="the same range as for the disc at node 4"),
     Parameter(symbol="k_g", what="stiffness of bearings 1, 2 and 5", unit="MN/m", factor=1e6,
@@ -67,7 +67,7 @@ PARAMETERS = (
     Parameter(symbol="k_s", what="stiffness of bearings 3 and 4", unit="MN/m", factor=1e6,
               low=10, high=300, reason="the same range as for the bearings to the ground"),
     Parameter(symbol="k_c", what="radial stiffness of the clutch", unit="MN/m", factor=1e6,
-              low=100, high=3000, reason="n T/(2 d_t δ_0) at 15 N m, with δ_0 of 3 to 200 µm"),
+              low=100, high=3000, reason="n T/(2 d_t δ_0) at T = 15 N m, with δ_0 = 3 to 200 µm"),
 )  # fmt: skip
 L_1, L_2, L_3, L_4, D_1, D, D_2, M_4, M_19, K_G, K_S, K_C = range(len(PARAMETERS))
 LOW = np.array([p.low * p.factor for p in PARAMETERS])

@@ -92,15 +92,15 @@ def never_between(context: Context) -> tuple[float, str]:
     rising = peaks[:, 1] > peaks[:, 0]
     if not rising.any():
         return -1.0, (
-            "the peak does not rise for unbalance 2 from 1 to 3e-5 kg m in any of "
+            "the peak does not rise for unbalance 2 from 1e-5 to 3e-5 kg m in any of "
             f"{rising.size} sets with a peak"
         )
     step = peaks[rising, 2] / peaks[rising, 1] - 1
     words = (
-        "the peak rises for unbalance 2 from 1 to 3e-5 kg m in "
+        "the peak rises for unbalance 2 from 1e-5 to 3e-5 kg m in "
         f"{int(rising.sum())} of {rising.size} sets with a peak; in all of these sets it also "
-        f"rises from 3 to 5e-5 kg m, by {100 * step.min():.0f} % or more; the peak falls from 3 to "
-        f"5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
+        f"rises from 3e-5 to 5e-5 kg m, by {100 * step.min():.0f} % or more; the peak falls from "
+        f"3e-5 to 5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
     )
     return float(step.min()), words
 

@@ -32,8 +32,8 @@ COARSEST = 0.012  # m, cell size before refinement
 def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
     """Frequencies (3, 6) [Hz] of the bodies on three meshes at `q.speed`, in ascending order.
 
-    Also the frequencies (6,) of the coarsest mesh with bands of twice the width, and the mass [kg],
-    the polar and the diametral moment about node 1 [kg m^2] of all rotating parts.
+    Further results are the frequencies (6,) of the coarsest mesh with bands of twice the width, and
+    the mass [kg], the polar and the diametral moment about node 1 [kg m^2] of all rotating parts.
     """
     from fem.fourier.inertia import rigid_inertia
 

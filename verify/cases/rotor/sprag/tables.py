@@ -45,7 +45,7 @@ def table_1(context: Context) -> Table:
         ))  # fmt: skip
     return Table(
         title=f"Natural frequencies at {context.inputs.speed / RPM:.5g} r/min (layout of Table 1)",
-        header=("order", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
+        header=("mode", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
                 "error of 20 elements [%]", "elastic bodies [Hz]", "error of exact beams [%]"),
         rows=tuple(rows),
         note="The frequencies are those of the central system; in each pair, backward whirl comes "
@@ -88,8 +88,8 @@ def unknowns(members: Array | None) -> Table:
             left = tuple(f"{float(x):.3g}" for x in spread)  # type: ignore[assignment]
         rows.append((p.symbol, p.what, p.unit, p.low, p.high, *left, p.reason))
     return Table(
-        title="Values missing in the paper: ranges before and after the fit of three critical "
-              "speeds",
+        title="Parameters that the paper does not print: ranges before and after the fit to three "
+              "critical speeds",
         header=("symbol", "parameter", "unit", "lower limit", "upper limit", "5th percentile",
                 "median", "95th percentile", "reason of the limits"),
         rows=tuple(rows),
