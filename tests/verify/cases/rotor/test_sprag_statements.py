@@ -63,7 +63,8 @@ CASES = [
      twisted(0, 0.2)),
     ("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
      over_unbalance([3, 2, 1], 1, 19), over_unbalance([3, 2, 1], 2, 19)),
-    ("amplitude of node 2 at every peak is below half the median of nodes without bearings",
+    ("amplitude of node 2 at every peak is below half the median amplitude of nodes without "
+     "bearings",
      peaks({2: 0.4}), peaks({2: 0.6})),
     ("nodes 13 to 19 have their highest peaks at critical speed 1", first(*range(13, 20)),
      first(*range(13, 19))),
@@ -72,7 +73,7 @@ CASES = [
     ("torsion is highest at critical speed 1", falling(3, 2, 1), falling(2, 1, 3)),
     ("peaks of node 4 grow with unbalance 2", over_unbalance(RISING, 2, 4),
      over_unbalance([1, 3, 2], 2, 4)),
-    ("peak of node 19 at critical speed 3 is lower for unbalance 2 of 5e-5 than of 3e-5 kg m",
+    ("peak of node 19 at critical speed 3 is lower with unbalance 2 = 5e-5 than with 3e-5 kg m",
      over_unbalance([1, 3, 2], 1, 19), over_unbalance([3, 1, 2], 1, 19)),
     ("loads of bearings 3 and 4 grow with unbalance 2", loads(), loads(over_u=[1, 3, 2])),
     ("loads of bearings 3 and 4 are higher at higher critical speeds", loads(over_u=[3, 2, 1]),

@@ -73,7 +73,7 @@ def refusal(q: ClutchStiffness) -> str:
     if twist > LARGEST_TWIST:
         return (
             f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, but the struts of the "
-            f"reference represent rolling sprags up to {math.degrees(LARGEST_TWIST):.3g}° only; "
+            f"reference are valid up to {math.degrees(LARGEST_TWIST):.3g}° for rolling sprags; "
             "check it without --fem"
         )
     if open_ends(q, "crown") or open_ends(q, "together"):

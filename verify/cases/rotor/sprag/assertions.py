@@ -152,8 +152,8 @@ STATEMENTS = (
               symbol="x_11", holds=lambda a: outer(a, 11, 3, 5, last=11),
               compares=lambda a: outer_peaks(a, 3, 5, last=11),
               printed=value("outer-highest-node-at-critical-3-and-5")),
-    *(Statement(name=f"amplitude of node {node} at every peak is below half the median of nodes "
-                     "without bearings",
+    *(Statement(name=f"amplitude of node {node} at every peak is below half the median amplitude "
+                     "of nodes without bearings",
                 symbol=f"x_{node}", holds=partial(small, node=node),
                 compares=lambda a: outer_peaks(a, *ORDERS),
                 printed=value(f"outer-small-node-at-bearing-{k}"))
@@ -177,7 +177,7 @@ STATEMENTS = (
     growing("peaks of node 4 grow with unbalance 2", 4),
     growing("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2", 19,
             slice(None, None, 2)),
-    Statement(name="peak of node 19 at critical speed 3 is lower for unbalance 2 of 5e-5 than of "
+    Statement(name="peak of node 19 at critical speed 3 is lower with unbalance 2 = 5e-5 than with "
                    "3e-5 kg m", symbol="x_19", holds=anomaly,
               compares=lambda a: a["peaks"][:, 1:, 1, 18]),
     *(Statement(name=name, symbol=symbol, holds=holds, compares=lambda a: a["loads"])

@@ -202,7 +202,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
       for key, what in (("without clutch", "lateral and tilting"),
                         ("without clutch across", "lateral"), ("without clutch in tilt", "tilting"))
       for i, k in enumerate(ORDERS)),
-    *(Spread(name="difference between the forward and the backward critical speed of pair "
+    *(Spread(name="difference between backward and forward critical speed "
                   f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
              values=of_speed("backward", i), words=" of the forward critical speed")
       for i, k in enumerate(ORDERS)),

@@ -53,8 +53,12 @@ def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
     if q.is_default:
         yield from _of_companion()
     for name, level, figure in (
-        ("frequency of largest error, one element per segment", 0, COARSE),
-        (f"frequency of largest error, {FINER} elements per segment", -1, FINE),
+        ("frequency or critical speed with the largest error, one element per segment", 0, COARSE),
+        (
+            f"frequency or critical speed with the largest error, {FINER} elements per segment",
+            -1,
+            FINE,
+        ),
     ):
         yield _accepted(q, name, level, figure)
     last = rotor.euler(FREQUENCIES)
@@ -87,7 +91,9 @@ def _of_companion() -> Iterator[Comparison]:
         yield _identical(rotor.frequency(k), built, name=f"{built.words}: natural frequency {k}")
     for criticals, shaft in ((rotor.critical_first, "outer"), (rotor.critical_other, "inner")):
         for k in (1, 2):
-            words = f"{built.words}: critical speed {k}, unbalance of the {shaft} shaft"
+            words = (
+                f"{built.words}: critical speed {k} excited by the unbalance of the {shaft} shaft"
+            )
             yield _identical(criticals(k), built, name=words, symbol="n_c")
     for one, words in ((rotor.amplitude, "amplitude of the probe node"),
                        (rotor.support_load, "load of the first bearing to the ground"),
