@@ -70,9 +70,13 @@ def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_spe
     assert found[0] == (
         "clear: no critical speed within 15% of the operating range 5600 to 9000 r/min"
     )
-    assert f"critical speed {below:.5g} r/min (unbalance of outer, forward whirl): " in found[1]
+    assert (
+        f"critical speed {below:.5g} r/min (unbalance of shaft outer, forward whirl): " in found[1]
+    )
     assert f"{1 - below / 5600:.1%} below the operating range" in found[1]
-    assert f"critical speed {above:.5g} r/min (unbalance of inner, forward whirl): " in found[2]
+    assert (
+        f"critical speed {above:.5g} r/min (unbalance of shaft inner, forward whirl): " in found[2]
+    )
     assert f"{above / 9000 - 1:.1%} above the operating range" in found[2]
     assert summary["verdict"] == "clear"
     assert not warned

@@ -67,7 +67,7 @@ def _told(q: TransferRotor, critical: Critical) -> str:
         "" if far == 0 else "below the operating range" if far < 0 else "above the operating range"
     )
     return (
-        f"critical speed {critical.speed / RPM:.5g} r/min (unbalance of {critical.shafts}, "
+        f"critical speed {critical.speed / RPM:.5g} r/min (unbalance of shaft {critical.shafts}, "
         f"{SENSE[critical.whirl]} whirl): {place}"
     )
 

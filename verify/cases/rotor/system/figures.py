@@ -33,7 +33,8 @@ def _campbell(q: TransferRotor) -> Campbell:
     speeds, w, whirl = q.campbell
     top = 1.05 * float(w[np.isfinite(w)].max()) / Hz
     lines = tuple(
-        (f"unbalance of {' and '.join(e.shafts)}", abs(e.ratio) * RPM / Hz) for e in q.study.excited
+        (f"unbalance of shaft {' and '.join(e.shafts)}", abs(e.ratio) * RPM / Hz)
+        for e in q.study.excited
     )
     ratio = {" and ".join(e.shafts): abs(e.ratio) for e in q.study.excited}
     met = tuple(
@@ -96,7 +97,7 @@ def _response(q: TransferRotor) -> Curves:
             names = " and ".join(s.name for s in q.shafts if s.ratio == ratio)
             found = transfer_unbalance_response(q.rotor, speeds, group, excitation=ratio)
             y = found.amplitude(q.probe - 1) / um
-            curves.append(line(f"unbalance of {names}", speeds / RPM, y, k))
+            curves.append(line(f"unbalance of shaft {names}", speeds / RPM, y, k))
     return plot(f"Amplitude of node {q.probe} over the speed", "n [r/min]", "|r| [µm]", curves,
                 y_log=True, note="The amplitude is the semi-major axis of the orbit.")  # fmt: skip
 
