@@ -47,8 +47,8 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
     first = BeamTheories.at_rest(1)
     yield limit(first, "frequency of Euler's beam as d_o/L goes to 0", "ω",
                 points=partial(_euler_limit, beam), exponent=2)  # fmt: skip
-    limit_check = FormulasLimit(name="frequency of Timoshenko's beam as d_o/L goes to 0", symbol="ω",
-                         unit="1", points=lambda _: _timoshenko_limit(beam),
+    limit_check = FormulasLimit(name="frequency of Timoshenko's beam as d_o/L goes to 0",
+                         symbol="ω", unit="1", points=lambda _: _timoshenko_limit(beam),
                          exponent=4)  # fmt: skip
     yield Comparison(check=limit_check, quantity=first)
     yield from _orders(beam)
