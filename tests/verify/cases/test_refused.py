@@ -64,7 +64,7 @@ REFUSED = [
     ("sprag-clutch", {"t_ramp": "0.1 s"}, "the ramp of the torque must end by t_end"),
     ("sprag-optimum", {"K_1_low": 6.0}, "K_1_low < K_1_high, got K_1_low = 6, K_1_high = 5"),
     ("sprag-optimum", {"z_m_low": "0.03 mm"}, "got z_m_low = 0.03 mm, z_m_high = 0.025 mm"),
-    ("sprag-optimum", {"population": 11}, "the population must be even"),
+    ("sprag-optimum", {"population": 11}, "in the population must be even"),
     (
         "spring-stages",
         {"width_factor": 1.2},

@@ -48,12 +48,12 @@ LONG = Rerun(cause=Cause.GEOMETRY, what="sprags four times as long, same load pe
              inputs=long, levels=(41, 81))  # fmt: skip
 # the deflection of a slice depends on its load only, a strip's deflection on all loads
 EVEN = Rerun(
-    cause=Cause.GEOMETRY, what="and a hundredth of the crown: uniform load",
+    cause=Cause.GEOMETRY, what="and K_1 and z_m a hundredth as large, for a uniform load",
     rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 # at the larger torque, the largest pressure would then be at the ends
 HALF = Rerun(
-    cause=Cause.GEOMETRY, what="and half the crown", rows=("largest pressure*",),
+    cause=Cause.GEOMETRY, what="and K_1 and z_m half as large", rows=("largest pressure*",),
     inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 STRIPS = (
@@ -66,17 +66,18 @@ IN_TIME = (
     Without(Cause.GEOMETRY, "both models have the same geometry"),
 )
 
-LAW = "slices deflect by Palmgren's law of a whole roller; no run of the strips uses this law"
+LAW = "slices use Palmgren's law of a whole roller; no computation by strips uses this law"
 SLICED = (Left(("pressure at mid-length*", "largest pressure*"), LAW),)
 WEDGE = Left(
-    ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
-    "a quarter of the torque and thicker races remove more than the whole difference",
+    ("force ratio T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
+    "a quarter of the torque and thicker races change the results by more than the difference",
 )
-STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the wind-up of rigid "
-             "races; see the parts of that row")  # fmt: skip
+STIFF = Left(("torsional stiffness of rigid races*",), "the stiffness is T divided by the wind-up "
+             "of rigid races, whose difference is decomposed")  # fmt: skip
 TURNED = Left(
     ("wind-up of the races by rolling*",),
-    "neither the torque nor the races explain it; no other cause was varied",
+    "neither a quarter of the torque nor thicker races explain the difference; no other cause was "
+    "varied",
 )
 
 STATEMENTS: Mapping[str, Statement] = {
@@ -88,29 +89,30 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(BOTH,), left=(WEDGE, TURNED, STIFF),
         corrected=(
-            Corrected("rotation with half planes and Eq. 6 for long races, at N_0", "alpha_rigid",
+            Corrected("rotation of the sprags with half planes and Eq. 6 for long races, at N_0",
+                      "alpha_rigid",
                       "half planes and Eq. 6, against the deflections of elastic bodies"),
-            Corrected("rotation with Eqs. 9, 10 as printed and elastic deflections, at N_0",
-                      "alpha_rigid"),
+            Corrected("rotation of the sprags with Eqs. 9, 10 as printed and elastic deflections, "
+                      "at N_0", "alpha_rigid"),
             Corrected("torque with the lever arm of Eq. 16 as printed, at N_0", "torque_rigid",
                       "lever arms are half of those of Eq. 9"),
-            Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
-                      "Palmgren's law, against deflections of elastic bodies"),
-            Corrected("rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
+            Corrected("rotation of the sprags with Palmgren's law, Eqs. 6 and 7, at N_0",
+                      "alpha_rigid", "Palmgren's law, against deflections of elastic bodies"),
+            Corrected("rotation of the sprags with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
                       "alpha_rigid", "Palmgren's law, against deflections of elastic bodies"),
             Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, against elastic bodies"),
-            Corrected("rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, "
-                      "at T", "alpha", "both as printed, against corrected Eqs. 9, 10 with "
-                      "deflections of elastic bodies"),
+            Corrected("rotation of the sprags as in the paper, with Palmgren's law in Eqs. 9, 10 "
+                      "as printed, at T", "alpha", "Palmgren's law and Eqs. 9, 10 as printed, "
+                      "against corrected Eqs. 9, 10 with deflections of elastic bodies"),
             *(
                 Corrected(row.format(race), f"{key}_{race[0].replace('o', 'e')}_rigid", what)
                 for race in ("inner", "outer")
                 for row, key, what in (
                     ("mean displacement of the {} race (Eq. 6 as printed, for thin races), at N_0",
-                     "mean", "as printed for a thin race, against a long race"),
-                    ("displacement by Eq. 6 alone of the {} race under a sprag, at N_0", "race",
-                     "mean over the race, against the point under a sprag"),
+                     "mean", "Eq. 6 as printed, for thin races, against Eq. 6 for long races"),
+                    ("displacement of the {} race under a sprag by Eq. 6 alone, at N_0", "race",
+                     "mean displacement of the race, against that under a sprag"),
                 )
             ),
         ),

@@ -14,11 +14,13 @@ from verify.cases.freewheel.inputs import in_millimetres
 from verify.core.inputs import Inputs, count, meta, quantity
 
 IDENTIFIED = {
-    "l": "length of the sprags: a rectangle with m_g and I_g of Table 1 has the length 9.04 mm",
-    "b": "width of the sprags: that rectangle has the width 3.05 mm; it changes forces by 0.3 %",
-    "nu_0": "wedge angle: from the pressure printed for 25 N m with the optimised crown",
-    "k_out": "stiffness of the outer race's support, printed as large",
-    "Q": "design load of the crown: the static load at 25 N m",
+    "l": "length of the sprags. A rectangular sprag with m_g and I_g of Table 1 has the length "
+    "9.04 mm",
+    "b": "width of the sprags. A rectangular sprag with m_g and I_g of Table 1 has the width "
+    "3.05 mm, which would change forces by 0.3 %",
+    "nu_0": "wedge angle. It gives the pressure printed for 25 N m with the optimised crown",
+    "k_out": "stiffness of the support of the outer race. The paper prints only that it is large",
+    "Q": "design load of the crown. It is the static load at 25 N m",
 }
 ASSUMED = {
     "E": "steel",
@@ -26,7 +28,7 @@ ASSUMED = {
     "density": "steel",
     "mu_s": "dry to mixed friction of rolling steel",
     "mu_c": "dry to mixed friction of rolling steel",
-    "gamma_b": "friction decreases over a few m/s",
+    "gamma_b": "friction decreases within sliding speeds of a few m/s",
     "alpha_max": "half of the angle subtended by the width b of a sprag",
     "n": "the races are initially at rest",
 }

@@ -20,8 +20,8 @@ SLICED = 0.02  # acceptance figure of a pressure by slices; STRIPS: by strips
 STRIPS = 0.003
 WIDER = 0.045  # demand of a row with that interval
 BY_STRIPS = "strips"
-PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
-FITTED = f"depends on {len(IDENTIFIED)} identified inputs"
+PLACE = "accepted errors of slices (2 %) and of strips (0.3 %)"
+FITTED = f"the result depends on {len(IDENTIFIED)} identified inputs"
 UNFITTED = "no wedge angle between {:.2g} and {:.2g}° gives the pressure printed at 25 N m".format(
     *np.degrees(ANGLES)
 )
@@ -73,14 +73,14 @@ class Noted(Claim):
             reason = f"{words}; ledger {self.erratum}"
             verdict = replace(verdict, status=Status.NOTE, reason=reason)
         else:
-            reason = f"contradicts the ledger entry {self.erratum}: {words}"
+            reason = f"the result contradicts the ledger entry {self.erratum}: {words}"
             verdict = replace(verdict, reason=reason if math.isfinite(margin) else UNFITTED)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Beside(Claim):
-    """Value computed with identified inputs, compared with a printed or given `figure` [SI].
+    """Value computed with identified inputs, compared with the number `figure` [SI].
 
     If inputs were `fitted` to the number, the status is CALIBRATED within `bound` and FAIL beyond.
     Otherwise the value is a prediction with the status SHOWN.
@@ -105,7 +105,7 @@ class Beside(Claim):
             return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=self.figure,
                               published=self._printed(context))]  # fmt: skip
         error = v / self.figure - 1
-        reason, status = f"{error:+.1%}: {self.words}", Status.SHOWN
+        reason, status = f"the difference is {error:+.1%}; {self.words}", Status.SHOWN
         if self.fitted:
             status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
             reason = f"{reason}; {self.fitted}"

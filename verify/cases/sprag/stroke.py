@@ -51,7 +51,7 @@ def at_rotation(q: WedgeInputs, alpha: float) -> Start[Place]:
 
 @lru_cache(256)
 def at_force(q: WedgeInputs, P: float) -> Start[Place]:
-    """Equilibrium state with about `P` [N/m] on the inner contact, on coarse meshes.
+    """Equilibrium state with a force of about `P` [N/m] on the inner contact, on coarse meshes.
 
     Raises NotFoundError if the force is not reached in MOST steps.
     """
@@ -64,8 +64,8 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
         # forces grow a little faster than deflections, deflections about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
     raise NotFoundError(
-        f"no sprag rotation was found that gives the force {P:.4g} N/m: this force differs from "
-        f"that of the last iterate by {share - 1:.1%}"
+        f"no sprag rotation was found that gives the force {P:.4g} N/m: this force differs by "
+        f"{share - 1:.1%} from that of the last iterate"
     )
 
 

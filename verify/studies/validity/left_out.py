@@ -4,11 +4,12 @@ from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
     "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
-    "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
-    "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
-    "crowns",
-    "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
-    "the crowns",
+    "sprag-friction": "one set of inputs takes five minutes of transient analysis; only the rows "
+    "of the case are computed",
+    "sprag-optimum": "one set of inputs takes a complete search for the optimal crown; the maps "
+    "show pressures over the crowns",
+    "sprag-optimum-40": "one set of inputs takes a complete search for the optimal crown; the maps "
+    "show pressures over the crowns",
     "spring-curve": "a point takes a minute: spring-stages measures the same stiffness",
     "contact-roller-end": "one set of inputs takes two minutes with three-dimensional elements; "
     "the case contact-roller measures the same formulas outside the ends",

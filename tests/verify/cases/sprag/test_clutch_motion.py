@@ -35,7 +35,7 @@ def test_the_first_peak_of_an_engagement_is_1_86_times_the_static_force():
         ({"T": 72.0}, "rolls over", "holds at rest, rolls over in the first peak; longer",
          "the sprags roll over"),
         ({"T": 600.0, "alpha_max": 3.0}, "no state", "the formulas give no equilibrium at rest, "
-         "the formulas end before", "the contacts become too wide for the formulas"),
+         "the first peak is beyond", "the contacts become too wide for the formulas"),
         ({"T": 55.0}, "overloaded", "holds at rest, is overloaded in the first peak",
          "the clutch locks"),
         (SLIPPERY, "slips", "slips at rest, slips permanently in the engagement",

@@ -47,7 +47,10 @@ def test_nothing_fails_but_what_this_small_study_cannot_have_and_a_seed_repeats_
         row.quantity for check in SURROGATE for row in check.rows(context)
         if row.status is Status.FAIL
     }  # fmt: skip
-    assert failed <= {"leave-one-out estimates miss nine tenths of the error of a single kriging"}
+    assert failed <= {
+        "leave-one-out estimates of the error of a single kriging model are less than a tenth of "
+        "this error"
+    }
 
 
 def test_a_surrogate_that_is_off_by_2_per_cent_finds_no_agreement(monkeypatch):

@@ -13,9 +13,9 @@ from verify.cases.sprag.engagement.case import ENGAGEMENT
 from verify.cases.sprag.wedge.case import WEDGE
 
 TURN, FORCE = "rotation of the sprags under torque", "normal force under torque"
-LARGEST = "largest pressure under half of N by slices, inner race"
+LARGEST = "largest pressure, inner race, under N/2, by slices"
 LONG = "rotation of the sprags with elastic deflections"
-OMEGA = "T_e/N_e against the strut's tan ω (Eq. 10), at N_0"
+OMEGA = "force ratio T_e/N_e against tan ω (Eq. 10), at N_0"
 
 
 def as_printed(_):
@@ -47,9 +47,9 @@ READINGS = [
      "Eqs. 9 and 10 as printed"),
     (WEDGE, OMEGA, closure, "closed", of_a_closure(
         lambda OA_s, OA, d: {"OA_s": OA_s, "OA": OA - d / 2}), "all of δ_HI in the lever arm"),
-    (WEDGE, "rotation with Eqs. 9, 10 as printed", printed, "wedged", lambda _: closure.wedged,
-     "the corrected closure as printed"),
-    (ENGAGEMENT, "force at rest after a slow rise", race_spring, "wedged", as_printed,
+    (WEDGE, "rotation of the sprags with Eqs. 9, 10 as printed", printed, "wedged",
+     lambda _: closure.wedged, "the corrected closure as printed"),
+    (ENGAGEMENT, "normal force at rest, after a slow rise", race_spring, "wedged", as_printed,
      "Eqs. 9 and 10 as printed"),
     (CLUTCH, TURN, LogSprag, "rho_0", polar, "r_i a polar radius"),
     (CLUTCH, "normal force with rigid races (Liu)", SpragClutch, "rigid_races",

@@ -20,7 +20,7 @@ from verify.judging.profile_checks import Estimated
 LAW = 2e-5  # standard relative error of N and tan(nu) by the cubic between loads of a law
 LAW_ALPHA = 1e-3  # likewise for rotations and deflections, at most 0.15 % of the contacts' share
 DRAWN = "numerical profile, same deflection laws"
-FROM_DRAWN = 1e-3, "cubic interpolation between the loads of the contact laws, stated in u_ref"
+FROM_DRAWN = 1e-3, "u_ref includes the cubic interpolation between the loads of the contact laws"
 SLIPS = 0.01
 SAME_CONTACT = "line contacts, radius of the inner contact under load"
 SAME_LAWS = "deflections by the laws of Eqs. 2-8"
@@ -55,10 +55,10 @@ def by_drawn(
 def drawn_states(clutch: Any) -> Iterator[Comparison]:
     """Rows on rolling, rigid races, printed Eqs. 9 and 10, and two variants of the clutch."""
     c, paper = ClutchFormulas, clutch.is_default
-    yield by_drawn(c.theta, "wind-up of the races, finite steps of rolling", "θ(T)")
+    yield by_drawn(c.theta, "wind-up of the races, by finite steps of rolling", "θ(T)")
     yield by_drawn(c.N_Liu, "normal force with rigid races (Liu)", "N_L", LAW)
     yield by_drawn(c.alpha_Liu, "rotation of the sprags with rigid races (Liu)", "α_L")
-    yield by_drawn(c.theta_Liu, "wind-up of rigid races (Liu), finite steps of rolling", "θ_L")
+    yield by_drawn(c.theta_Liu, "wind-up of rigid races (Liu), by finite steps of rolling", "θ_L")
     yield by_drawn(c.alpha_printed, "rotation of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
     mu = low_friction(clutch) if paper else math.nan
     weak = clutch.model_copy(update={"mu_s": mu}) if paper else None
@@ -74,16 +74,16 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
     """Rows that compare pressures by slices with those by strips, under N/2 (ends unloaded)."""
-    c, half = ClutchFormulas, State(None, "half", "under half of N")
+    c, half = ClutchFormulas, State(None, "half", "under N/2")
     for k, (race, symbol, mid, peak) in enumerate(
         (("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o))
     ):
         for q, what in ((mid, "pressure at mid-length"), (peak, "largest pressure")):
             key = key_of(q, half)
             check = Estimated(
-                name=f"{what} under half of N by slices, {race} race", symbol=symbol, unit="MPa",
+                name=f"{what}, {race} race, under N/2, by slices", symbol=symbol, unit="MPa",
                 analytic=key, fem=key, by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
-                demand_reason="acceptance figure of slices",
+                demand_reason="accepted error of slices",
             )  # fmt: skip
             pressure = partial(clutch.half_pressure, k, mid=q is mid)
             yield Comparison(check=check, quantity=q, state=half, numbers={key: pressure},

@@ -25,7 +25,7 @@ IN_TIME = {
     "disengages": "its contacts are separated at the end",
     "slips": "slips permanently in the engagement",
     "rolls over": "rolls over in the first peak",
-    "no state": "the formulas end before the first peak",
+    "no state": "the first peak is beyond the range of the formulas",
 }
 WORDS = {
     "locks": "the clutch locks",
@@ -103,9 +103,9 @@ def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
     ]  # fmt: skip
     if v["t_slip"] > 0:
         lines.append(
-            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms; sliding distance of the inner ones "
-            f"{distance(v['slid_i'])}, of the outer ones {distance(v['slid_o'])}; work of "
-            f"friction {v['friction']:.3g} J"
+            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms: the inner contacts slide by "
+            f"{distance(v['slid_i'])}, the outer contacts by {distance(v['slid_o'])}; the work of "
+            f"friction is {v['friction']:.3g} J"
         )
     if v["missing"] > WELL:
         lines.append(

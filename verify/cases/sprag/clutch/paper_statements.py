@@ -28,7 +28,7 @@ def rectangle(q: EngagementInputs) -> tuple[float, float]:
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Relative distance of the rectangle's length from the nearer end of its interval.
+    """Relative distance of l from the nearer end of the interval of a rectangle's length.
 
     The interval follows from rounding of m_g and I_g. The uncertainty and the text of the row are
     also returned.
@@ -38,16 +38,16 @@ def length(context: Context) -> tuple[float, float, str]:
     (_, low), (_, high) = corners(q)
     mass = q.m_g / (q.density * (q.R_e - q.R_i) * q.b)
     words = (
-        f"a rectangle of the width {w * 1e3:.3g} mm has l = {l * 1e3:.4g} mm; rounding of m_g and "
-        f"I_g permits {low * 1e3:.1f} to {high * 1e3:.1f} mm (U = "
-        f"{max(high - l, l - low) / l:.2f}); with b = {q.b * 1e3:g} mm, the mass alone gives "
-        f"l = {mass * 1e3:.2g} mm"
+        f"a rectangular sprag with m_g and I_g has the width {w * 1e3:.3g} mm and the length "
+        f"{l * 1e3:.4g} mm; their rounding permits lengths from {low * 1e3:.1f} to "
+        f"{high * 1e3:.1f} mm (relative uncertainty {max(high - l, l - low) / l:.2f}); with the "
+        f"width b = {q.b * 1e3:g} mm, m_g alone gives the length {mass * 1e3:.2g} mm"
     )
     return min(q.l - low, high - q.l) / q.l, 0.0, words
 
 
 def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Width and length [m] of the shortest and of the longest rectangle within rounding."""
+    """Width and length [m] of the shortest and the longest rectangle, by rounding of m_g, I_g."""
     found = [
         rectangle(q.model_copy(update={"m_g": q.m_g + a * ROUNDED["m_g"],
                                        "I_g": q.I_g + b * ROUNDED["I_g"]}))
@@ -67,8 +67,9 @@ def width(context: Context) -> tuple[float, float, str]:
     w, _ = rectangle(context.inputs)
     (high, _), (low, _) = corners(context.inputs)
     words = (
-        f"with the width {w * 1e3:.3g} mm of a rectangle ({low * 1e3:.1f} to {high * 1e3:.1f} mm "
-        f"by rounding of m_g and I_g), N_max changes by {change:+.2%}"
+        f"a rectangular sprag with m_g and I_g has the width {w * 1e3:.3g} mm; their rounding "
+        f"permits {low * 1e3:.1f} to {high * 1e3:.1f} mm; with this width as b, N_max changes by "
+        f"{change:+.2%}"
     )
     return 0.005 - abs(change), 0.0, words
 
@@ -79,7 +80,7 @@ def preload(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     share = context.analytic["N_0"] / context.analytic["N"]
-    return 0.01 - share, 0.0, f"{share:.2%} of N"
+    return 0.01 - share, 0.0, f"the force of the springs is {share:.2%} of N"
 
 
 def at_rest(context: Context) -> Pair:
@@ -88,8 +89,9 @@ def at_rest(context: Context) -> Pair:
     clutch, damped = wedge(context.inputs), float(found["damped"][0])
     sprung = float(clutch.force()(static_turn(clutch, context.inputs.T)))
     words = (
-        f"{damped:.1f} N, {damped / sprung - 1:+.3%} from {sprung:.1f} N by statics, because "
-        f"N_e = N_i; the springs contribute {sprung / N - 1:+.2%} of {N:.1f} N"
+        f"the final force is {damped:.1f} N; it differs by {damped / sprung - 1:+.3%} from the "
+        f"static force {sprung:.1f} N, because the equations of motion assume N_e = N_i; the "
+        f"springs change the static force by {sprung / N - 1:+.2%} of {N:.1f} N"
     )
     return Pair(sprung, damped, 0.0, words)
 
@@ -101,7 +103,10 @@ def first_is_largest(context: Context) -> tuple[float, float, str]:
     """
     found = measured(context)
     share = found["second peak"] / found["first peak"]
-    words = f"second peak over first peak: {share[0]:.3f} at 25 N m, {share[1]:.3f} at 40 N m"
+    words = (
+        f"the ratio of the second to the first peak is {share[0]:.3f} at 25 N m and "
+        f"{share[1]:.3f} at 40 N m"
+    )
     return float(1 - share.max()), 1e-3, words
 
 
@@ -114,7 +119,7 @@ def deeper_is_lower(context: Context) -> tuple[float, float, str]:
     return (
         float(1 - deep / shallow),
         1e-3,
-        f"{shallow:.0f} MPa with K_1 = 1, {deep:.0f} MPa with K_1 = 3",
+        f"p_max is {shallow:.0f} MPa with K_1 = 1 and {deep:.0f} MPa with K_1 = 3",
     )
 
 
@@ -128,12 +133,12 @@ def ends_carry(context: Context) -> tuple[float, float, str]:
     return (
         float(end / middle - 1),
         1e-3,
-        f"{end:.0f} MPa at the ends, {middle:.0f} MPa at mid-length",
+        f"the pressure is {end:.0f} MPa at the ends and {middle:.0f} MPa at mid-length",
     )
 
 
 def grows(context: Context) -> tuple[float, float, str]:
-    """Positive margin if each doubling of slices raises the peak by more than the one before.
+    """Positive margin if each doubling of slices raises the peak by more than the previous one.
 
     The peak is that without a crown. The text states pressures and slope.
     """
@@ -142,18 +147,23 @@ def grows(context: Context) -> tuple[float, float, str]:
     rise = [float(np.interp(2 * k, n, p) / np.interp(k, n, p) - 1) for k in (11, 20.5, 40.5, 80.5)]
     slope = math.log(p[-1] / p[-2]) / math.log(n[-1] / n[-2])
     words = (
-        f"{p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices, {p[-1] / 1e6:.0f} MPa with {n[-1]:.0f}, "
-        f"final slope {slope:.2f} in logarithmic scales"
+        f"the peak pressure is {p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices and "
+        f"{p[-1] / 1e6:.0f} MPa with {n[-1]:.0f} slices; in logarithmic scales, the last slope is "
+        f"{slope:.2f}"
     )
     return min(b - a for a, b in pairwise(rise)), 0.0, words
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Margin of the computed ratio of forces within the interval from printed pressures."""
+    """Distance of the computed ratio of forces from those required by printed pressures."""
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
-    words = f"required: {flat:.2f} without, {best:.2f} with optimal crowns; computed {computed:.3f}"
+    words = (
+        f"the printed pressures require that the force at 40 N m is {flat:.2f} times that at "
+        f"25 N m without a crown and {best:.2f} times with the optimal crowns; the computed ratio "
+        f"is {computed:.3f}"
+    )
     return min(flat - computed, computed - best), 0.02, words
 
 
@@ -177,31 +187,35 @@ LITTLE_SPRUNG = OfPaper(
 OF_THE_PAPER: tuple[Check, ...] = (
     Agreement(name="damped engagement: the final force is the static force within 0.1 %",
               paper_only=True, symbol="N", unit="N", pair=at_rest, accepted=RESTS,
-              source=suites("one tenth of the accepted 1 % for the static limit"),
+              source=suites("one tenth of the 1 % that is accepted for the static limit"),
               by="Runge-Kutta steps"),
     OfPaper(name="length of the sprags is consistent with m_g and I_g of Table 1", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),
-    OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="1",
-             margin=width, fitted=FITTED),
-    Beside(name="wedge angle required by the optimum at 25 N m", symbol="ν_0", unit="deg",
+    OfPaper(name="width b of a rectangular sprag changes N_max by less than 0.5 %", symbol="b",
+             unit="1", margin=width, fitted=FITTED),
+    Beside(name="wedge angle that gives the pressure printed for 25 N m with the optimal crown",
+           symbol="ν_0", unit="deg",
            value=lambda c: float(measured(c)["fitted"][0]), figure=EngagementInputs().nu_0,
-           figure_is="input", bound=0.03, words="against the angle of the inputs", fitted=FITTED),
-    _peak(25, 1, "p_max at 25 N m with the optimal crown, angle fitted",
+           figure_is="input", bound=0.03, words="the wedge angle of the inputs is the reference",
+           fitted=FITTED),
+    _peak(25, 1, "p_max at 25 N m with the optimal crown, wedge angle fitted",
           "the wedge angle is fitted to this pressure", **ON_FIT),
-    _peak(25, 0, "p_max at 25 N m without crown, slices fitted",
+    _peak(25, 0, "p_max at 25 N m without a crown, number of slices fitted",
           "the number of slices is fitted to this pressure", **ON_FIT),
     _peak(40, 1, "p_max at 40 N m with the optimal crown, predicted from 25 N m",
-          "a prediction, not judged: the printed pairs contradict each other"),
-    _peak(40, 0, "p_max at 40 N m without crown, predicted from 25 N m",
-          "a prediction with the slices fitted at 25 N m, not judged"),
-    Noted(name="printed pairs require different ratios of forces", symbol="p_max", unit="MPa",
+          "this prediction is not judged, because the printed pairs of pressures contradict each "
+          "other"),
+    _peak(40, 0, "p_max at 40 N m without a crown, predicted from 25 N m",
+          "this prediction uses the number of slices fitted at 25 N m and is not judged"),
+    Noted(name="printed pairs of pressures require different ratios of the forces at 40 and "
+          "25 N m", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
-    Noted(name="the peak without a crown grows with the number of slices",
+    Noted(name="peak pressure without a crown grows with the number of slices",
           symbol="p_max", unit="MPa", erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
           printed=("huang2018:stress-25nm-unmodified",)),
-    OfPaper(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
-         unit="1", margin=first_is_largest, fitted=FITTED),
+    OfPaper(name="the first peak of the force is the largest, at 25 and 40 N m (Figs. 8, 13)",
+         symbol="N_max", unit="1", margin=first_is_largest, fitted=FITTED),
     OfPaper(name="without a crown the largest pressure is at the ends (Fig. 16)", symbol="p_max",
          unit="1", margin=ends_carry, fitted=FITTED),
     OfPaper(name="p_max is lower with K_1 = 3 than with K_1 = 1 (Fig. 13)", symbol="p_max",
@@ -209,7 +223,9 @@ OF_THE_PAPER: tuple[Check, ...] = (
          margin=deeper_is_lower, fitted=FITTED,
          printed=("huang2018:fig13a-k1", "huang2018:fig13b-k1")),
     Adopted(name="I_1 of Table 1", symbol="I_1", unit="kg m^2", reference="huang2018:table1-i-1",
-            why="the paper neither uses it in an equation nor explains it: not used"),
+            why="the paper neither explains I_1 nor uses it in an equation; the case does not use "
+            "it"),
     Adopted(name="C_f of Table 1", symbol="C_f", unit="N m", reference="huang2018:table1-c-f",
-            why="the paper neither uses it in an equation nor explains it: not used"),
+            why="the paper neither explains C_f nor uses it in an equation; the case does not use "
+            "it"),
 )  # fmt: skip

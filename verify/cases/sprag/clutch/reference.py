@@ -80,7 +80,7 @@ def others(q: Any, level: int, found: Touching) -> dict[str, float]:
 
 
 def by_strips(q: Any, n: int, N: float, contact: int) -> Strips:
-    """Contact by n strips at the inner (0) or outer (1) race; N [N] is that on the inner race."""
+    """Contact by n strips at the inner (0) or outer (1) race; N [N] acts on the inner race."""
     one = built(q)
     now = wedged(one.clutch, N)
     load = N if contact == 0 else float(now.N_e)

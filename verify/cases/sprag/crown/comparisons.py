@@ -43,7 +43,7 @@ from verify.judging.profile_checks import Estimated
 
 DRAWN = "numerical profile"
 BOTH = "strips, at the force of computed engagements"
-UNEQUAL = "half of the effects of N_e = N_i in Eqs. 14-16 and of massless sprags on N"
+UNEQUAL = "half of the errors of N by N_e = N_i in Eqs. 14-16 and by massless sprags"
 HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
@@ -95,15 +95,16 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """Margin by which 1 % more z_m changes the mean drop of printed crowns by less than 0.5 %."""
+    """Amount [%] by which the effect of 1 % more z_m on the mean drop is below 0.5 %."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
     most = max(printed, key=lambda c: printed[c])
     words = (
-        f"1 % more z_m increases the mean drop by at most {printed[most]:.2f} % ({label(most)}) "
-        f"and by {printed[(1.0, 0.7, 1e-5)]:.3f} % for (1, 0.7, 10 µm), K_1 by the rest of 1 %; "
-        f"z_m has the larger effect for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
+        f"for the printed crowns, 1 % more z_m increases the mean drop by at most "
+        f"{printed[most]:.2f} % (crown {label(most)}) and by {printed[(1.0, 0.7, 1e-5)]:.3f} % "
+        f"for crown (1, 0.7, 10 µm), 1 % more K_1 by the rest of 1 %; z_m has a larger effect "
+        f"than K_1 for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
     )
     return MOST - printed[most], 0.0, words
 
@@ -123,9 +124,9 @@ def in_the_box(context: Context) -> tuple[float, float, str]:
     p, given = float(found["box p"][k]), q.p_peak
     off = float(np.abs(found["by contacts"] / found["engaged p"] - 1).max())
     words = (
-        f"{label(tuple(found['box'][k]))} has {p / 1e6:.0f} MPa, {p / given - 1:+.1%} against "
-        f"{given / 1e6:.0f} MPa of this crown; the largest of {len(found['box p'])} crowns is "
-        f"{found['box p'].max() / 1e6:.0f} MPa"
+        f"crown {label(tuple(found['box'][k]))} has p_max = {p / 1e6:.0f} MPa, "
+        f"{p / given - 1:+.1%} relative to {given / 1e6:.0f} MPa of the given crown; the highest "
+        f"p_max of {len(found['box p'])} crowns is {found['box p'].max() / 1e6:.0f} MPa"
     )
     return 1 - p / given, off + 0.01, words
 
@@ -135,20 +136,22 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
     c = type(crown)
     drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
     yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
-    yield identity(c.share, name="share of z_m in the mean drop", **drawn)
+    yield identity(c.share, name="increase of the mean drop for 1 % more z_m", **drawn)
     estimate: dict[str, Any] = {
         "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
-        "demand_reason": "acceptance figure of slices",
+        "demand_reason": "accepted error of slices",
     }  # fmt: skip
-    check = Estimated(name="pressure at mid-length under the largest force", symbol="p_mid",
-                      analytic="p_mid_peak", fem="p_mid_peak", by=BOTH, **estimate)  # fmt: skip
+    check = Estimated(name="pressure at mid-length at the largest force of the engagement",
+                      symbol="p_mid", analytic="p_mid_peak", fem="p_mid_peak", by=BOTH,
+                      **estimate)  # fmt: skip
     yield Comparison(check=check, quantity=c.p_mid_peak, shares=HERTZ)
     for k, other in enumerate(DEEP):
-        state = State(None, f"deep_{k}", f"of {label(other)}")
+        state = State(None, f"deep_{k}", f"of crown {label(other)}")
         key = key_of(c.p_peak, state)
         largest = OfPaperEstimated(
-            name=f"largest pressure of {label(other)} under the largest force", symbol="p_max",
-            analytic=key, fem=key, by=BY_STRIPS, **estimate,
+            name=f"largest pressure of crown {label(other)} at the largest force of the "
+            "engagement",
+            symbol="p_max", analytic=key, fem=key, by=BY_STRIPS, **estimate,
         )  # fmt: skip
         numbers = {key: crown.peak_of(other)} if crown.is_default else {}
         yield Comparison(check=largest, quantity=c.p_peak, state=state, numbers=numbers,
@@ -159,40 +162,45 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
 
 
 OF_FIGURES: tuple[Check, ...] = (
-    Fact(name="Fig. 11: straight length (1 - K_2) l, largest drop z_m, all parameters deepen it",
+    Fact(name="Fig. 11: straight length is (1 - K_2) l, largest drop is z_m; the drop increases "
+         "with K_1, K_2 and z_m",
          symbol="z", unit="1", margin=straight_and_ends, fem_needed=False),
-    Noted(name="Fig. 11: K_1, not z_m, sets the mean drop", symbol="e_z", unit="1",
+    Noted(name="Fig. 11: mean drop depends more on K_1 than on z_m", symbol="e_z", unit="1",
           erratum="huang2018:sec-4-1-overall-drop", margin=z_m_is_not_the_mean),
-    Fact(name="pressure at the inner contact exceeds that at the outer, all crowns of Eq. 19",
+    Fact(name="pressure at the inner contact exceeds that at the outer, for all crowns of Eq. 19",
          symbol="p_i/p_o", unit="1", margin=inner_above),
-    OfPaper(name="Fig. 12: best and worst of the printed crowns, under the static load",
+    OfPaper(name="Fig. 12: largest pressures of its optimal and worst crown are the lowest and the "
+            "highest of all printed crowns under the static load",
             symbol="p_max", unit="1", margin=highest_and_lowest, fitted=FITTED,
             printed=("huang2018:fig12-best-k1", "huang2018:fig12-best-k2",
                      "huang2018:fig12-best-zm", "huang2018:fig12-worst-k1",
                      "huang2018:fig12-worst-k2", "huang2018:fig12-worst-zm")),
-    Noted(name="Fig. 12: reversed order at the first peak under 25 N m", symbol="p_max",
+    Noted(name="Fig. 12: largest pressure of its optimal crown exceeds that of its worst crown at "
+          "the first peak under 25 N m", symbol="p_max",
           unit="1", erratum="huang2018:fig-12-load", margin=in_other_order),
-    OfPaper(name="Fig. 13: pressure at both ends is high at the first peak, low at the trough",
+    OfPaper(name="Fig. 13: pressure at the ends is higher than at mid-length at the first peak, "
+            "lower at the trough",
             symbol="p", unit="1", margin=first_and_trough, fitted=FITTED,
             printed=("huang2018:fig13a-k2", "huang2018:fig13a-zm")),
-    OfPaper(name="Fig. 13: K_1 = 3 spreads the first peak's load more evenly", symbol="q", unit="1",
-            margin=more_even, fitted=FITTED,
+    OfPaper(name="Fig. 13: load along the sprag at the first peak is more uniform with K_1 = 3 "
+            "than with K_1 = 1", symbol="q", unit="1", margin=more_even, fitted=FITTED,
             printed=("huang2018:fig13b-k2", "huang2018:fig13b-zm")),
     *(
-        OfPaper(name=f"Fig. 14: {words} has the lower pressure of both crowns at {T} N m",
+        OfPaper(name=f"Fig. 14: crown {words} has the lower pressure of both crowns at {T} N m",
                 symbol="p_max", unit="1", margin=order_at(k), fitted=FITTED,
                 printed=(f"huang2018:fig14-torque-{T}",
                          *(f"huang2018:fig14-{T}nm-{x}" for x in ("k1", "k2", "zm"))))
         for k, T, words in ((0, 10, "(1, 0.5, 8 µm)"), (1, 30, "(5, 0.5, 15 µm)"))
     ),
-    OfPaper(name="Fig. 14: pressure of its crown at 10 N m is within 1 % of the lowest of Eq. 19",
+    OfPaper(name="Fig. 14: largest pressure of its crown for 10 N m is within 1 % of the lowest of "
+            "all crowns of Eq. 19",
             symbol="p_max", unit="1", margin=lowest_at_10, fitted=FITTED),
     Noted(name="Fig. 14: K_1 = 5 does not give the lowest pressure at 30 N m", symbol="p_max",
           unit="1", erratum="huang2018:fig-14-k1", margin=not_lowest_at_30),
     OfPaper(name="Fig. 14: K_1 of the crown with the lowest pressure increases with the torque",
             symbol="K_1", unit="1", margin=grows_with_torque, fitted=FITTED),
-    OfPaper(name="Eq. 21's crown: p_max by 21 to 161 slices within 0.5 %", symbol="p_max", unit="1",
-            margin=hardly_by_slices, fitted=FITTED),
+    OfPaper(name="p_max of the crown of Eq. 21 changes by less than 0.5 % from 21 to 161 slices",
+            symbol="p_max", unit="1", margin=hardly_by_slices, fitted=FITTED),
 )  # fmt: skip
 LOWER = Accepted(
     name="a crown of Eq. 19 has a lower p_max than the given crown", symbol="p_max", unit="1",

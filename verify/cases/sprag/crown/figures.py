@@ -70,7 +70,7 @@ def shares(q: EngagementInputs) -> Curves:
                         for c in DESIGNS])  # fmt: skip
     own = q.z_m / (q.K_1 * unit(q))
     return plot(
-        "Shares of z_m and K_1 in the mean drop", "z_m/A",
+        "Effects of z_m and K_1 on the mean drop", "z_m/A",
         "increase of mean drop for 1 % more z_m [%]",
         line("Eq. 1", m, [z_m_share(1.0, x) for x in m]),
         dots("crowns that the paper prints", printed[:, 0], printed[:, 1], 2),

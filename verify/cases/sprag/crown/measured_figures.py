@@ -28,7 +28,7 @@ def number(crown: tuple[float, float, float]) -> int:
 
 
 def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """Mask (forces,): Fig. 12's optimal crown has the lowest p_max and its worst the highest."""
+    """Mask (forces,): optimal and worst crown of Fig. 12 have the lowest and the highest p_max."""
     p = found[f"swept, {by}"]
     best, worst = map(number, FIG_12)
     return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
@@ -63,9 +63,10 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
         margins.append(min(others.min() / p[best], p[worst] / others.max()) - 1)
     forces = ", ".join(window(found, by) for by in ("slices", "strips"))
     words = (
-        f"{len(DESIGNS)} printed crowns; margin {margins[0]:.1%} (slices) and {margins[1]:.1%} "
-        f"(strips) at {N:.0f} N; the order is that of Fig. 12 {forces}, for example under the "
-        f"static load at 25 N m or at a first peak {first_peaks(found)} (slices)"
+        f"of {len(DESIGNS)} printed crowns, the pressures of the others differ by at least "
+        f"{margins[0]:.1%} by slices and {margins[1]:.1%} by strips under {N:.0f} N; the order is "
+        f"that of Fig. 12 {forces}, for example under the static load at 25 N m or, by slices, at "
+        f"a first peak {first_peaks(found)}"
     )
     return float(min(margins)), 0.0, words
 
@@ -80,8 +81,8 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
     N = float(found["named N"][number(FIG_12[0]), AT[25]])
     words = (
-        f"{best / MPa:.0f} MPa with {label(FIG_12[0])}, {worst / MPa:.0f} MPa with "
-        f"{label(FIG_12[1])} at {N:.0f} N"
+        f"p_max is {best / MPa:.0f} MPa with crown {label(FIG_12[0])} and {worst / MPa:.0f} MPa "
+        f"with crown {label(FIG_12[1])} under {N:.0f} N"
     )
     return best / worst - 1, STEP, words
 
@@ -94,8 +95,9 @@ def first_and_trough(context: Context) -> tuple[float, float, str]:
     """
     peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
     words = (
-        f"at the peak: end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa; "
-        f"at the trough: end {trough[0]:.0f} MPa, middle {trough[1]:.0f} MPa"
+        f"at the first peak, the pressure is {peak[0]:.0f} MPa at the ends and {peak[1]:.0f} MPa "
+        f"at mid-length; at the trough, it is {trough[0]:.0f} MPa at the ends and "
+        f"{trough[1]:.0f} MPa at mid-length"
     )
     return float(min(peak[0] / peak[1], trough[1] / trough[0])) - 1, STEP, words
 
@@ -108,7 +110,10 @@ def uneven(p: Array) -> float:
 def more_even(context: Context) -> tuple[float, float, str]:
     """Relative reduction of the fraction `uneven` of the load from K_1 = 1 to K_1 = 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
-    words = f"share of load above the mean: {shallow:.1%} with K_1 = 1, {deep:.1%} with K_1 = 3"
+    words = (
+        f"the part of the load that exceeds a uniform load is {shallow:.1%} with K_1 = 1 and "
+        f"{deep:.1%} with K_1 = 3"
+    )
     return 1 - deep / shallow, STEP, words
 
 
@@ -122,7 +127,10 @@ def order_at(which: int) -> Margin:
     def margin(context: Context) -> tuple[float, float, str]:
         p = arrays(context)["named p"][:, AT[T]]
         named, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
-        words = f"{named / MPa:.0f} MPa; {label(FIG_14[1 - which])} has {other / MPa:.0f} MPa"
+        words = (
+            f"p_max is {named / MPa:.0f} MPa; with crown {label(FIG_14[1 - which])}, it is "
+            f"{other / MPa:.0f} MPa"
+        )
         return other / named - 1, STEP, words
 
     return margin
@@ -138,8 +146,9 @@ def above_lowest(context: Context, which: int) -> tuple[float, str]:
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
     lower = int((p < named).sum())
     words = (
-        f"{named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, "
-        f"the lowest of {p.size} crowns; {lower} crowns have a lower pressure"
+        f"p_max is {named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above that of crown "
+        f"{label(tuple(found['box'][k]))}, the lowest of {p.size} crowns; {lower} of these crowns "
+        f"have a lower p_max"
     )
     return named / float(p[k]) - 1, words
 
@@ -150,7 +159,7 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 
 
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """Ratio of p_max of Fig. 14's crown for 30 N m to the lowest p_max there, minus 1.
+    """Ratio of p_max of Fig. 14's crown for 30 N m to the lowest p_max at 30 N m, minus 1.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -174,7 +183,7 @@ def grows_with_torque(context: Context) -> tuple[float, float, str]:
     found, best = arrays(context), lowest(context)
     ratio = found["many N"].mean(axis=0) / crowned_for(context.inputs)
     words = "; ".join(
-        f"{T:g} N m: K_1 = {c[0]:g}, z_m = {c[2] * 1e6:g} µm, N_max/Q = {r:.2f}"
+        f"at {T:g} N m: K_1 = {c[0]:g}, z_m = {c[2] * 1e6:g} µm and N_max/Q = {r:.2f}"
         for T, c, r in zip(found["torques"], best, ratio, strict=True)
     )
     steps = np.diff(best[:, 0])

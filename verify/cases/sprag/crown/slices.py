@@ -24,9 +24,10 @@ def hardly_by_slices(context: Context) -> tuple[float, float, str]:
     strips = found["counted, strips"][1] / MPa
     spread = float(np.ptp(by_slices) / by_slices.mean())
     words = (
-        f"{by_slices.min():.0f} to {by_slices.max():.0f} MPa; with strips on a half-space, the "
-        f"largest pressure is at the loaded ends: {strips[0]:.0f} MPa with "
-        f"{found['counts'][0]:.0f} strips, {strips[-1]:.0f} MPa with {found['counts'][-1]:.0f}"
+        f"by slices, p_max is {by_slices.min():.0f} to {by_slices.max():.0f} MPa; by strips on a "
+        f"half-space, p_max is at the loaded ends: {strips[0]:.0f} MPa with "
+        f"{found['counts'][0]:.0f} strips and {strips[-1]:.0f} MPa with "
+        f"{found['counts'][-1]:.0f} strips"
     )
     return WITHIN - spread, 0.0, words
 

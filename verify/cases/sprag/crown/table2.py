@@ -66,11 +66,15 @@ class Recomputed(PrintedClaim):
 
 
 def cut_off(_context: Context) -> tuple[float, float, str]:
-    """Amount by which the error from the last row's values exceeds the printed, rounded error."""
+    """Amount by which the error computed from the last row exceeds the printed, rounded error."""
     entry = published(f"huang2018:table2-row{CUT}-error")
     v = relative_error(CUT)
     rounds = (entry.value + half_last_digit(entry.printed)) / 100
-    return v - rounds, 0.0, f"{v:.4%} from the printed values, printed {entry.printed}"
+    return (
+        v - rounds,
+        0.0,
+        f"the printed pressures give the error {v:.4%}; {entry.printed} % is printed",
+    )
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
@@ -82,9 +86,9 @@ def too_small(_context: Context) -> tuple[float, float, str]:
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
     words = (
-        f"mean square of the differences {np.mean(d**2):.0f} MPa², mean MSE {mse.mean():.1f}; "
-        f"{int((z > SURE).sum())} of {z.size} differences are more than {SURE:g} times √MSE, up to "
-        f"{z.max():.1f}"
+        f"the mean square of the differences is {np.mean(d**2):.0f} MPa², the mean MSE "
+        f"{mse.mean():.1f}; {int((z > SURE).sum())} of {z.size} differences are more than "
+        f"{SURE:g} times √MSE, the largest is {z.max():.1f} times √MSE"
     )
     return float(np.mean(d**2) - SURE**2 * mse.mean()) * 1e12, 0.0, words
 
@@ -115,9 +119,9 @@ def between(column: str) -> Margin:
         its = np.array([cell(k, column) for k in ROWS]) * 1e6
         low, high, at_40 = p[:, AT[25]].min(), p[:, AT[25]].max(), p[:, AT[40]].min()
         words = (
-            f"{its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa, within {low / 1e6:.0f} to "
-            f"{high / 1e6:.0f} MPa at 25 N m; the lowest pressure at 40 N m is "
-            f"{at_40 / 1e6:.0f} MPa"
+            f"the values are {its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa; random crowns "
+            f"have {low / 1e6:.0f} to {high / 1e6:.0f} MPa at 25 N m and at least "
+            f"{at_40 / 1e6:.0f} MPa at 40 N m"
         )
         return float(min(its.min() - low, high - its.max(), at_40 - its.max())), 0.0, words
 
@@ -137,33 +141,39 @@ def demanded(row: int) -> dict[str, Any]:
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:
         return {}
-    return {"demand": min(asked, COARSE), "demand_reason": f"printed as {entry.printed}"}
+    return {
+        "demand": min(asked, COARSE),
+        "demand_reason": f"the error is printed as {entry.printed} %",
+    }
 
 
 TABLE_2 = (
     *(
-        Recomputed(name=f"Table 2, row {k}: error of the printed pair", symbol="ε", unit="%",
-                   row=k, reference=f"huang2018:table2-row{k}-error", **demanded(k))
+        Recomputed(name=f"Table 2, row {k}: error computed from the printed pressures", symbol="ε",
+                   unit="%", row=k, reference=f"huang2018:table2-row{k}-error", **demanded(k))
         for k in ROWS if k not in (SAMPLE, CUT)
     ),
-    Noted(name=f"Table 2, row {CUT}: error of the printed pair", symbol="ε", unit="%",
+    Noted(name=f"Table 2, row {CUT}: error computed from the printed pressures", symbol="ε",
+          unit="%",
           erratum="huang2018:table-2-row-10-error", margin=cut_off,
           printed=(f"huang2018:table2-row{CUT}-error",)),
-    Noted(name="Table 2: MSE is far too small for the differences", symbol="MSE", unit="MPa^2",
+    Noted(name="Table 2: MSE is far too small for the printed differences", symbol="MSE",
+          unit="MPa^2",
           erratum="huang2018:table-2-mse", margin=too_small,
           printed=tuple(f"huang2018:table2-row{k}-mse" for k in ROWS if k != SAMPLE)),
     Noted(name="Table 2: row 4 is a sample point of kriging", symbol="MSE", unit="MPa^2",
           erratum="huang2018:table-2-row-4", margin=is_a_sample,
           printed=("huang2018:table2-row4-mse", "huang2018:table2-row4-error")),
     *(
-        OfPaper(name=f"Table 2: {words} values lie in the range at 25 N m", symbol="p_max",
-                unit="MPa", margin=between(column), fitted=FITTED,
+        OfPaper(name=f"Table 2: {words} values lie in the range computed for 25 N m",
+                symbol="p_max", unit="MPa", margin=between(column), fitted=FITTED,
                 printed=tuple(f"huang2018:table2-row{k}-{column}" for k in ROWS))
-        for column, words in (("actual", "actual"), ("predicted", "predictive"))
+        for column, words in (("actual", "actual"), ("predicted", "predicted"))
     ),
-    Beside(name="Table 2: median of the actual values, against random crowns", symbol="p_max",
-           unit="MPa", value=median_25, figure=MEDIAN, bound=MEAN_LEVEL,
-           words="its crowns are not printed; median of 400 random crowns within Eq. 19",
+    Beside(name="Table 2: median of the actual values, against that of random crowns",
+           symbol="p_max", unit="MPa", value=median_25, figure=MEDIAN, bound=MEAN_LEVEL,
+           words="the crowns of Table 2 are not printed; the computed value is the median of 400 "
+           "random crowns within the bounds of Eq. 19",
            fitted=f"the wedge angle is fitted to the pressure of Eq. 21; {FITTED}"),
 )  # fmt: skip
 
@@ -184,6 +194,6 @@ def table_2() -> Table:
                 "Error over predicted [%]", "Difference over √MSE"),
         rows=tuple(rows),
         note="The printed error is relative to the predicted value; the recomputed error of the "
-        "last row does not round to the printed one. If MSE were the kriging variance in MPa², "
+        "last row does not round to the printed error. If MSE were the kriging variance in MPa², "
         "nearly all differences would exceed three standard deviations.",
     )  # fmt: skip

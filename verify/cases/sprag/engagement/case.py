@@ -122,7 +122,7 @@ class SpragEngagement(EngagementFormulas):
                 f"locks: the largest normal force is {self.N_max:.4g} N, {self.factor:.3g} times "
                 f"that at rest, after {self.t_max * 1e3:.3g} ms"
             )
-            yield f"effect of rigid races (Liu) on this force: {self.number('rigid') - 1:+.1%}"
+            yield f"rigid races (Liu) change this force by {self.number('rigid') - 1:+.1%}"
 
 
 ENGAGEMENT = adapted(SpragEngagement)

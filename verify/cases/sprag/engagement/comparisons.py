@@ -32,7 +32,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
 
 @dataclass(frozen=True, kw_only=True)
 class Partnered(Identity):
-    """Row on Runge-Kutta steps against LSODA, whose values are stored with the finest level."""
+    """Row on Runge-Kutta steps against LSODA, computed only for the finest level."""
 
     by: str = BY
 
@@ -83,7 +83,12 @@ def along(context: Context) -> tuple[float, float, str]:
     worst = float(np.abs(d).max() / last.values["N_max"])
     squares = (np.trapezoid(x**2, last.arrays["LSODA t"]) for x in (d, last.arrays["LSODA N"]))
     mean = float(np.sqrt(np.divide(*squares)))
-    return worst, 0.0, f"largest difference {worst:.1e} of N_max, {mean:.1e} in the L2 norm"
+    return (
+        worst,
+        0.0,
+        f"the largest difference is {worst:.1e} N_max; the relative difference in the L2 norm is "
+        f"{mean:.1e}",
+    )
 
 
 def halving(context: Context) -> Pair:
@@ -99,7 +104,7 @@ def order(context: Context) -> tuple[float, float, str]:
     uncertainty and the text of the row are also returned.
     """
     fit = fit_order(list(ORDER), context.fem[-1].arrays["order"].tolist())
-    return NEAR - abs(fit.order - 4), 2 * fit.u, f"order {fit.order:.2f}, theory 4"
+    return NEAR - abs(fit.order - 4), 2 * fit.u, f"the order is {fit.order:.2f}, in theory 4"
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
@@ -109,7 +114,7 @@ def crowns(context: Context) -> tuple[float, float, str]:
     """
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
-    words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
+    words = f"N_max changes by {share.min():+.1%} to {share.max():+.1%} with {len(DESIGNS)} crowns"
     return CROWN - float(np.abs(share).max()), HALVING, words
 
 
@@ -131,7 +136,10 @@ def balanced(context: Context) -> Pair:
     v, last = context.analytic, context.fem[-1]
     N_max, free = last.arrays["balanced"]
     off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
-    words = f"difference {off:+.1e}; this ratio N_e/N_i changes N_max by {change:+.1e}"
+    words = (
+        f"the first peaks differ by {off:+.1e}; N_e/N_i by statics, in place of 1, changes N_max "
+        f"by {change:+.1e}"
+    )
     return Pair(v["N_undamped"], float(free), 0.0, words)
 
 
@@ -154,8 +162,9 @@ def liu(context: Context) -> tuple[float, float, str]:
     stiff = wedge(q, rigid=True)
     free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
     words = (
-        f"{v['rigid'] - 1:+.1%}; without damping {free:+.1%}, the rest because the shorter "
-        f"oscillation is damped less; the races account for {share:.0%} of the deflection"
+        f"rigid races change the largest force by {v['rigid'] - 1:+.1%}, without damping by "
+        f"{free:+.1%}; the rest arises because the shorter oscillation is damped less; the races "
+        f"account for {share:.0%} of the deflection"
     )
     return v["rigid"] - 1, LSODA, words
 
@@ -167,7 +176,7 @@ def first(context: Context) -> tuple[float, float, str]:
     """
     v = context.fem[-1].values
     share = v["later peak"] / v["first peak"]
-    return 1 - share, LSODA, f"the highest later peak is {share:.3f} of the first"
+    return 1 - share, LSODA, f"the highest later peak is {share:.3f} times the first peak"
 
 
 def inner(context: Context) -> tuple[float, float]:
@@ -184,13 +193,15 @@ def rolling(context: Context) -> Pair:
     last = context.fem[-1]
     always = float(last.arrays["rolling"][0])
     off = last.values["N_max"] / always - 1
-    words = f"difference of N_max {off:.1e}; slip during {last.values['slides']:.1%} of the time"
+    words = (
+        f"N_max differs by {off:.1e}; contacts slip during {last.values['slides']:.1%} of the time"
+    )
     return Pair(always, last.values["N_max"], 0.0, words)
 
 
 def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
-    return Partnered(name=f"{name}: steps and LSODA", symbol=symbol, unit=unit, fem=key,
-                     analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
+    return Partnered(name=f"{name}: Runge-Kutta steps and LSODA", symbol=symbol, unit=unit,
+                     fem=key, analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
                      demand=LSODA, demand_reason="tolerance of the subject", **more)  # fmt: skip
 
 
@@ -209,41 +220,48 @@ def _partners() -> Iterator[Check]:
     yield partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
                     printed=("huang2018:torque-40",))  # fmt: skip
     yield partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio")
-    yield Deviation(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="ΔN", unit="1",
-                    size=along, accepted=LSODA, source=SUBJECT, whole="N_max", by=BY)  # fmt: skip
-    yield Agreement(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max",
-                    unit="N", pair=halving, accepted=HALVING, source=SUBJECT,
-                    by=f"{BY}, half the step")  # fmt: skip
-    yield Accepted(name=f"order of N(t) in the time step: 4 within {NEAR:g}", symbol="p", unit="1",
-                   margin=order, printed=("huang2018:runge-kutta-order",))  # fmt: skip
+    yield Deviation(name=f"N(t): Runge-Kutta steps and LSODA within {LSODA:.1%}", symbol="ΔN",
+                    unit="1", size=along, accepted=LSODA, source=SUBJECT, whole="N_max",
+                    by=BY)  # fmt: skip
+    yield Agreement(name=f"N_max changes by less than {HALVING:.2%} with half the time step",
+                    symbol="N_max", unit="N", pair=halving, accepted=HALVING, source=SUBJECT,
+                    by=f"{BY}, half the time step")  # fmt: skip
+    yield Accepted(name=f"convergence order of N(t) over the time step is 4 within {NEAR:g}",
+                   symbol="p", unit="1", margin=order,
+                   printed=("huang2018:runge-kutta-order",))  # fmt: skip
 
 
 def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     cubics: dict[str, Any] = {"of": {"work": q.number("work")}, "bound": ENERGY,
-                              "because": "cubics of the force table"}  # fmt: skip
+                              "because": "cubic interpolation of the force table"}  # fmt: skip
     yield balance("missing", "balance of energies, including damping and friction", "ΔE", "J",
                   **cubics)  # fmt: skip
     yield balance("missing undamped", "balance of energies without damping", "ΔE", "J", **cubics)
     yield approximation(
         Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; effect on the work"),
-        order=4, by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
+        order=4, by=BY,
+        name="first peak of the force without damping, from T θ = ∫T dθ with rolling contacts",
+        shares=CLOSURE,
     )  # fmt: skip
-    name = f"first peak without damping with N_e/N_i by statics, within {HALVING:.2%}"
+    name = f"first peak of the force without damping, with N_e/N_i by statics, within {HALVING:.2%}"
     strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
-                      source=suites("same as for half the time step"), by=BY)  # fmt: skip
+                      source=suites("same tolerance as for half the time step"),
+                      by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(
         name="work up to the first peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
         fem="W_1 strut", analytic="stored", formal=2, by=BY,
         interval=lambda *_: bounds(q).radially(),
         demand=1e-3, demand_reason="closures that violate the work balance have far larger errors",
-        source="radial motion of the centroid, neglected by Eq. 14; cubics of the force table",
+        source="radial motion of the centroid, neglected by Eq. 14; cubic interpolation of the "
+        "force table",
     )  # fmt: skip
     yield Comparison(check=work, quantity=Of.W_1, shares=CLOSURE)
     turning = Agreement(
-        name=f"work ∫T dθ by rolling and n_s ∫(N dH_i + N_e dH_e) agree within {ROLLED:.2%}",
+        name=f"work ∫T dθ with rolling contacts and n_s ∫(N dH_i + N_e dH_e) agree within "
+        f"{ROLLED:.2%}",
         symbol="W", unit="1", pair=conjugate, accepted=ROLLED,
-        source=suites("cubics through the states"),
+        source=suites("cubic interpolation between the states"),
         by="work on the deflections", fem_needed=False,
     )  # fmt: skip
     yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)
@@ -252,40 +270,44 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
 def _models(q: EngagementFormulas) -> Iterator[Comparison]:
     more: dict[str, Any] = {"by": BY, "shares": CLOSURE}
     yield approximation(Of.N, expected=expected(q, Bounds.statics, UNEQUAL), order=4,
-                        name="force at rest after a slow rise", **more)  # fmt: skip
+                        name="normal force at rest, after a slow rise of the torque",
+                        **more)  # fmt: skip
     yield approximation(
         Of.f,
-        expected=expected(q, lambda b: b.either_way(1), f"{UNEQUAL}; effect on root of dT/dθ"),
+        expected=expected(
+            q, lambda b: b.either_way(1), f"{UNEQUAL}; effect on the square root of dT/dθ"
+        ),
         order=2, name="frequency of small oscillations, √(k/I)", **more,
     )  # fmt: skip
     yield approximation(
         Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; massless sprags"), order=4,
-        name="largest force, two races on a spring", **more,
+        name="largest force by the model of two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
         Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}, at both torques"), order=4,
-        name="ratio of largest forces, 1.6 T to T, two races on a spring", **more,
+        name="ratio of the largest forces under 1.6 T and T by the model of two races on a spring",
+        **more,
     )  # fmt: skip
-    asked = f"{UNEQUAL}; effect on either contact"
+    asked = f"{UNEQUAL}; effect on the friction of either contact"
     yield approximation(
         Of.mu_asked, "asked", expected=expected(q, lambda b: b.either_way(2), asked), order=4,
-        name="required friction coefficient of rolling, tan ν", symbol="μ", **more,
+        name="friction coefficient required for rolling, tan ν", symbol="μ", **more,
     )  # fmt: skip
 
 
 def _findings() -> Iterator[Check]:
     force: dict[str, Any] = {"symbol": "N_max", "unit": "1", "fitted": FITTED}
-    yield Agreement(name=f"N_max of rolling contacts (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
-                    unit="N", pair=rolling, accepted=LSODA,
-                    source=suites("same as for steps and LSODA"),
+    yield Agreement(name=f"N_max if the contacts always roll (Xu, Liu) within {LSODA:.1%}",
+                    symbol="N_max", unit="N", pair=rolling, accepted=LSODA,
+                    source=suites("same tolerance as between Runge-Kutta steps and LSODA"),
                     by=f"{BY}, contacts may slip")  # fmt: skip
-    yield Accepted(name="rigid races (Liu) make the force larger", margin=liu, **force)
-    yield Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
-                   fitted=FITTED)  # fmt: skip
+    yield Accepted(name="rigid races (Liu) increase the largest force", margin=liu, **force)
+    yield Accepted(name="the first peak of the force is the largest", symbol="N_2/N_1", unit="1",
+                   margin=first, fitted=FITTED)  # fmt: skip
     yield Fact(name="pressure at the inner contact exceeds that at the outer, at any force",
                symbol="p_i/p_o", unit="1", margin=inner, fem_needed=False)  # fmt: skip
     yield Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", margin=crowns, **force)
-    yield Agreement(name=f"half the number of slices: N_max within {SLICES:.1%}",
+    yield Agreement(name=f"N_max changes by less than {SLICES:.1%} with half the number of slices",
                     symbol="N_max", unit="N", pair=sliced, accepted=SLICES,
                     source=suites("one fifth of the required sensitivity, 1 %"),
                     by="all slices")  # fmt: skip

@@ -120,7 +120,7 @@ def apart(context: Context) -> Figure:
         return np.asarray(np.log10(np.maximum(np.abs(d) / top, floor)))
 
     return plot(
-        "Difference between the steps and other models", "t [ms]", "lg(|ΔN|/N_max)",
+        "Difference between the Runge-Kutta steps and other models", "t [ms]", "lg(|ΔN|/N_max)",
         line("from LSODA with events", last.arrays["LSODA t"] / ms, share(lsoda)),
         line("from two races on a spring", t / ms, share(spring), 1), y_bottom=-10.0, y_top=0.0,
         note="The model of two races on a spring uses N_e/N_i by statics and massless sprags.",
@@ -168,7 +168,7 @@ def refined(context: Context) -> Figure:
 def crowns(context: Context) -> Figure:
     none, *found = context.fem[-1].arrays["crowns"]
     return Bars(
-        title="Largest force by crown", label="increase of N_max by the "
+        title="Largest force with each crown", label="increase of N_max by the "
         "crown [%]",
         items=tuple(
             (f"({K_1:.3g}, {K_2:.3g}, {z_m / mm:.3g} mm)", 100 * (N / none - 1), f"{N:.0f} N")

@@ -63,7 +63,7 @@ class EngagementFormulas(EngagementInputs, Case):
 
     @Quantity("N_1", "N", "first peak of the normal force without damping, outer race fixed",
               safe="too high",
-              source="first peak without damping, outer race fixed",
+              source="first peak of the force without damping, outer race fixed",
               tex=r"N(\theta_1), \quad T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,"
               r"\mathrm{d}\theta")  # fmt: skip
     def N_undamped(self) -> float:
@@ -92,7 +92,7 @@ class EngagementFormulas(EngagementInputs, Case):
     @Quantity(
         "μ_r",
         "1",
-        "required friction coefficient of rolling, tan ν",
+        "friction coefficient required for rolling, tan ν",
         equation="10",
         safe="too high",
     )

@@ -98,7 +98,7 @@ def engaged_fem(
     q: EngagementInputs, w: RaceSpring, dt: float, moves: Motion | None = None,
     course: Torque | None = None, **how: Any,
 ) -> "Engagement":  # fmt: skip
-    """Engagement of `q` on the spring `w`, computed by steps of dt [s]."""
+    """Engagement of `q` with the spring `w`, computed by steps of dt [s]."""
     from analytic.sprag.transient import engage
 
     how = {"duration": q.t_end, "D_V": q.D_V, "speeds": Speeds(inner=q.w_i)} | how

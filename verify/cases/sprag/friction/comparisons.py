@@ -27,7 +27,7 @@ from verify.judging.tolerance_checks import (
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
 CLOSURE = "closure of Eqs. 9 and 10, static normal force"
 SPREAD = 0.1  # least spread, relative to the correct force, for nearly equal torques
-WEAK = "springs with K_r/25, with which sprags slip at the start"
+WEAK = "the springs have the stiffness K_r/25, with which the sprags slip at the start"
 UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
 
 
@@ -56,7 +56,9 @@ def at_tan(context: Context) -> Pair:
     The ratio is taken at the one of three torques where it differs most from 1.
     """
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
-    words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
+    words = ", ".join(
+        f"{r - 1:+.2%} relative to tan ν at {t:.4g} N m" for t, r in zip(T, ratio, strict=True)
+    )
     found = farthest(np.ones_like(ratio), ratio, 0.0)
     return replace(found, U=float(half.max()), words=words)
 
@@ -67,7 +69,11 @@ def refused(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     refuses, _ = context.fem[-1].arrays["narrow"]
-    return 2 * refuses - 1, 0.0, "rejected" if refuses else "not rejected"
+    return (
+        2 * refuses - 1,
+        0.0,
+        "the guard rejects the band" if refuses else "the guard does not reject the band",
+    )
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
@@ -78,7 +84,10 @@ def unguarded(context: Context) -> tuple[float, float, str]:
     """
     found = context.fem[-1].arrays
     share = found["unguarded"] / found["narrow"][1]
-    words = f"{share.min():.0%} to {share.max():.0%} of the correct force, without an error message"
+    words = (
+        f"under nearly equal torques, N_max is {share.min():.0%} to {share.max():.0%} of the "
+        "correct force, without an error message"
+    )
     return float(np.ptp(share)) - SPREAD, GUARDED, words
 
 
@@ -90,20 +99,28 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
     passed = context.fem[-1].arrays["guard"]
     passed = passed[passed[:, 3] == 0]
     worst = float(np.abs(passed[:, 4]).max())
-    return worst, 0.0, f"{len(passed)} accepted pairs of band and step, largest error {worst:.1e}"
+    return (
+        worst,
+        0.0,
+        f"the guard accepts {len(passed)} pairs of band and time step; the largest error of N_max "
+        f"is {worst:.1e}",
+    )
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
     """Positive margin if the median error of every rejected pair exceeds GUARDED.
 
-    The amount is positive if the guard rejects no correct result. The uncertainty and the text of
-    the row are also returned.
+    The margin is then positive: the guard rejects no correct result. The uncertainty and the text
+    of the row are also returned.
     """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
-    words = f"{len(stopped)} of {len(all_of_them)} rejected, median errors at least {least:.0%}"
-    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none rejected"
+    words = (
+        f"the guard rejects {len(stopped)} of {len(all_of_them)} pairs of band and time step; "
+        f"their median errors of N_max are at least {least:.0%}"
+    )
+    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "the guard rejects no pair"
 
 
 def by_default(context: Context) -> Pair:
@@ -111,7 +128,10 @@ def by_default(context: Context) -> Pair:
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)
-    words = f"{len(ours)} engagements, none rejected, largest difference {off:.1e}"
+    words = (
+        f"the guard rejects none of {len(ours)} engagements; the largest difference of N_max is "
+        f"{off:.1e}"
+    )
     return replace(found, words=words)
 
 
@@ -128,8 +148,10 @@ def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
         return -2 * q.unequal, 2 * q.unequal
 
     yield approximation(
-        FrictionFormulas.mu_b, expected=Computed(boundary, f"{UNEQUAL}; effect on either contact"),
-        name="friction above which the clutch locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
+        FrictionFormulas.mu_b,
+        expected=Computed(boundary, f"{UNEQUAL}; effect on the friction of either contact"),
+        name="friction coefficient above which the clutch locks, T/(n_s OA N)", by=BY,
+        shares=CLOSURE,
     )  # fmt: skip
     locks = Agreement(name=f"sprags lock above μ = tan ν, within {BOUNDARY:.0%}",
                       symbol="μ_b/tan ν", unit="1", pair=at_tan, accepted=BOUNDARY,
@@ -142,7 +164,7 @@ def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
         own=(0.02, "the force continues to oscillate without damping"),
     )  # fmt: skip
     yield identity(FrictionFormulas.N_overruns, symbol="N", by=BY, shares=CLOSURE,
-                   name="normal force where the race overruns")  # fmt: skip
+                   name="normal force of the sprags while the race overruns")  # fmt: skip
 
 
 def _partners() -> Iterator[Check]:
@@ -150,30 +172,36 @@ def _partners() -> Iterator[Check]:
                              "demand": LSODA}  # fmt: skip
     weak: dict[str, Any] = force | {"formal": 2, "demand_reason": WEAK}
     time: dict[str, Any] = {"symbol": "t", "unit": "ms"}
-    yield Partnered(name="largest force after slip at the start, weak springs: steps and LSODA",
+    yield Partnered(name="largest force after slip at the start with weak springs: Runge-Kutta "
+                    "steps and LSODA",
                     fem="N_max", analytic="LSODA N_max", **weak)  # fmt: skip
-    yield Partnered(name="largest force after slip at the start under 1.6 T: steps and LSODA",
+    yield Partnered(name="largest force after slip at the start with weak springs under 1.6 T: "
+                    "Runge-Kutta steps and LSODA",
                     fem="N_max more", analytic="LSODA N_max more", **weak)  # fmt: skip
-    yield Ended(name="time at which slip ends: steps and LSODA", fem="sticks",
-                analytic="LSODA sticks", own_demand=0.02,
-                own_reason="slip ends in a band, in LSODA at an event", **time)  # fmt: skip
-    yield Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
+    yield Ended(name="time at which slip at the start ends: Runge-Kutta steps and LSODA",
+                fem="sticks", analytic="LSODA sticks", own_demand=0.02,
+                own_reason="slip ends within a band of speeds by Runge-Kutta steps, at an event "
+                "by LSODA", **time)  # fmt: skip
+    yield Partnered(name="time at which slip begins if μ is sufficient at rest, not at the peak: "
+                    "Runge-Kutta steps and LSODA",
                     fem="slips", analytic="LSODA slips", **time)  # fmt: skip
-    yield Partnered(name="largest force with intermediate slip: steps and LSODA",
+    yield Partnered(name="largest force if μ is sufficient at rest, not at the peak: Runge-Kutta "
+                    "steps and LSODA",
                     fem="N_max slipped", analytic="LSODA N_max slipped",
                     demand_reason="tolerance of the subject", **force)  # fmt: skip
 
 
 def _guard() -> Iterator[Check]:
-    yield Agreement(name=f"automatic bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max",
-                    unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT, by=BY)  # fmt: skip
+    yield Agreement(name=f"N_max with automatic speed bands within {GUARDED:.1%} of LSODA",
+                    symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
+                    by=BY)  # fmt: skip
     yield Accepted(name=f"the guard rejects D_V = {NARROW:g} m/s at 1.6 T with weak springs",
                    symbol="D_V", unit="1", margin=refused)  # fmt: skip
-    yield Accepted(name="without the step guard the force is ill-conditioned", symbol="N_max",
-                   unit="1", margin=unguarded)  # fmt: skip
-    yield Deviation(name=f"time steps that the guard accepts are right to {GUARDED:.1%}",
+    yield Accepted(name="largest force without the guard of the time step is ill-conditioned",
+                   symbol="N_max", unit="1", margin=unguarded)  # fmt: skip
+    yield Deviation(name=f"N_max at time steps that the guard accepts is correct to {GUARDED:.1%}",
                     symbol="ΔN_max/N_max", unit="1", size=never_wrong, accepted=GUARDED,
-                    source=suites("same as for steps and LSODA"), whole="correct force",
-                    by=BY)  # fmt: skip
-    yield Accepted(name="time steps that the guard rejects are wrong", symbol="N_max", unit="1",
-                   margin=never_idle)  # fmt: skip
+                    source=suites("same tolerance as between Runge-Kutta steps and LSODA"),
+                    whole="correct force", by=BY)  # fmt: skip
+    yield Accepted(name="N_max at time steps that the guard rejects is wrong", symbol="N_max",
+                   unit="1", margin=never_idle)  # fmt: skip

@@ -111,7 +111,7 @@ def zones(context: Context) -> Figure:
             Zone(name="slips first, then locks", top=np.minimum(most, HIGH) / tan, tone="fair"),
             Zone(name="locks without slip", top=np.full_like(T, HIGH / tan), tone="good"),
         ),
-        curves=(dashes("locks from here on, springs of the inputs", T, firm / tan),),
+        curves=(dashes("lower limit of locking, springs of the inputs", T, firm / tan),),
         note="The springs have the stiffness K_r/25, μ_s = μ_c = μ, the torque is a step, and ν is "
         "the wedge angle under T. The sprags slip first because the step accelerates the race "
         "before the springs have built up N. With the springs of the inputs, the zone in which "

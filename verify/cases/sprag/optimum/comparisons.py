@@ -32,8 +32,8 @@ def printed_crown(context: Context) -> tuple[float, float, str]:
     """
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
-        f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa with "
-        f"{crowned(found)}"
+        f"p_max of the printed crown is {p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} relative "
+        f"to {best(context) / 1e6:.0f} MPa of the optimal crown {crowned(found)}"
     )
     return NEAR - (p / best(context) - 1), 0.0, words
 
@@ -63,9 +63,9 @@ def flat(context: Context) -> str:
     share = float(np.mean(found["whole"] <= found["whole"].min() * (1 + FLAT)))
     z_m = tuple(x * 1e6 for x in sides["z_m"])
     return (
-        f"within {FLAT:.1%} of the lowest pressure: {share:.1%} of the crowns of Eq. 19, "
-        f"K_1 from {sides['K_1'][0]:.2f} to {sides['K_1'][1]:.2f}, K_2 from "
-        f"{sides['K_2'][0]:.2f} to {sides['K_2'][1]:.2f}, z_m from {z_m[0]:.1f} to "
+        f"p_max is within {FLAT:.1%} of the lowest for {share:.1%} of the crowns of Eq. 19; for "
+        f"these crowns, K_1 is {sides['K_1'][0]:.2f} to {sides['K_1'][1]:.2f}, K_2 is "
+        f"{sides['K_2'][0]:.2f} to {sides['K_2'][1]:.2f}, and z_m is {z_m[0]:.1f} to "
         f"{z_m[1]:.1f} µm{bound(context)}"
     )
 
@@ -92,9 +92,10 @@ def lundberg(context: Context) -> tuple[float, float, str]:
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
-        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; optimal K_1 = "
-        f"{measured(context)['best'][0]:.2f}; the pressure is within {FLAT:.1%} for every K_1 "
-        f"from {low:.2f} to {high:.2f}, so that this test hardly distinguishes N_max/Q"
+        f"with K_1 = N_max/Q = {K_1:.2f}, p_max differs by {p / best(context) - 1:+.2%} from the "
+        f"lowest; the optimal K_1 is {measured(context)['best'][0]:.2f}; p_max is within "
+        f"{FLAT:.1%} of the lowest for every K_1 from {low:.2f} to {high:.2f}, which makes this "
+        f"row weak evidence for K_1 = N_max/Q"
     )
     return FLAT - abs(float(p) / best(context) - 1), 0.0, words
 
@@ -121,9 +122,9 @@ def over_K_1(context: Context) -> tuple[float, float, str]:
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
-        f"the smallest change of {len(found)} lines is {found.min():.2%}; not judged: the line at "
-        f"z_m = {context.inputs.z_m_low * 1e6:g} µm and the K_2 of the map over z_m, which "
-        f"{course(shallow)}"
+        f"on {len(found)} lines over K_1, the smallest rise from the minimum to the lower end is "
+        f"{found.min():.2%}; one line is not judged: at z_m = "
+        f"{context.inputs.z_m_low * 1e6:g} µm in the map over z_m, p_max {course(shallow)}"
     )
     return float(found.min()), SURE, words
 
@@ -146,8 +147,8 @@ def counted(context: Context, lines: Array) -> str:
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
     return (
         f"on {np.sum(found > SURE)} of {len(found)} lines of constant K_1, p_max falls, then "
-        f"rises, by {found.max():.2%} at most; at K_1 = {K_1[near]:g}, the level nearest to the "
-        f"optimum, p_max {course(lines[near])}"
+        f"rises by {found.max():.2%} at most; at K_1 = {K_1[near]:g}, the value of the factorial "
+        f"nearest to the optimum, p_max {course(lines[near])}"
     )
 
 
@@ -169,9 +170,9 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
     over = found["whole"].min(axis=(1, 2))
     costs = float(np.interp(other, found["K_1"], over) / over.min() - 1)
     words = (
-        f"K_1 = {other:.2f} at 25 N m ({band(found['K_1'], found['less over K_1'])}; kriging "
-        f"without infill), K_1 = {K_1:.2f} at 40 N m ({band(found['K_1'], over)}); at 40 N m, the "
-        f"smaller K_1 changes the pressure by {costs:+.1%}"
+        f"the optimal K_1 is {other:.2f} at 25 N m ({band(found['K_1'], found['less over K_1'])}; "
+        f"kriging without infill) and {K_1:.2f} at 40 N m ({band(found['K_1'], over)}); at 40 N m, "
+        f"the K_1 for 25 N m changes p_max by {costs:+.1%}"
     )
     return math.copysign(costs, K_1 - other), FLAT, words
 
@@ -179,7 +180,7 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
 def band(K_1: Array, over: Array) -> str:
     """Text: interval of K_1 in which the pressure exceeds its lowest value by at most FLAT."""
     near = K_1[over <= over.min() * (1 + FLAT)]
-    return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
+    return f"from {near[0]:.2f} to {near[-1]:.2f}, p_max is within {FLAT:.1%} of the lowest"
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
@@ -188,7 +189,11 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
     )
-    return more - less, SURE, f"mean change of p_max over z_m: {more:.1%}, at 25 N m {less:.1%}"
+    return (
+        more - less,
+        SURE,
+        f"over the range of z_m, p_max varies by {more:.1%} on average, at 25 N m by {less:.1%}",
+    )
 
 
 def reductions(found: Any) -> Array:
@@ -208,7 +213,8 @@ def improves(context: Context) -> tuple[float, float, str]:
     return (
         float(more - less),
         SURE,
-        f"{more:.1%}, at 25 N m {less:.1%}, with {context.inputs.slices} slices",
+        f"the optimal crown reduces p_max by {more:.1%}, at 25 N m by {less:.1%}, with "
+        f"{context.inputs.slices} slices",
     )
 
 
@@ -218,7 +224,11 @@ def made_for(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     p = float(measured(context)["less"][3])
-    return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
+    return (
+        p / best(context) - 1,
+        SURE,
+        f"the optimal crown for 25 N m changes p_max by {p / best(context) - 1:+.1%}",
+    )
 
 
 def taken_off(context: Context) -> str:
@@ -228,7 +238,7 @@ def taken_off(context: Context) -> str:
         f"{1 - p / flat:.1%} with {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
         for n, p, flat in zip(SLICED, best, none, strict=True)
     )
-    return f"{shares}; the pressure at the ends grows with the number of slices"
+    return f"p_max is reduced by {shares}; the pressure at the ends grows with the number of slices"
 
 
 def by_number(context: Context, crown: str) -> Array:
@@ -256,25 +266,30 @@ def checks(T: int) -> tuple[Any, ...]:
     """All claims at the torque T [N m]."""
     optimum = tuple(f"huang2018:optimum-{T}nm-{key}" for key in ("k1", "k2", "zm"))
     fitted = FITTED if T == 25 else ""
-    why = "" if T == 25 else "; a prediction: the printed pressures contradict each other"
+    why = (
+        ""
+        if T == 25
+        else "; the value is a prediction, because the printed pressures contradict each other"
+    )
     found = (
         *SURROGATE,
-        beside(f"pressure with the optimal crown, {T} N m", _best, T, fitted=fitted,
-               bound=2 * NEAR, words=f"with the wedge angle of the inputs{why}"),
-        beside(f"pressure with the optimal crown, {T} N m, angle fitted", _fitted, T,
+        beside(f"p_max with the optimal crown, {T} N m", _best, T, fitted=fitted,
+               bound=2 * NEAR, words=f"the wedge angle is that of the inputs{why}"),
+        beside(f"p_max with the optimal crown, {T} N m, wedge angle fitted", _fitted, T,
                fitted=fitted, bound=NEAR,
                words=f"the wedge angle is fitted to the pressure printed at 25 N m{why}"),
-        Displayed(name="reduction of pressure by the optimal crown", symbol="Pre_max", unit="%",
-             words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
-        OfPaper(name=f"pressure of the printed crown within {NEAR:.0%} of the optimum",
+        Displayed(name="reduction of the largest pressure by the optimal crown", symbol="Pre_max",
+             unit="%", words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
+        OfPaper(name=f"largest pressure of the printed crown within {NEAR:.0%} of the lowest",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
-        Displayed(name="flatness of the optimum", symbol="Pre_max", unit="1", words=flat),
-        OfPaper(name=f"pressure with K_1 = N_max/Q within {FLAT:.1%} of the optimum",
+        Displayed(name="range of crowns with nearly the lowest p_max", symbol="Pre_max", unit="1",
+                  words=flat),
+        OfPaper(name=f"largest pressure with K_1 = N_max/Q within {FLAT:.1%} of the lowest",
                 symbol="K_1", unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
-        OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
+        OfPaper(name="p_max falls, then rises over K_1", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
                 printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
-        Displayed(name="p_max along z_m", symbol="Pre_max", unit="1", words=over_z_m,
+        Displayed(name="p_max over z_m", symbol="Pre_max", unit="1", words=over_z_m,
              printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
     )  # fmt: skip
     return (*found, *(AT_25 if T == 25 else AT_40))
@@ -289,15 +304,15 @@ def stated(q: Any) -> Iterator[Comparison | Check]:
 
 
 AT_25 = (
-    Displayed(name="p_max along K_2", symbol="Pre_max", unit="1", words=over_K_2,
+    Displayed(name="p_max over K_2", symbol="Pre_max", unit="1", words=over_K_2,
          printed=("huang2018:fig15a-zm",)),
 )  # fmt: skip
 AT_40 = (
     OfPaper(name="the optimal K_1 is larger than at 25 N m", symbol="K_1", unit="1",
             margin=larger_K_1, fitted=FITTED, printed=("huang2018:optimum-40nm-k1",)),
-    OfPaper(name="z_m changes the pressure more than at 25 N m", symbol="Pre_max", unit="1",
+    OfPaper(name="z_m changes p_max more than at 25 N m", symbol="Pre_max", unit="1",
             margin=steeper_z_m, fitted=FITTED, printed=("huang2018:fig17b-k2",)),
-    OfPaper(name="the optimal crown reduces the pressure more than at 25 N m", symbol="Pre_max",
+    OfPaper(name="the optimal crown reduces p_max more than at 25 N m", symbol="Pre_max",
             unit="1", margin=improves, fitted=FITTED, printed=("huang2018:stress-40nm-reduction",)),
     OfPaper(name="the optimal crown for 25 N m is not optimal for 40 N m", symbol="Pre_max",
             unit="1", margin=made_for, fitted=FITTED),

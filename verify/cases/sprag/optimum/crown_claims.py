@@ -91,7 +91,7 @@ def at_crown(name: str, what: str, beside: str, against: str, share: float, dema
         name=f"{name}, crown with unloaded ends", symbol="p", unit="MPa", analytic=what, fem=what,
         what=what, beside=beside, against=against, by=BY_STRIPS if against == "strips"
         else HALF_SPACE, interval=within(share), source=PLACE, demand=demand,
-        demand_reason="acceptance figures",
+        demand_reason="accepted errors",
     )  # fmt: skip
 
 
@@ -107,8 +107,9 @@ def higher(context: Context) -> tuple[float, float, str]:
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
     words = (
-        f"{', '.join(f'{x / 1e6:.0f}' for x in v)} MPa with {CELLS[0]}, {CELLS[1]} and {CELLS[2]} "
-        f"cells along the sprag; {sliced / 1e6:.0f} MPa by slices"
+        f"on a half-space, p_max of the printed crown is {', '.join(f'{x / 1e6:.0f}' for x in v)} "
+        f"MPa with {CELLS[0]}, {CELLS[1]} and {CELLS[2]} cells along the sprag; by slices, it is "
+        f"{sliced / 1e6:.0f} MPa"
     )
     return p / sliced - 1, U / sliced, words
 
@@ -128,7 +129,8 @@ def endless(context: Context) -> tuple[float, float, str]:
     return (
         grows - GROWS,
         0.0,
-        f"{words}; increase per refinement at least {grows:.1%}, {GROWS:.0%} required",
+        f"p_max is {words}; each refinement increases p_max by at least {grows:.1%}, {GROWS:.0%} "
+        "required",
     )
 
 
@@ -139,9 +141,10 @@ def to_make(context: Context) -> str:
     K_1, K_2, z_m = measured(context)["free"]
     free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
     return (
-        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm; on a half-space "
+        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm; on a half-space, p_max is "
         f"{free[-1] / 1e6:.0f} MPa with {CELLS[-1]} cells and {free[0] / 1e6:.0f} MPa with "
-        f"{CELLS[0]} cells; given crown: {hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f} MPa"
+        f"{CELLS[0]} cells; p_max of the given crown is {hand[-1] / 1e6:.0f} and "
+        f"{hand[0] / 1e6:.0f} MPa"
     )
 
 
@@ -156,9 +159,10 @@ def lower(context: Context) -> tuple[float, float, str]:
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
     crown: Array = measured(context)["free"]
     words = (
-        f"{free / 1e6:.0f} MPa with K_1 = {crown[0]:.2f}, K_2 = {crown[1]:.3f}, z_m = "
-        f"{crown[2] * 1e6:.1f} µm, {hand / 1e6:.0f} MPa with the printed crown; by slices, its "
-        f"pressure is {paper:+.1%} above that of the optimal crown"
+        f"on a half-space, p_max is {free / 1e6:.0f} MPa with K_1 = {crown[0]:.2f}, K_2 = "
+        f"{crown[1]:.3f}, z_m = {crown[2] * 1e6:.1f} µm and {hand / 1e6:.0f} MPa with the printed "
+        f"crown; by slices, p_max of the crown with unloaded ends differs by {paper:+.1%} from "
+        "that of the optimal crown by slices"
     )
     return 1 - free / hand, (u + U) / hand, words
 
@@ -187,7 +191,7 @@ def pressed(T: int) -> tuple[Any, ...]:
               printed=(f"huang2018:stress-{T}nm-optimised",)),
         OfPaper(name="the optimal crown by slices has no finite largest pressure on a half-space",
                 symbol="p_max", unit="1", margin=endless, fitted=FITTED),
-        OfPaper(name="a crown with unloaded ends has a lower pressure than the printed one "
-                "on a half-space",
+        OfPaper(name="a crown with unloaded ends has a lower pressure on a half-space than the "
+                "printed crown",
                 symbol="p_max", unit="1", margin=lower, fitted=FITTED),
     )  # fmt: skip

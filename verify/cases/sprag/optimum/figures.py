@@ -62,11 +62,12 @@ def extra(context: Context) -> Table:
     )  # fmt: skip
     return Table(
         title="Surrogates at extra designs, in the form of Table 2",
-        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "single kriging", "error [%]",
-                "separate kriging of end and rest", "error [%]"),
+        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "single kriging model", "error [%]",
+                "separate kriging models", "error [%]"),
         rows=rows,
-        note="Errors are relative to the predicted value, as in Table 2. The paper does not print "
-        "the designs of Table 2.",
+        note="The separate models are those of the end slice and of the other slices. Errors are "
+        "relative to the predicted value, as in Table 2. The paper does not print the designs of "
+        "Table 2.",
     )  # fmt: skip
 
 

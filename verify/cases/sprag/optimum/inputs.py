@@ -59,7 +59,10 @@ class OptimumInputs(EngagementInputs):
                     f"{low} = {a * factor:g}{unit}, {high} = {b * factor:g}{unit}"
                 )
         if self.population % 2:
-            raise ValueError(f"the population must be even, got population = {self.population}")
+            raise ValueError(
+                "the number of individuals in the population must be even, got population = "
+                f"{self.population}"
+            )
         return self
 
     @property

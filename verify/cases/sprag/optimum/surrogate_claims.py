@@ -70,7 +70,8 @@ class Repeated(Claim):
         return [
             self._row(
                 context.case, Kind.EXACT, verdict, fem=worst, scale=1.0,
-                interval_source=f"condition of the bordered system, at most {BOUND:g}",
+                interval_source="round-off error times the condition number of the bordered "
+                f"linear system, at most {BOUND:g}",
             )
         ]  # fmt: skip
 
@@ -110,7 +111,7 @@ def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
 
 
 def missed(found: Measured, which: str) -> Array:
-    """Relative errors at the extra designs of a surrogate: of one kriging ("single") or of two."""
+    """Relative errors of one kriging model ("single") or of two models at the extra designs."""
     return np.asarray(found[f"extra {which}"] / found["extra largest"][:, 0] - 1)
 
 
@@ -126,7 +127,7 @@ def fresh(context: Context) -> tuple[float, float, str]:
     """
     error = np.abs(missed(measured(context), "two"))
     size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
-    return size, 0.0, f"{spread(error)} (relative errors at {len(error)} designs)"
+    return size, 0.0, f"relative error: {spread(error)} (at {len(error)} designs)"
 
 
 def at_best(context: Context) -> Pair:
@@ -134,9 +135,9 @@ def at_best(context: Context) -> Pair:
     *_, (*_, predicted, true) = measured(context)["infill"]
     rounds = len(measured(context)["infill"])
     words = (
-        f"{predicted / 1e6:.1f} and {true / 1e6:.1f} MPa after {rounds} rounds; this agreement is "
-        "the stopping criterion of infill; independent evidence is given by new designs and by the "
-        "search without surrogate"
+        f"p_max is {predicted / 1e6:.1f} MPa by the surrogate and {true / 1e6:.1f} MPa by an "
+        f"engagement after {rounds} rounds of infill; this agreement is the stopping criterion of "
+        "infill; independent evidence is given by new designs and by the search without surrogate"
     )
     return Pair(predicted, true, 0.0, words)
 
@@ -146,7 +147,8 @@ def searched(context: Context) -> Pair:
     found = measured(context)
     ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
     words = (
-        f"{ga / 1e6:.2f} MPa after {found['GA evaluations'][0]:.0f} evaluations and "
+        f"the genetic algorithm finds {ga / 1e6:.2f} MPa after "
+        f"{found['GA evaluations'][0]:.0f} evaluations, differential evolution finds "
         f"{de / 1e6:.2f} MPa after {found['DE evaluations'][0]:.0f} evaluations"
     )
     return Pair(ga, de, 0.0, words)
@@ -158,8 +160,8 @@ def directly(context: Context) -> Pair:
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
     words = (
-        f"{low / 1e6:.1f} MPa after {len(tried)} engagements, {low / best - 1:+.2%} relative to "
-        f"{best / 1e6:.1f} MPa"
+        f"the search without surrogate finds {low / 1e6:.1f} MPa after {len(tried)} engagements, "
+        f"{low / best - 1:+.2%} relative to {best / 1e6:.1f} MPa of the optimal crown"
     )
     return Pair(best, low, 0.0, words)
 
@@ -171,77 +173,84 @@ def asked(context: Context) -> str:
     near = tried <= best * (1 + NEAR)
     first = f"{int(np.argmax(near)) + 1}" if near.any() else f"more than {len(tried)}"
     return (
-        f"with kriging: {len(found['X'])} engagements of the factorial and {len(found['infill'])} "
-        f"of infill; without kriging, from the given crown to within {NEAR:.1%} of the optimum: "
-        f"{first}"
+        f"with kriging, the optimum requires {len(found['X'])} engagements of the factorial and "
+        f"{len(found['infill'])} of infill; without kriging, a search from the given crown to "
+        f"within {NEAR:.1%} of the optimum requires {first} engagements"
     )
 
 
 def single_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"at the extra designs: {spread(missed(found, 'single'))}; with one level left out: "
-        f"{spread(found['level out single'])}; with one design left out: "
-        f"{spread(found['left out single'])}"
+        f"errors at the extra designs: {spread(missed(found, 'single'))}; estimates with one level "
+        f"of the factorial left out: {spread(found['level out single'])}; estimates with one "
+        f"design left out: {spread(found['left out single'])}"
     )
 
 
 def two_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"with one level left out: {spread(found['level out two'])}; with one design left out: "
-        f"{spread(found['left out two'])}"
+        f"estimates with one level of the factorial left out: {spread(found['level out two'])}; "
+        f"estimates with one design left out: {spread(found['left out two'])}"
     )
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Positive margin if leave-one-out underestimates the error of a single kriging enough.
+    """Amount by which the ratio of the leave-one-out estimate to the true error is below BLIND.
 
-    The ratio of the estimated to the true mean error must be below BLIND.
+    Both are mean errors of a single kriging model.
     The uncertainty and the text of the row are also returned.
     """
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())
-    return BLIND - known / true, 0.0, f"mean error: estimate {known:.3%}, new designs {true:.2%}"
+    return (
+        BLIND - known / true,
+        0.0,
+        f"the estimated mean error is {known:.3%}, that at new designs {true:.2%}",
+    )
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """Positive margin if separate kriging has less than half of the error of a single kriging.
+    """Positive margin if separate kriging models have less than half of the error of one model.
 
     The uncertainty and the text of the row are also returned.
     """
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
-    return 0.5 - two / one, 0.0, f"mean error {two:.2%}, with a single kriging {one:.2%}"
+    return 0.5 - two / one, 0.0, f"the mean error is {two:.2%}, with a single model {one:.2%}"
 
 
 SURROGATE = (
-    Repeated(name="kriging prediction and the bordered system", symbol="Y", unit="1",
+    Repeated(name="prediction by kriging and by the bordered linear system", symbol="Y", unit="1",
              pair=at_extra("predicted")),
-    Repeated(name="kriging deviation and the bordered system", symbol="s", unit="1",
-             pair=at_extra("deviation")),
-    Repeated(name="leave-one-out predictions, in closed form and one by one", symbol="Y", unit="1",
-             pair=left_out),
-    Deviation(name=f"error of surrogate at new designs: mean {MEAN:.1%}, largest {LARGEST:.0%}",
+    Repeated(name="standard deviation by kriging and by the bordered linear system", symbol="s",
+             unit="1", pair=at_extra("deviation")),
+    Repeated(name="leave-one-out predictions in closed form and by omission of each design",
+             symbol="Y", unit="1", pair=left_out),
+    Deviation(name=f"error of the surrogate at new designs is below {MEAN:.1%} on average and "
+              f"below {LARGEST:.0%} at each design",
               symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
-              source=suites("mean: tolerance at the optimal crown; single designs: six times that"),
+              source=suites("the mean error has the tolerance at the optimal crown; the error at "
+                            "each design has six times this tolerance"),
               whole="pressure of an engagement",
               by="surrogate", everywhere=True),
-    agrees(f"surrogate and true model within {AGREE:.1%} at the optimal crown", "Y", at_best, AGREE,
-           "engagement", SUBJECT),
-    agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
-           SEARCHES, "differential evolution",
+    agrees(f"pressure at the optimal crown by surrogate and by engagement within {AGREE:.1%}", "Y",
+           at_best, AGREE, "engagement", SUBJECT),
+    agrees("lowest pressure by genetic algorithm and by differential evolution within "
+           f"{SEARCHES:.1%}", "Y", searched, SEARCHES, "differential evolution",
            suites("one fifth of the tolerance between surrogate and engagement")),
-    agrees(f"optimal crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
-           AGREE, "search without surrogate",
+    agrees(f"lowest pressure with surrogate and by a search without surrogate within {AGREE:.1%}",
+           "Pre_max", directly, AGREE, "search without surrogate",
            suites("same tolerance as between surrogate and engagement")),
-    Displayed(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
-    Displayed(name="errors of a single kriging of all slices (Eq. 20)", symbol="Y", unit="1",
+    Displayed(name="number of engagements of a search with and without kriging", symbol="n",
+              unit="1", words=asked),
+    Displayed(name="errors of a single kriging model of all slices (Eq. 20)", symbol="Y", unit="1",
               words=single_errors),
-    Displayed(name="errors of separate kriging of the end and the rest", symbol="Y", unit="1",
-         words=two_errors),
-    OfPaper(name="separate kriging of the end and the rest halves the errors", symbol="Y", unit="1",
-            margin=better),
-    OfPaper(name="leave-one-out estimates miss nine tenths of the error of a single kriging",
-            symbol="Y", unit="1", margin=blind),
+    Displayed(name="errors of separate kriging models of the end slice and the other slices",
+         symbol="Y", unit="1", words=two_errors),
+    OfPaper(name="separate kriging models of the end slice and the other slices halve the errors",
+            symbol="Y", unit="1", margin=better),
+    OfPaper(name="leave-one-out estimates of the error of a single kriging model are less than a "
+            "tenth of this error", symbol="Y", unit="1", margin=blind),
 )  # fmt: skip

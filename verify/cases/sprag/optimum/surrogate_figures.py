@@ -42,7 +42,7 @@ def designs(context: Context) -> Sequence[Figure]:
     )  # fmt: skip
     return (
         Shapes(
-            title="Designs (Fig. 10)", unit="of each range",
+            title="Designs (Fig. 10)", unit="fraction of each range",
             panels=tuple(
                 Panel(name=name, lines=edges, dots=oblique(box.to_unit(found[key])))
                 for name, key in ((f"{len(found['X'])} factorial designs", "X"),
@@ -61,7 +61,7 @@ def errors(context: Context) -> Sequence[Figure]:
     more = deep.parts[0].arrays if deep else None
     curves = []
     for colour, (key, name) in enumerate(
-        (("single", "single kriging"), ("two", "separate kriging of end and rest"))
+        (("single", "single kriging model"), ("two", "separate kriging models"))
     ):
         x, y = true, PERCENT * missed(found, key)
         if more is not None:
@@ -92,7 +92,7 @@ def bars(context: Context) -> Bars:
     """Bar chart of the errors of the surrogates, and of the leave-out estimates of these errors."""
     found = measured(context)
     items = []
-    for key, name in (("single", "single kriging"), ("two", "separate kriging")):
+    for key, name in (("single", "single kriging model"), ("two", "separate kriging models")):
         for words, error in (
             ("new designs", missed(found, key)),
             ("one level left out", found[f"level out {key}"]),
@@ -105,8 +105,9 @@ def bars(context: Context) -> Bars:
         title="Errors of kriging and their estimates",
         label="mean |error| [%]",
         items=tuple(items),
-        note="A design that is left out has neighbours on the same level; the estimated error "
-        "therefore does not contain the kink between levels.",
+        note="The separate models are those of the end slice and of the other slices. If one "
+        "design is left out, its neighbours with the same value of a parameter remain; the "
+        "estimated error therefore does not contain the kink of the pressure between two values.",
     )
 
 
@@ -137,8 +138,8 @@ def searches(context: Context) -> Curves:
         "Searches for the optimal crown", "number of evaluations", "Pre_max [MPa]", curves,
         y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
-        note="The number of evaluations at an optimum of the surrogate includes the engagements of "
-        "the factorial.",
+        note="For the optimum of the surrogate, the number of evaluations includes the engagements "
+        "of the factorial.",
     )  # fmt: skip
 
 
@@ -167,14 +168,15 @@ def longer(context: Context) -> Sequence[Table]:
         "does not reduce the number of engagements for the optimal crown; it gives the maps."
     )  # fmt: skip
     rows = (
-        (f"single kriging at {DESIGNS} designs", size("single")),
-        (f"separate kriging of end and rest at {DESIGNS} designs", size("two")),
-        (f"DIRECT on at most {ENGAGEMENTS} engagements",
+        (f"errors of a single kriging model at {DESIGNS} designs", size("single")),
+        (f"errors of separate kriging models at {DESIGNS} designs", size("two")),
+        (f"lowest pressure by DIRECT with at most {ENGAGEMENTS} engagements",
          f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} relative to the optimal crown"),
-        ("engagements of DIRECT until within 0.1 % of the optimum", str(first or "not reached")),
-        (f"genetic algorithm, {SEEDS} seeds",
+        ("engagements of DIRECT until the pressure is within 0.1 % of the optimum",
+         str(first or "not reached")),
+        (f"lowest pressures by the genetic algorithm with {SEEDS} random seeds",
          f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),
-        (f"differential evolution, {SEEDS} seeds",
+        (f"lowest pressures by differential evolution with {SEEDS} random seeds",
          f"{seeds['DE'].min() / MPa:.2f} to {seeds['DE'].max() / MPa:.2f} MPa"),
     )  # fmt: skip
     return (Table(title="Longer searches and more designs", header=("study", "result"), rows=rows,

@@ -40,7 +40,7 @@ def advice(q: WedgeFormulas) -> Iterator[str]:
     yield (
         f"error of the rotation with Palmgren's law and Eqs. 9, 10 as printed: "
         f"{q.alpha_paper / q.alpha - 1:+.0%}; the error of the deflection is "
-        f"{rigid.H_composite / rigid.H - 1:+.0%}, but Eqs. 9, 10 omit a part of it"
+        f"{rigid.H_composite / rigid.H - 1:+.0%}, but Eqs. 9, 10 omit a part of the deflection"
     )
 
 

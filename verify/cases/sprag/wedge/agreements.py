@@ -22,7 +22,7 @@ def no_load(context: Context) -> Pair:
     for result in context.fem[-2:]:
         N, _, share, *_ = result.arrays["loads"][:, 0]
         found.append(float(np.tan(wedged(clutch, N).nu) / share - 1))
-    words = f"difference {found[1]:+.1e} at {N:.3g} N, 1e-4 accepted"
+    words = f"the ratio differs from 1 by {found[1]:+.1e} under {N:.3g} N, 1e-4 accepted"
     return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), words)
 
 
@@ -53,7 +53,7 @@ def force_ratio(key: str) -> Function:
                for r in context.fem[-2:]]  # fmt: skip
         before, now = (max(x.values(), key=abs) for x in off)
         worst = max(names, key=lambda name: abs(off[-1][name]))
-        words = f"largest difference {now:+.2%}, {RATIO:.1%} accepted"
+        words = f"the largest difference is {now:+.2%}, {RATIO:.1%} accepted"
         found = context.fem[-1].values[worst]
         return Pair(context.analytic[worst], found, 2 * abs(now - before) * found, words)
 
@@ -68,7 +68,10 @@ def force_ratio_bent(key: str) -> Function:
         q = context.inputs
         bent = bounds(q.part, q.stroke["1.8 N_0"].case.N).bending.whole
         before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
-        words = f"difference {now:+.2%}, bending {bent:+.2%}; {RATIO:.1%} accepted for the rest"
+        words = (
+            f"the difference is {now:+.2%}, of which bending causes {bent:+.2%}; {RATIO:.1%} "
+            "accepted for the rest"
+        )
         found = context.fem[-1].values[name]
         formula = context.analytic[name] * (1 + bent)
         return Pair(formula, found, 2 * abs(now - before) * found, words)
@@ -103,5 +106,8 @@ def onset(context: Context) -> Pair:
     v = context.fem[0].values
     tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
     between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2
-    words = f"holds at μ = {v['holds'] / tan:.4f} tan ν, slips at μ = {v['slides'] / tan:.4f} tan ν"
+    words = (
+        f"the sprag holds at μ = {v['holds'] / tan:.4f} tan ν and slips at μ = "
+        f"{v['slides'] / tan:.4f} tan ν"
+    )
     return Pair(tan, between, half, words)

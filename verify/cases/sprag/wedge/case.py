@@ -13,20 +13,20 @@ from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
 STUDIED = (  # rows of the study
-    "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
-    "T_i/N_i against the strut's tan ν (Eq. 10), at 1.8 N_0",
+    "force ratio T_i/N_i against tan ν (Eq. 10), at N_0",
+    "force ratio T_i/N_i against tan ν (Eq. 10), at 1.8 N_0",
     "normal force (Eq. 10), at T",
     "rotation of the sprags, at T",
-    "rotation as in the paper",
+    "rotation of the sprags as in the paper",
     "torque n_s N tan(ν) OA, at N_0",
     "total deflection of elastic bodies, at N_0",
-    "displacement by Eq. 6 alone of the outer race",
+    "displacement of the outer race under a sprag by Eq. 6",
     "mean displacement of the outer race (Eq. 6 as printed",
     "mean displacement of the inner race (Eq. 6 as printed",
     "peak pressure on the inner race (Hertz), at N_0",
     "peak pressure on the outer race (Hertz), at N_0",
     "excess of N_e over N_i",
-    "rotation with Palmgren's law",
+    "rotation of the sprags with Palmgren's law",
     "rotation of the sprags with elastic deflections, at N_0",
     "wind-up of rigid races",
     "torsional stiffness of rigid races",
@@ -83,9 +83,9 @@ class WedgedSprag(WedgeSteps):
         "extrapolates below the first one",
         "elastic deflections: the races are rings under single loads (Fourier series), the sprag "
         "is loaded by two opposed forces at its contacts (complex potentials)",
-        "expected errors: the angles change because contacts beside the centre line bend the "
-        "column and its ends roll further. Tangential forces increase the wind-up by 0.4 to 1.2 "
-        "tan²ν. The error of Hertz's theory is (a/r)²",
+        "expected errors: the angles change because the column bends (its contacts lie beside the "
+        "centre line) and its ends roll further. Tangential forces increase the wind-up by 0.4 to "
+        "1.2 tan²ν. The error of Hertz's theory is (a/r)²",
         "small strains: forces act at the undeformed ends of the sprag; the balance of moments "
         "omits the sideways displacement of these ends by bending",
     )

@@ -53,7 +53,7 @@ class WedgeSteps(WedgeFormulas):
     def delta_HI(self) -> float:
         return float(self.state.yields.contact_i)
 
-    @step("δ_g", "µm", "deflection of the sprag, if not included in its contacts")
+    @step("δ_g", "µm", "deflection of the sprag, if not included in that of its contacts")
     def delta_g(self) -> float:
         return float(self.state.yields.sprag)
 
@@ -76,7 +76,7 @@ class WedgeSteps(WedgeFormulas):
     def OB(self) -> float:
         return float(self.state.OB)
 
-    @step("OA_s", "mm", "radius at which the undeformed spiral intersects its normal",
+    @step("OA_s", "mm", "distance of the undeformed spiral's contact from the axis",
           source="Eq. 9, corrected: all deflections of the inner side", form="corrected",
           tex=r"R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}")  # fmt: skip
     def OA_s(self) -> float:

@@ -17,21 +17,21 @@ from verify.judging.tolerance_checks import Agreement, suites
 
 Bound = Callable[[Bounds], Interval]
 
-BENDS = "bending of the column and rolling of its ends, by complex potentials, ± 25 % of each"
-YIELDS = "1e-3, (a/r)² and tan²ν/2, added to the elastic solutions of all parts"
+BENDS = "effects of bending of the column and of rolling of its ends (complex potentials), ± 25 %"
+YIELDS = "errors of 1e-3, (a/r)² and tan²ν/2 of the elastic solutions of all parts"
 TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
-HERTZ = "2e-3, and 2 (a/h)² with the smallest of radii, walls and width as h"
-BETTI = "reciprocity: the mean is Lamé's for any position of the forces; 1e-3 for second order"
+HERTZ = "2e-3 and 2 (a/h)², where h is the smallest radius, wall thickness or width"
+BETTI = "by reciprocity, Lamé's mean applies to any position of the forces; 1e-3 for second order"
 PALMGREN = "Palmgren's law applies to rollers of finite length"
 RIGID = "races and sprag are rigid"
 HALF_ARMS = "the printed lever arms are half of the radii"
-PAPER = "deflections one quarter too large, one eighth omitted on the inner side"
+PAPER = "the deflections are one quarter too large, but Eqs. 9, 10 omit one eighth of them"
 FULL, MOST = "N_0", "1.8 N_0"
 WIDTH = f"{HERTZ}, at least the accepted 1 %"
 ONE = 0.02, "a difference of 1 % from Hertz is accepted"
-BLUNT = 0.02, "an excess of 0.1 %, twice the sensitivity of the angles"
-AS_FORCE = 0.02, "same sensitivity as N(T)"
-SLIPPING = 0.015, "tangential compliance"
+BLUNT = 0.02, "the excess is only 0.1 %; twice the required sensitivity of the angles is sufficient"
+AS_FORCE = 0.02, "same required sensitivity as N(T)"
+SLIPPING = 0.015, "tangential compliance of the contacts"
 EIGHTH = 0.02, "2 % are sufficient for a formula with an error of 12 %"
 ROLLERS = "same tolerance as for the statics of a roller freewheel"
 EDGE = 1  # order of values that depend on the end of a contact within a cell
@@ -79,7 +79,7 @@ def comparisons(q: Wedge) -> Iterator[Comparison]:
 
 
 def _angles(q: Wedge) -> Iterator[Comparison]:
-    tan_nu, tan_omega = "T_i/N_i against the strut's tan ν", "T_e/N_e against the strut's tan ω"
+    tan_nu, tan_omega = "force ratio T_i/N_i against tan ν", "force ratio T_e/N_e against tan ω"
     yield from through(q, Wedge.mu_i, f"{tan_nu} (Eq. 10)", "tan ν", Bounds.angle, BENDS)
     yield from through(q, Wedge.mu_e, f"{tan_omega} (Eq. 10)", "tan ω", Bounds.angle, BENDS)
     races = (("inner", "ν", Wedge.mu_i), ("outer", "ω", Wedge.mu_e))
@@ -117,27 +117,31 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
                        Bounds.elastic, YIELDS, points=(FULL, MOST))  # fmt: skip
     yield from through(q, Wedge.alpha, "rotation of the sprags with elastic deflections", "α(N)",
                        Bounds.elastic, YIELDS)  # fmt: skip
-    yield from through(q, Wedge.theta, "wind-up of the races by rolling, against n_s ∫dU/T", "θ(N)",
-                       Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
-    yield from through(q, Wedge.alpha_plane, "rotation with half planes and Eq. 6 for long races",
-                       "α(N)", Bounds.plane, "elastic solutions of the same parts", **at_full,
+    yield from through(q, Wedge.theta,
+                       "wind-up of the races by rolling, against n_s ∫dU/T of the strain energy U",
+                       "θ(N)", Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
+    yield from through(q, Wedge.alpha_plane,
+                       "rotation of the sprags with half planes and Eq. 6 for long races", "α(N)",
+                       Bounds.plane, "elastic solutions of the same parts", **at_full,
                        shares=PLANE)  # fmt: skip
     yield from through(q, Wedge.alpha_printed,
-                       "rotation with Eqs. 9, 10 as printed and elastic deflections", "α(N)",
-                       Bounds.lost, "H omits half of δ_HI and of δ_g", own=EIGHTH,
-                       **at_full)  # fmt: skip
+                       "rotation of the sprags with Eqs. 9, 10 as printed and elastic deflections",
+                       "α(N)", Bounds.lost, "the equations omit half of δ_HI and of δ_g",
+                       own=EIGHTH, **at_full)  # fmt: skip
     yield approximation(
         Wedge.alpha_composite, expected=underived(PALMGREN), state=q.stroke[FULL],
-        name="rotation with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)", order=2,
-    )  # fmt: skip
-    yield approximation(
-        Wedge.alpha_contacts, expected=underived(PALMGREN), state=q.stroke[FULL],
-        name="rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0", symbol="α(N)",
+        name="rotation of the sprags with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)",
         order=2,
     )  # fmt: skip
     yield approximation(
+        Wedge.alpha_contacts, expected=underived(PALMGREN), state=q.stroke[FULL],
+        name="rotation of the sprags with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
+        symbol="α(N)", order=2,
+    )  # fmt: skip
+    yield approximation(
         Wedge.alpha_paper, expected=underived(PAPER), symbol="α(T)", order=2,
-        name="rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, at T",
+        name="rotation of the sprags as in the paper, with Palmgren's law in Eqs. 9, 10 as "
+        "printed, at T",
     )  # fmt: skip
 
 
@@ -172,11 +176,12 @@ def _races(q: Wedge) -> Iterator[Comparison]:
         )  # fmt: skip
         yield from through(
             q, under, f"displacement of the {race} race under a sprag", symbol,
-            partial(Bounds.race, which=which), "a ring under single loads; 1e-3 and (a/wall)²",
+            partial(Bounds.race, which=which),
+            "a ring under single loads; 1e-3 and the square of a over the wall thickness",
             shares=PLANE, **at_full,
         )  # fmt: skip
         yield from through(
-            q, thin, f"displacement by Eq. 6 alone of the {race} race under a sprag", symbol,
+            q, thin, f"displacement of the {race} race under a sprag by Eq. 6 alone", symbol,
             partial(Bounds.thin_at_contact, which=which), "a ring under single loads",
             reference=under.name, shares="", **at_full,
         )  # fmt: skip
@@ -190,8 +195,8 @@ def _contacts(q: Wedge) -> Iterator[Comparison]:
         )  # fmt: skip
     for race, formula, symbol in (("inner", Wedge.a_i, "a_i"), ("outer", Wedge.a_e, "a_o")):
         yield from through(
-            q, formula, f"half-width on the {race} race (Hertz)", symbol, Bounds.width, WIDTH,
-            order=EDGE, points=(FULL,), own=ONE, shares=PLANE,
+            q, formula, f"half-width of the contact on the {race} race (Hertz)", symbol,
+            Bounds.width, WIDTH, order=EDGE, points=(FULL,), own=ONE, shares=PLANE,
         )  # fmt: skip
 
 
@@ -204,19 +209,20 @@ def _statics() -> Iterator[Comparison]:
         name="the wedge angle of the logarithmic spiral is constant", symbol="ν", unit="1",
         margin=found.keeps_its_angle,
     ))  # fmt: skip
-    yield agrees("friction at which the sprag slips against tan ν", "μ", found.onset,
+    yield agrees("friction coefficient at which the sprag slips, against tan ν", "μ", found.onset,
                  found.SLIDES, Wedge.mu_i)  # fmt: skip
     yield agrees("torque against n_s N tan(ν) OA at the computed position of the sprag", "T",
-                 found.ratio("column", found.RATIO, "the column bends: difference", of_fem=True),
+                 found.ratio("column", found.RATIO, "bending of the column changes the torque by",
+                             of_fem=True),
                  found.RATIO, Wedge.torque)  # fmt: skip
     yield agrees("work ∫N dH on all deflections against the elastic energy", "U",
-                 found.ratio("work", found.WORK, "rest by tangential deformation: difference"),
+                 found.ratio("work", found.WORK, "tangential deformation changes the energy by"),
                  found.WORK)  # fmt: skip
     one = {"one": 1.0}
     yield balance("forces", "balance of both contact forces on a sprag", "ΣF", "1", of=one,
                   bound=1e-9, because="the solver balances the forces on a free body")  # fmt: skip
     yield balance("held", "torque on the inner race against that on the outer", "T", "1", of=one,
-                  bound=1e-3, because="forces act on displaced surfaces")  # fmt: skip
+                  bound=1e-3, because="the forces act on displaced surfaces")  # fmt: skip
 
 
 def agrees(

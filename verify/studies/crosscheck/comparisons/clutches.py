@@ -105,7 +105,7 @@ def of_both(fields: Touched, times: float) -> Numbers:
 HERE: Any = {"allowed": 5e-3, "why": PENALTY}
 DRAWN: Any = {
     "allowed": CONTACT,
-    "why": f"{PENALTY}; and the races' radii are drawn by their overlaps, 1e-3 of them",
+    "why": f"{PENALTY}; and the radii of the races are changed by the overlap, 1e-3 of a radius",
 }
 
 
