@@ -44,7 +44,7 @@ def long_half_crowned(q: Any) -> Any:
 
 
 BOTH = Without(Cause.PLANE, "both models are in plane strain")
-LONG = Rerun(cause=Cause.GEOMETRY, what="sprags four times as long, same load per length",
+LONG = Rerun(cause=Cause.GEOMETRY, what="sprags four times as long with the same load per length",
              inputs=long, levels=(41, 81))  # fmt: skip
 # the deflection of a slice depends on its load only, a strip's deflection on all loads
 EVEN = Rerun(
@@ -57,7 +57,7 @@ HALF = Rerun(
     inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 STRIPS = (
-    Without(Cause.CONTACT, "none: both models use the exact contact law"),
+    Without(Cause.CONTACT, "none: both models satisfy the contact conditions exactly"),
     Without(Cause.PLANE, "strips and slices are not plane models"),
 )
 IN_TIME = (

@@ -1,4 +1,4 @@
-"""Largest pressures of the engagements of a sprag clutch with different crowns, for its design.
+"""Largest pressures of the engagements of a sprag clutch with different crowns.
 
 A crown mainly changes the laws of the contacts. These laws are solved once for all torques.
 `analytic.sprag.peaks` compares slices and strips at the ends: for the optimal crown of Eq. 19 at

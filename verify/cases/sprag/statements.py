@@ -1,4 +1,4 @@
-"""Checks of sprag clutches: for the paper only, contradicted statements, printed numbers."""
+"""Checks of statements and numbers that the paper prints for its sprag clutch."""
 
 import math
 from collections.abc import Callable, Mapping

@@ -83,7 +83,7 @@ def test_what_is_advised_holds():
     first, _, third, *_ = findings(T=115.0, p_lim=None)
     least = math.radians(number(first, "α_max of at least "))
     assert verdict(SpragClutch(T=115.0, p_lim=None, alpha_max=least)) == "holds"
-    assert third.startswith("already exceeded: the sprags reach the end of their profile")
+    assert third.startswith("limits below T: the sprags reach the end of their profile")
     times = number(findings(T=100.0)[0], "use about ")
     assert 1 < times < 2
     assert verdict(SpragClutch(T=100.0, l=9e-3 * times)) == "holds"

@@ -47,7 +47,7 @@ def as_it_grows(q: ClutchFormulas) -> list[str]:
     passed, ahead = [x for x in known if x.at <= q.T], [x for x in known if x.at > q.T]
     lines = []
     if passed:
-        lines.append(f"already exceeded: {'; '.join(map(_at, passed))}")
+        lines.append(f"limits below T: {'; '.join(map(_at, passed))}")
     if ahead:
         lines.append(f"if the torque increases, {'; then '.join(map(_at, ahead[:3]))}")
     return lines

@@ -93,7 +93,7 @@ def figures(q: ClutchFormulas, v: Values) -> Sequence[Figure]:
     asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
     friction = plot(
         "Friction used by the inner contacts", "t [ms]", "T_i/N",
-        line("T_i/N, under more than 5 % of N_max", t[loaded], asked),
+        line("T_i/N while N exceeds 5 % of N_max", t[loaded], asked),
         dashes("μ_s", t[[0, -1]], q.mu_s, 2), y_bottom=0.0,
         note="If T_i/N reaches μ_s, the contact slides.",
     )  # fmt: skip

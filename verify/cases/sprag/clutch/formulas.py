@@ -121,7 +121,7 @@ class ClutchFormulas(EngagementInputs, Case):
     def safety(self) -> float:
         return self.mu_s / self.mu_req
 
-    @Quantity("α(T)", "deg", "sprag rotation relative to the radius of the outer contact",
+    @Quantity("α(T)", "deg", "sprag rotation relative to the radius through the outer contact",
               equation="10",
               form="corrected", tex=r"\frac{1}{m} \ln\left(\frac{\rho_A}{\rho_0}\right)"
               r" - (\eta - \eta_0)")  # fmt: skip

@@ -110,8 +110,8 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 def never_idle(context: Context) -> tuple[float, float, str]:
     """Positive margin if the median error of every rejected pair exceeds GUARDED.
 
-    The margin is then positive: the guard rejects no correct result. The uncertainty and the text
-    of the row are also returned.
+    If it does, the guard rejects no correct result. The uncertainty and the text of the row are
+    also returned.
     """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]

@@ -42,7 +42,7 @@ class OptimumInputs(EngagementInputs):
     mutation: float = quantity(0.01, "1", "", "probability of mutation of a bit",
                                omitted=0.01, ge=0, le=1,
                                claims="huang2018:ga-mutation")  # fmt: skip
-    T_less: float | None = quantity(None, "N m", "T'", "second torque, whose optimal crown is "
+    T_less: float | None = quantity(None, "N m", "T'", "second torque; both optimal crowns are "
                                     "compared", omitted=None, gt=0, le=1e9,
                                     example="15 N m")  # fmt: skip
 
@@ -84,7 +84,7 @@ class Optimum25Inputs(OptimumInputs):
 
     K_1: float = quantity(2.1507, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-25nm-k1")  # fmt: skip
-    K_2: float = quantity(0.6763, "1", "K_2", "crowned length over length l, given crown",
+    K_2: float = quantity(0.6763, "1", "K_2", "crowned fraction of the length, given crown",
                           gt=0, le=1, claims="huang2018:optimum-25nm-k2")  # fmt: skip
     z_m: float = quantity("0.0121 mm", "mm", "z_m", "drop at the ends of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-25nm-zm")  # fmt: skip
@@ -97,10 +97,10 @@ class Optimum40Inputs(OptimumInputs):
                         claims="huang2018:torque-40")  # fmt: skip
     K_1: float = quantity(2.8, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-40nm-k1")  # fmt: skip
-    K_2: float = quantity(0.7, "1", "K_2", "crowned length over length l, given crown",
+    K_2: float = quantity(0.7, "1", "K_2", "crowned fraction of the length, given crown",
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip
     z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-40nm-zm")  # fmt: skip
-    T_less: float | None = quantity("25 N m", "N m", "T'", "second torque, whose optimal crown is "
-                                    "compared", omitted=None, gt=0, le=1e9,
+    T_less: float | None = quantity("25 N m", "N m", "T'", "second torque; both optimal crowns "
+                                    "are compared", omitted=None, gt=0, le=1e9,
                                     claims="huang2018:torque-25")  # fmt: skip

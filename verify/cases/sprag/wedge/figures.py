@@ -72,8 +72,8 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
         x=states.N, y=curve * DEGREE, x_fem=N, y_fem=values * DEGREE, y_ref=marks * DEGREE,
         u=u * DEGREE, scale=float(curve[0]) * DEGREE, scale_name=f"{symbol}_0", neglects=True,
         note="Without load, the force of the elastic sector acts along the line through both "
-        "contacts. The difference increases with N², because contacts beside the centre line bend "
-        "the column.",
+        "contacts. Under load, the difference between the angles of force and line increases with "
+        "N², because the contacts lie beside the centre line and bend the column.",
     )  # fmt: skip
 
 
