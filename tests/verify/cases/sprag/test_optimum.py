@@ -38,21 +38,21 @@ def test_every_line_along_k_1_must_fall_and_rise_but_for_the_shallowest():
         margin, U, words = over_K_1(context(OPTIMUM_25, arrays={LINES: wrong}))
         expected = Status.PASS if line == 0 else Status.FAIL
         assert judge.fact(margin, U).status is expected
-        assert "not judged: the line at z_m = 5 µm" in words
+        assert "one line is not judged: at z_m = 5 µm" in words
 
 
 def test_lines_that_turn_and_engagements_are_counted_and_a_flat_part_is_a_band():
     lines = np.tile([3.0, 2.0, 2.5, 2.6, 2.7], (5, 1))
     lines[0] = [3.0, 2.9, 2.8, 2.7, 2.6]
     words = counted(of(best=np.array([4.9, 0.7, 1e-5])), lines)
-    assert words.startswith("on 4 of 5 lines of constant K_1, p_max falls, then rises, by 35")
+    assert words.startswith("on 4 of 5 lines of constant K_1, p_max falls, then rises by 35")
     assert words.endswith("nearest to the optimum, p_max falls, then rises by 35.00%")
     p = np.array([2.0, 1.004, 1.0, 1.004, 1.006])
-    assert band(np.linspace(1, 5, 5), p) == "2.00 to 4.00 within 0.5%"
+    assert band(np.linspace(1, 5, 5), p) == "from 2.00 to 4.00, p_max is within 0.5% of the lowest"
     found = {"best true": np.array([1.0]), "X": np.zeros((125, 3)), "infill": np.zeros((2, 5))}
     tried = np.array([[0, 0, 0, 1.2], [0, 0, 0, 1.0009], [0, 0, 0, 1.0]])
-    assert asked(of(**found, direct=tried)).endswith("of the optimum: 2")
-    assert asked(of(**found, direct=tried + 0.01)).endswith("more than 3")
+    assert asked(of(**found, direct=tried)).endswith("of the optimum requires 2 engagements")
+    assert asked(of(**found, direct=tried + 0.01)).endswith("requires more than 3 engagements")
 
 
 @pytest.mark.parametrize(

@@ -143,7 +143,7 @@ def demanded(row: int) -> dict[str, Any]:
         return {}
     return {
         "demand": min(asked, COARSE),
-        "demand_reason": f"the error is printed as {entry.printed} %",
+        "demand_reason": f"printed as {entry.printed} %",
     }
 
 
