@@ -30,7 +30,7 @@ ASSUMED = {
     "mu_c": "dry to mixed friction of rolling steel",
     "gamma_b": "friction decreases within sliding speeds of a few m/s",
     "alpha_max": "half of the angle subtended by the width b of a sprag",
-    "n": "the races are initially at rest",
+    "n": "the outer race is initially at rest",
 }
 LARGEST_WEDGE = 12.0  # deg: tan is 0.21, beyond friction
 

@@ -52,7 +52,7 @@ def output(key: str, symbol: str, unit: str, what: str) -> Output:
 
 OUTPUTS = (
     output("N_max", "N_max", "N", "largest normal force of a sprag"),
-    output("peak_factor", "N_max/N", "1", "peak factor: ratio to N at rest (Eq. 14, no springs)"),
+    output("peak_factor", "N_max/N", "1", "peak factor: ratio of N_max to N at rest (no springs)"),
     output("t_max", "t_max", "ms", "time of the largest normal force"),
     output("M_max", "M_max", "N m", "largest torque that the sprags carry"),
     output("theta_max", "θ_max", "deg", "largest wind-up of the races"),

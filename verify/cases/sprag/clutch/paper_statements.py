@@ -185,7 +185,7 @@ LITTLE_SPRUNG = OfPaper(
     fitted=FITTED,
 )
 OF_THE_PAPER: tuple[Check, ...] = (
-    Agreement(name="damped engagement: the final force is the static force within 0.1 %",
+    Agreement(name="final force of a damped engagement is the static force within 0.1 %",
               paper_only=True, symbol="N", unit="N", pair=at_rest, accepted=RESTS,
               source=suites("one tenth of the 1 % that is accepted for the static limit"),
               by="Runge-Kutta steps"),

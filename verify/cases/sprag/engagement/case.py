@@ -34,8 +34,8 @@ class SpragEngagement(EngagementFormulas):
         Scan(vary=("T=15N m,25N m,32N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
     )
     readings: ClassVar = (
-        "the driving direction is positive and the clutch locks at α > 0, the mirror image of "
-        "Eq. 11; the springs have the sign that closes the contacts (ledger: "
+        "the driving direction is positive and the clutch locks at α > 0, whereas Eq. 11 has the "
+        "opposite sign of α; the springs have the sign that closes the contacts (ledger: "
         "eq-11-14-spring-sign)",
         "the forces on the races act at the radii OA and OB of Eq. 9, not at half of these radii "
         "(ledger: eq-16-lever-arms)",

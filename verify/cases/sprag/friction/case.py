@@ -34,8 +34,8 @@ class SpragFriction(FrictionFormulas):
     levels: ClassVar = LEVELS
     readings: ClassVar = (
         "T_bis = μ_s N; with other values Eq. 12 is not continuous (ledger: eq-12-static-limit)",
-        "T_stick maintains rolling of both contacts and damps residual sliding; according to the "
-        "paper, it maintains pure rolling",
+        "T_stick maintains rolling of both contacts and damps residual sliding; the paper states "
+        "only that T_stick maintains pure rolling",
         "ν is the wedge angle at rest under T; the required friction coefficient is T_i/N, which "
         "is slightly below tan ν because of the springs",
     )

@@ -215,7 +215,7 @@ def _statics() -> Iterator[Comparison]:
                  found.ratio("column", found.RATIO, "bending of the column changes the torque by",
                              of_fem=True),
                  found.RATIO, Wedge.torque)  # fmt: skip
-    yield agrees("work ∫N dH on all deflections against the elastic energy", "U",
+    yield agrees("work ∫N dH on all deflections against the strain energy", "U",
                  found.ratio("work", found.WORK, "tangential deformation changes the energy by"),
                  found.WORK)  # fmt: skip
     one = {"one": 1.0}
