@@ -16,9 +16,9 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
     """Apply `changes` while the body is executed; always restore the previous state afterwards.
 
     A changed function or class is replaced in every module that has imported it, because the
-    result must not depend on which modules were imported before. A constant is replaced in the named
-    module only. Raises LookupError if a name does not exist, and RuntimeError if a function that
-    was to be called with other arguments was not called.
+    result must not depend on which modules were imported before. A constant is replaced in the
+    named module only. Raises LookupError if a name does not exist, and RuntimeError if a function
+    that was to be called with other arguments was not called.
     """
     calls: dict[str, int] = {}
     forget_memoised()  # otherwise an earlier result would replace the changed one
