@@ -15,7 +15,7 @@ NAMES = {
 }
 SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
-    "references": "references moved",
+    "references": "changed references",
 }  # fmt: skip
 PRINTED = "a wider demand: printed as "
 
@@ -49,7 +49,7 @@ def stale(caught: Caught) -> str:
     known = {group.name for group in caught.groups}
     if caught.references:
         known.add("references")
-    heads = {True: "Measured for earlier code, not for this", False: "Not measured for this code"}
+    heads = {True: "Measured with earlier code only", False: "Not measured with this code"}
     found = {
         head: [SHORT[name] for name in caught.stale if (name in known) is is_known]
         for is_known, head in heads.items()
@@ -64,8 +64,8 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
         return [], []
     names = list(data["gate"]["red"])
     kinds: Mapping[str, Any] = {
-        **data["kinds"], "all that must fail at ±1 %": data["gate"],
-        "of these, all that a formula’s value reaches": data["the rest"],
+        **data["kinds"], "all rows that must fail at ±1 %": data["gate"],
+        "of these, all rows that depend on a value of a formula": data["the rest"],
     }  # fmt: skip
     lines = [
         Moved(kind, one["rows"], [one["red"][name] for name in names])
@@ -108,7 +108,7 @@ def in_words(caught: Caught) -> list[str]:
         f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
         f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "
         f"{len(moved['hidden'])} pass in spite of the change.",
-        f"Rows that fail at any value of a formula are counted separately: {always}.",
+        f"Rows on which no value of a formula has an effect are counted separately: {always}.",
     ]
 
 

@@ -48,7 +48,7 @@ def lines(study: StoredStudy) -> Iterator[Line]:
     for f in study.formulas:
         errors = tuple(in_percent(e, U) for e, U in zip(f.error, f.U, strict=True))
         if set(errors) == {TINY}:
-            yield Line(f.quantity, 1, Markup(""), (f"all within {LEAST} %",))
+            yield Line(f.quantity, 1, Markup(""), (f"all errors within {LEAST} %",))
         elif study.is_star:
             yield Line(f.quantity, 1, Markup(""), errors)
         else:

@@ -28,7 +28,8 @@ from verify.core.results import CaseResult, Report, Row, Status
 
 STYLES = ("palette.css", "report.css", "figures.css")
 WORDS = {
-    Status.FAIL: "outside the tolerance, insufficient sensitivity or not converged",
+    Status.FAIL: "the check is not met, its sensitivity is insufficient, or the reference has not "
+    "converged",
     Status.SKIP: "not run",
     Status.NOTE: "a printed value that is proved wrong (with its erratum) or is used unchanged; "
     "not judged",

@@ -62,7 +62,7 @@ def all_within(error: Array, U: Array) -> str:
     exponent = math.floor(math.log10(largest))
     bound = math.ceil(largest / 10.0**exponent - 1e-9) * 10.0**exponent
     words = np.format_float_positional(100 * bound, precision=1, fractional=False, trim="-")
-    return f"all within {words} %"
+    return f"all errors within {words} %"
 
 
 def inside(error: Array, U: Array, limit: float) -> NDArray[np.bool_]:

@@ -179,11 +179,11 @@ def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:
 
 
 def _uses(inputs: Sequence[str]) -> str:
-    """Text with the cases by name of their input: "n of ring-lame, ring-rotation.
+    """Text with the cases by name of their input.
 
-    Z of sprag-wedge".
+    Example: "input n in ring-lame, ring-rotation; input Z in sprag-wedge".
     """
     cases: dict[str, list[str]] = {}
     for name, _, case in (use.removeprefix("input ").partition(" of ") for use in inputs):
         cases.setdefault(name, []).append(case)
-    return "; ".join(f"{name} of {', '.join(of)}" for name, of in cases.items())
+    return "; ".join(f"input {name} in {', '.join(of)}" for name, of in cases.items())

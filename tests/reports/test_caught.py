@@ -42,7 +42,7 @@ def test_page_pdf_and_records_have_shares_counts_survivors_and_rows_without_a_re
     for words in (
         "200 of 13000", '>97.0\u202f% <span class="unit">94 to 99\u202f%<',  # 150 and 44 of 200
         '150 <span class="unit">75.0\u202f%', '6 <span class="unit">3.0\u202f%', "2026-11-23",
-        "a &lt; &lt;b&gt;", "all that must fail at ±1 %",
+        "a &lt; &lt;b&gt;", "all rows that must fail at ±1 %",
         "ring-lame/radius: passes with the reference changed by +1",
         '>a fact: an order</th><td class="n">2</td>',
         "and 10 do not; 0 pass in spite of the change",
@@ -65,8 +65,8 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
     names, lines = moved(CAUGHT)
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
-        ("identity", 60), ("all that must fail at ±1 %", 100),
-        ("of these, all that a formula’s value reaches", 50),
+        ("identity", 60), ("all rows that must fail at ±1 %", 100),
+        ("of these, all rows that depend on a value of a formula", 50),
     ]  # fmt: skip
     assert lines[2].red == [49, 50]
     assert in_words(CAUGHT) == [
@@ -74,8 +74,8 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
         "1.2% of all rows, or 2.0% without the 58 convergence rows.",
         "If a value of the formulas is changed instead, 50 of 60 rows with a formula depend on "
         "this value, and 10 do not; 0 pass in spite of the change.",
-        "Rows that fail at any value of a formula are counted separately: 40 exact balances, 3 "
-        "deviations from zero, 7 others.",
+        "Rows on which no value of a formula has an effect are counted separately: 40 exact "
+        "balances, 3 deviations from zero, 7 others.",
     ]
     assert moved(Caught(date="2026-11-23")) == ([], [])
     assert in_words(Caught()) == []

@@ -54,7 +54,7 @@ def test_pages_lead_to_the_explorer_and_its_data_to_places(data, made):
 def test_tables_hold_every_point_without_a_script(explored, made):
     tables = made[PAGE].partition('id="stored-points"')[2].partition("</section>")[0]
     cells = re.findall(r"<td>([^<]*)", tables)
-    wide = [int(n) for n in re.findall(r'colspan="(\d+)">all within 0.001 %', tables)]
+    wide = [int(n) for n in re.findall(r'colspan="(\d+)">all errors within 0.001 %', tables)]
     formulas = [f for s in explored.studies for f in s.formulas]
     tiny = [f for f in formulas if max(np.abs(f.error) + f.U) < 1e-5]
     assert len(wide) == len(tiny) > 10

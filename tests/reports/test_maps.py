@@ -127,8 +127,9 @@ def test_a_level_is_passed_where_a_plane_has_it():
 
 def test_errors_too_small_for_a_picture_are_stated_in_words():
     for largest, words in (
-        (2.3e-8, "all within 0.000003 %"), (-4e-4, "all within 0.04 %"), (0.0, "no difference"),
-        (6e-4, ""), (9.5e-7, "all within 0.0001 %"),
+        (2.3e-8, "all errors within 0.000003 %"), (-4e-4, "all errors within 0.04 %"),
+        (0.0, "no difference"),
+        (6e-4, ""), (9.5e-7, "all errors within 0.0001 %"),
     ):  # fmt: skip
         error = np.zeros((3, 2))
         error[1, 1] = largest

@@ -27,8 +27,11 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     outside = max(band[0] - m, m - band[1]) > U
     if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
         return rows
-    why = f"meshes resolve {U:.2g}" if steady else "the meshes do not converge"
-    reason = f"measured: {m:+.2%}; {why} where the formula allows {half:.2g}"
+    why = f"its uncertainty is {U:.2g}" if steady else "the meshes do not converge"
+    reason = (
+        f"measured model error: {m:+.2%}; {why}; "
+        f"the half-width of the expected interval is {half:.2g}"
+    )
     return [
         replace(r, status=Status.SHOWN, reason=reason) if r.status is Status.FAIL else r
         for r in rows

@@ -77,7 +77,10 @@ def approximation(
     m, U_m = ratio - 1, abs(ratio) * u  # the error of a quotient scales with it
     if interval is None:
         return Verdict(
-            Status.SHOWN, f"measured: {m:+.2%} ± {100 * U_m:.1g} %", formula - reference, U
+            Status.SHOWN,
+            f"measured model error: {m:+.2%} ± {100 * U_m:.1g} %",
+            formula - reference,
+            U,
         )
     low, high = interval
     if not u < 1:

@@ -159,7 +159,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
     limit = percent(best[0].limit)
     where = "; ".join(dict.fromkeys(map(_range, best)))
     inside, points = (sum(getattr(one, n) for one in widest) for n in ("inside", "points"))
-    few = f"the error is within {limit} at {inside} of {points} points, for {where}"
+    few = f"the error is within {limit} at {inside} of the {points} points, for {where}"
     if _is_outside(found):
         return (f"{few} only",)
     return (few if 2 * inside < points else f"accurate within {limit} for {where}",)
@@ -180,7 +180,7 @@ def _range(one: VerdictRange) -> str:
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one input varied at a time)"
     held = f" at {constant(one)}" if constant(one) else ""
-    return f"{box}{alone}{held} in {one.case}, {one.inside} of {one.points} points"
+    return f"{box}{alone}{held} in {one.case}, at {one.inside} of the {one.points} compared points"
 
 
 def constant(one: VerdictRange) -> str:

@@ -183,9 +183,10 @@ def test_an_error_beyond_the_limits_at_the_default_inputs_comes_first(row, monke
     studied(monkeypatch, 0.01, 0.2, -0.03)
     words = verdict(formula(), row("x", 0.24)).words
     assert words.startswith(
-        "the error is +24 % at the default inputs. The error is within 10 % at 1 of 2 points, for T"
+        "the error is +24 % at the default inputs. The error is within 10 % at 1 of the 2 points, "
+        "for T"
     )
-    assert " in ring-lame, 1 of 2 points only. The values are up to 3 % too low" in words
+    assert " in ring-lame, at 1 of the 2 compared points only. The values are up to 3 %" in words
 
 
 def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, monkeypatch):
@@ -193,7 +194,7 @@ def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, m
     (star,) = found.ranges(())
     for points, starts in (
         (2, "accurate within 10 % for"),
-        (3, "the error is within 10 % at 1 of 3 points,"),
+        (3, "the error is within 10 % at 1 of the 3 points,"),
     ):
         few = replace(star, points=points)
         monkeypatch.setattr(found, "ranges", lambda _, few=few: (few,))
