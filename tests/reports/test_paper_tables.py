@@ -157,7 +157,7 @@ def test_inputs_that_repeat_a_printed_number_stand_below_the_table(report, rende
     table = next(t for t in report.tables if (t.paper, t.name) == ("huang2018", "Table 1"))
     used = used_as_inputs(table)
     assert sum(len(cell.inputs) > 0 for cells in table.rows for cell in cells) == len(used) > 5
-    assert "n of ring-loads-outer; z of sprag" in used[0].words
+    assert "input n in ring-loads-outer; input z in sprag" in used[0].words
     text = page(report, {})
     assert all(str(formats.prose(one.words)) in text for one in used)
 

@@ -24,13 +24,13 @@ LIMITS = (TWO, FIVE, replace(FIVE, limit=0.10))
 REGION = ValidityRegion(
     over="z 3 to 12 (3 values), δ_1 2 to 4 mm (2 values)", points=6, unsolved=1,
     problems=("1 × refused: <b>too thin</b>",), limits=LIMITS,
-    breaks="larger z: within 5 % to 3, beyond it at 6", axes=(Z, D),
+    breaks="larger z: the error first exceeds 5 % between 3 and 6", axes=(Z, D),
     error=(0.01, 0.03, 0.3, 0.2, 0.15, float("nan")), U=(1e-3,) * 5 + (float("nan"),),
 )  # fmt: skip
 EVERYWHERE = replace(
     REGION, unsolved=0, problems=(), error=(0.01,) * 6, U=(1e-3,) * 6,
     limits=tuple(
-        replace(one, inside=6, outside=0, undecided=0, words="all that was measured", box=())
+        replace(one, inside=6, outside=0, undecided=0, words="the whole measured range", box=())
         for one in LIMITS
     ),
 )  # fmt: skip
@@ -56,14 +56,14 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     text = section(one, "validity")
     for words in (
         "K of the paper", "Eq. 11, Belcin; −1.2 ± 0.04 % at the inputs of the case",
-        "1/6, 1 undecided", ">5, 10 %<", "Larger z: within 5", "2, 5, 10 %",
+        "1/6, 1 undecided", ">5, 10 %<", "Larger z: the error first exceeds 5", "2, 5, 10 %",
         "1 of 6 points without a solution</summary>1 × refused: &lt;b&gt;too thin",
         "Exact within its model: 1 formula ", "−0.00029 ± 0.00001 %", "5 of 6",
         "These formulas were not measured over the inputs: hub at e.",
         'href="#case-polyhedral-ring"',
     ):  # fmt: skip
         assert words in text
-    assert text.count("all that was measured") == 1  # one line for all three limits
+    assert text.count("the whole measured range") == 1  # one line for all three limits
     text = section(replace(one, validity=(MISSING,)), "validity")
     assert (
         "Not measured for the present code: run `freewheel deep validity:polyhedral-ring`." in text
@@ -76,8 +76,8 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     first, second = ([plain_text(cell) for cell in row] for row in case["rows"])
     assert first == [
         f"K of the paper{over}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
-        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 points without a "
-                         "solution",
+        "z = 3, all δ1", "larger z: the error first exceeds 5 % between 3 and 6; 1 of 6 "
+                         "points without a solution",
     ]  # fmt: skip
     assert second[:2] == [over, ""]
     assert "largest difference −0.00029 ± 0.00001 %" in plain_text(case["exact"])

@@ -4,7 +4,7 @@ from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Reg
 from verify.studies.validity import messages as words
 
 ALREADY = {
-    OUTSIDE: "error beyond {} already at the default inputs",
+    OUTSIDE: "the error exceeds {} already at the default inputs",
     UNDECIDED: "undecided at the default inputs: the error bar crosses {}",
     UNSOLVED: "not solved at the default inputs",
 }
@@ -25,22 +25,22 @@ def breaks(found: Region) -> str:
         missing = "" if step is None else f"; {_unsolved(step)}"
         return f"{start}no solved point is beyond {limit}{missing}"
     if step is None:
-        return f"{start}no single input makes the error exceed {limit}, several together do"
+        return f"{start}the error exceeds {limit} only if several inputs are changed"
     more = ""
     if step.verdict == UNSOLVED:
         # the first step must not hide points beyond the limit on other axes
         count = found.outside + found.undecided
-        more = f"; {count} other point{'s are' if count > 1 else ' is'} not within it"
+        more = f"; {count} other point{'s are' if count > 1 else ' is'} not within the limit"
     return start + _broken(step, limit) + more
 
 
 def _start(found: Region, limit: str) -> str:
     """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
-        return f"{_at_nominal(found, limit)}; from the middle of the box, "
+        return f"{_at_nominal(found, limit)}; starting from the middle of the box, "
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
-    return "" if inside else "from the default inputs, which are not in that box, "
+    return "" if inside else "starting from the default inputs, which are not in this box, "
 
 
 def _broken(step: Break, limit: str) -> str:
@@ -48,11 +48,11 @@ def _broken(step: Break, limit: str) -> str:
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
-        return f"{towards}: error exceeds {limit} between {ends}{near}"
+        return f"{towards}: the error first exceeds {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"undecided at {first}: the error bar crosses the limit"
+    doubt = f"undecided at {first}, where the error bar crosses the limit"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
-    return f"{towards}: within {limit} to {last}, {then}"
+    return f"{towards}: the error is within {limit} as far as {last}; {then}"
 
 
 def _unsolved(step: Break) -> str:

@@ -39,7 +39,7 @@ def near(axis: Axis, last: float, first: float, at: float) -> str:
     """Text of an interpolated value [SI] with two digits; empty if rounding leaves the interval."""
     low, high = sorted(axis.in_unit(v) for v in (last, first))
     about = float(f"{axis.in_unit(at):.2g}")
-    return f" (about {number(about)})" if low < about < high else ""
+    return f" (at about {number(about)})" if low < about < high else ""
 
 
 def over(plan: Plan) -> str:

@@ -44,12 +44,12 @@ def _limit(found: Region, *, star: bool) -> ValidityLimit:
 def box_words(found: Region, *, star: bool) -> str:
     """Text of the largest box, a range for each axis; for a star, the range of each input alone.
 
-    The text contains "all" or "none" if this applies.
+    If all points or no points are inside, the text states this.
     """
     if found.everywhere:
-        return "all that was measured"
+        return "the whole measured range"
     if not found.box:
-        return "none of what was measured"
+        return "no measured point"
     return _alone(found.box) if star else ", ".join(_range(one) for one in found.box)
 
 
@@ -61,7 +61,7 @@ def _alone(ranges: Sequence[Range]) -> str:
     """Text of the ranges of single inputs; inputs without a restriction come last."""
     texts = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
-    return "; ".join([*texts, f"{whole} alone throughout"] if whole else texts)
+    return "; ".join([*told, f"{whole} alone over the whole range"] if whole else told)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
