@@ -40,7 +40,7 @@ function asked(course) { // of one study
   const broken = axes.find((a) => a.whole && !Number.isInteger(values[a.name]));
   if (broken) return { why: `${broken.symbol} must be a whole number` };
   const held = moved.filter((a) => !study.axes.some((b) => b.name === a.name)), names = (list) => list.map((a) => a.symbol).join(" and ");
-  if (held.length) return { why: `not compared with another ${names(held)}${moved.length > held.length ? " at the same time" : ""}` };
+  if (held.length) return { why: `not compared with other values of ${names(held)}${moved.length > held.length ? " at the same time" : ""}` };
   if (study.star && moved.length > 1) return { why: `${names(moved)} were varied one at a time and not compared together` };
   return between(study, course, study.axes.map(position));
 }
@@ -84,7 +84,7 @@ function answer(q) {
     return;
   }
   const { head, words } = judged(q), held = one.studies[q.course.study].held;
-  const from = q.stored ? "a stored point" : `between stored points; ±${percent(q.bent)} % of the bar is interpolation`;
+  const from = q.stored ? "stored point" : `between stored points, with an interpolation error of ±${percent(q.bent)} %`;
   const error = `error ${with_bar(q.e, q.u)}${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
   const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)} from all its comparisons: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
   box.innerHTML = `<b>${head}</b><p>At ${where}${held && ` (stored for ${plain(held)})`}: ${error}.</p>` +
@@ -124,8 +124,8 @@ function show(typed) {
   const q = best(), range = heights(), dates = [...new Set(formula.at.map((a) => one.studies[a.study].date))].join(", ");
   answer(q);
   $("charts").innerHTML = axes.map((a) => chart(a, q, range)).join("");
-  const shaded = formula.safe ? ` Shaded: the unsafe side, too ${formula.safe > 0 ? "low" : "high"}.` : "";
-  $("source").innerHTML = `Reference: ${plain(formula.by ?? "finite elements")}; measured ${dates}. Row ${link(`${one.id}.html#${formula.row}`, `${one.id}/${formula.name}`)}.${shaded} Hatched: nothing is stored. The address of this page holds the inputs.`;
+  const shaded = formula.safe ? ` Shaded: unsafe side, the formula is too ${formula.safe > 0 ? "low" : "high"}.` : "";
+  $("source").innerHTML = `Reference: ${plain(formula.by ?? "finite elements")}; measured ${dates}. Row ${link(`${one.id}.html#${formula.row}`, `${one.id}/${formula.name}`)}.${shaded} Hatched: no stored points. The address of this page contains the inputs.`;
   const state = new URLSearchParams({ case: one.id, formula: formula.name });
   for (const [name, value] of Object.entries(values)) state.set(name, +value.toPrecision(8));
   history.replaceState(null, "", `#${state}`);

@@ -225,7 +225,7 @@ def test_answers_are_those_of_an_interpolation_in_python(answers, explored):
 
 def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(answers):
     for words in (
-        "Beyond 10 %, on the unsafe side", "error −11.9 % ± 0.5 % (between stored points; ±0.5 %",
+        "Beyond 10 %, on the unsafe side", "error −11.9 % ± 0.5 % (between stored points, with",
         "the formula is too low, the unsafe side", "formula × 1.136 (1.129 to 1.142)",
         "Belcin, Eq. 11 from all its comparisons: unsafe. Use instead: the series",
         "(δ1/de = 0.05625)",
@@ -233,7 +233,7 @@ def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(an
     ):  # fmt: skip
         assert words in answers[0]["text"]
     stored = answers[1]["text"]
-    assert "error −9.07 % ± < 0.01 % (a stored point)" in stored
+    assert "error −9.07 % ± < 0.01 % (stored point)" in stored
     assert "formula × 1.100." in stored
     assert "Within 1 %" in answers[len(GRID) + 2]["text"]
     assert "the error bar includes both signs" in answers[len(GRID) + 2]["text"]

@@ -39,7 +39,7 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     if found.verdict in WITHOUT_RANGE:
         return Place(Where.NONE, "")
     if case not in found.cases:
-        return Place(Where.NOT_COMPARED, f"compared in {', '.join(found.cases)}")
+        return Place(Where.NOT_COMPARED, f"compared only in {', '.join(found.cases)}")
     free = independent(found, case)
     part = Part.of(inputs, free)
     if not part.changed():
@@ -89,7 +89,7 @@ def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, 
     known = {side.name for r in ranges for side in r.studied}
     known |= {side.name for r in ranges for side in r.held if part.is_inside(side)}
     if other := [symbols[name] for name in changed if name not in known]:
-        return f"not compared with another {_named(other)}"
+        return f"not compared with other values of {_named(other)}"
     both = _named([symbols[name] for name in changed])
     return f"not compared with {both} changed {'at once' if len(changed) > 1 else 'alone'}"
 
@@ -118,7 +118,7 @@ def _outside(ranges: Sequence[VerdictRange], part: Part) -> str:
     ]  # fmt: skip
     words = ", ".join(dict.fromkeys(side_in_words(replace(side, ratio="")) for side in sides))
     if any(part.is_within(r, r.box) for r in ranges):
-        return f"inside a range with errors within {limit}, outside that of another study: {words}"
+        return f"inside a range with errors within {limit}, outside such a range of another study: {words}"
     if not sides:
         return f"no compared error is within {limit}"
     return f"outside the range with all errors within {limit}: {words}"

@@ -90,7 +90,7 @@ def test_the_smallest_limit_that_all_studies_keep_is_stated():
         ((ten, five, two), 20e-3, "inside the range with errors within 5 %"),
         ((two,), 20e-3, "outside the range with all errors within 2 %: r_i 5 to 10 mm"),
         ((five, replace(two, limit=0.05)), 20e-3, "inside a range with errors within 5 %, outside "
-         "that of another study: r_i 5 to 10 mm"),
+         "such a range of another study: r_i 5 to 10 mm"),
         ((study(studied=(R_I,)),), 20e-3, "no compared error is within 5 %"),
         ((two,), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
         ((study(R_I, NU),), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
@@ -102,20 +102,20 @@ def test_the_smallest_limit_that_all_studies_keep_is_stated():
 def test_inputs_that_no_study_varies_are_named():
     star = study(R_I, NU, is_star=True)
     for inputs, says in (
-        ({"E": 1e11, "nu": 0.2}, "not compared with another E"),
+        ({"E": 1e11, "nu": 0.2}, "not compared with other values of E"),
         ({"r_i": 6e-3, "nu": 0.2}, "not compared with r_i, ν changed at once"),
         ({}, DEFAULT),
     ):
         assert placed(star, inputs=inputs).words == says
     at = study(NU, held=(replace(R_I, low=6.0, high=6.0),))
     for inputs, says in (
-        ({"r_i": 7e-3}, "not compared with another r_i"),
-        ({"r_i": 7e-3, "nu": 0.2}, "not compared with another r_i"),
-        ({"r_i": 6e-3, "E": 1e11}, "not compared with another E"),
+        ({"r_i": 7e-3}, "not compared with other values of r_i"),
+        ({"r_i": 7e-3, "nu": 0.2}, "not compared with other values of r_i"),
+        ({"r_i": 6e-3, "E": 1e11}, "not compared with other values of E"),
         ({"nu": 0.2}, "not compared with ν changed alone"),
     ):
         assert placed(at, inputs=inputs).words == says
-    assert placed(star, case="ring-rotation").words == "compared in ring-lame"
+    assert placed(star, case="ring-rotation").words == "compared only in ring-lame"
     for verdict in WITHOUT_RANGE:
         assert placed(star, verdict=verdict).where is Where.NONE
 
@@ -143,7 +143,7 @@ def test_an_input_that_changes_no_error_is_not_named():
     offset = find("rotor-clutch").inputs(e=0.5e-6)
     for name, says in (
         ("huang2022/Eq. 4, printed", DEFAULT_ERROR),
-        ("huang2022/Eq. 8, corrected", "not compared with another Δx"),
+        ("huang2022/Eq. 8, corrected", "not compared with other values of Δx"),
         ("huang2022/Eq. 9, corrected", "inside the range with errors within 2 %"),
     ):
         assert place(of_record(name), "rotor-clutch", offset).words == says
