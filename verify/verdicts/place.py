@@ -118,7 +118,10 @@ def _outside(ranges: Sequence[VerdictRange], part: Part) -> str:
     ]  # fmt: skip
     words = ", ".join(dict.fromkeys(side_in_words(replace(side, ratio="")) for side in sides))
     if any(part.is_within(r, r.box) for r in ranges):
-        return f"inside a range with errors within {limit}, outside such a range of another study: {words}"
+        return (
+            f"inside a range with errors within {limit}, outside such a range of another study: "
+            f"{words}"
+        )
     if not sides:
         return f"no compared error is within {limit}"
     return f"outside the range with all errors within {limit}: {words}"
