@@ -31,8 +31,8 @@ def _half_angle_readings() -> tuple[Reading, ...]:
     return (
         switched("numerator", "R instead of r in the numerator", numerator="R"),
         switched("root", "without the root", root=False),
-        switched("inverse", "sin for cos", inverse=math.asin),
-        switched("inverse", "tan for cos", inverse=math.atan),
+        switched("inverse", "sin instead of cos", inverse=math.asin),
+        switched("inverse", "tan instead of cos", inverse=math.atan),
         switched("share", "2 α for α", share=2.0),
         switched("share", "α for 2 α", share=0.5),
         doubled("R"),
@@ -51,7 +51,7 @@ def _loaded_angle_readings() -> tuple[Reading, ...]:
     return (
         switched("below", "− r in the denominator", below=-1.0),
         switched("above", "− r in the numerator", above=-1.0),
-        switched("ring", "outside of the ring, 22 mm", ring=22.0),
+        switched("ring", "outer radius of the ring, 22 mm", ring=22.0),
         switched("share", "2 α for α", share=2.0),
         switched("share", "α for 2 α", share=0.5),
         doubled("r"),
@@ -70,7 +70,7 @@ def _torque_readings() -> tuple[Reading, ...]:
     return (
         switched("lever", "R for X", lever="R"),
         switched("lever", "r for X", lever="r"),
-        switched("of", "sin α for tan α", of=math.sin),
+        switched("of", "sin α instead of tan α", of=math.sin),
         switched("times", "2 α for α", times=2.0),
         *result()[:2],
     )
@@ -86,7 +86,7 @@ def side_force(q: Mapping[str, Any]) -> float:
 def _side_readings() -> tuple[Reading, ...]:
     return (
         switched("chord", "chord instead of arc", chord=True),
-        Reading(name="across the flats", of="d_i", inputs=lambda q: {
+        Reading(name="d_i across the flats", of="d_i", inputs=lambda q: {
             "d_i": q["d_i"] * math.cos(math.pi / q["z"])}),
         doubled("d_i"),
         *count("z"),

@@ -45,21 +45,21 @@ def _rounded(number: int) -> dict[str, float]:
 def _error_readings() -> tuple[Reading, ...]:
     return (
         switched("of", "relative to the predicted value", of=1.0),
-        switched("of", "of the mean of both", of=0.5),
+        switched("of", "relative to the mean of both values", of=0.5),
         switched("power", "squared", power=2.0),
-        switched("power", "root", power=0.5),
+        switched("power", "square root", power=0.5),
         *result()[:2],
     )
 
 
 def _square_readings() -> tuple[Reading, ...]:
     return (
-        switched("power", "the difference itself", power=1.0),
-        switched("points", "over the 10 points", points=10.0),
-        switched("points", "over 9 points", points=9.0),
-        switched("points", "over the 125 points of the design", points=125.0),
-        switched("points", "over 5 levels", points=5.0),
-        Reading(name="its root", of="the number itself", result=lambda v, _q: math.sqrt(abs(v))),
+        switched("power", "difference, not squared", power=1.0),
+        switched("points", "divided by the 10 points of the table", points=10.0),
+        switched("points", "divided by 9 points", points=9.0),
+        switched("points", "divided by the 125 points of the design", points=125.0),
+        switched("points", "divided by the 5 levels", points=5.0),
+        Reading(name="square root", of="the number itself", result=lambda v, _q: math.sqrt(abs(v))),
         *result(),
     )
 
@@ -82,8 +82,8 @@ def _rounded_pair(torque: int) -> dict[str, float]:
 
 def _reduction_readings() -> tuple[Reading, ...]:
     return (
-        switched("of", "of the optimised pressure", of=1.0),
-        switched("of", "of the mean of both", of=0.5),
+        switched("of", "relative to the optimised pressure", of=1.0),
+        switched("of", "relative to the mean of both values", of=0.5),
         switched("before", "3500 MPa of 25 N m before", before=printed("stress-25nm-unmodified")),
         switched("after", "2980 MPa of 25 N m after", after=printed("stress-25nm-optimised")),
         Reading(name="pressures rounded to tens", of="rounding",

@@ -167,11 +167,11 @@ def _small_readings() -> tuple[Reading, ...]:
     return (
         switched("F", "at 2 N", F=2.0),
         switched("c", "without the constant of Eq. 10", c=0.0),
-        switched("c", "constant of Eq. 10 ten times", c=0.055),
+        switched("c", "ten times the constant of Eq. 10", c=0.055),
         switched("k", "theory's k_1", k=printed("k1-theory")),
         switched("k", "k_2 of Eq. 10", k=printed("k2-fea")),
         switched("k_test", "k_2 of the tests", k_test=printed("k2-test")),
-        switched("of_fe", "of the finite elements' force", of_fe=True),
+        switched("of_fe", "relative to the force of the finite elements", of_fe=True),
         *result()[:2],
     )
 
