@@ -17,7 +17,7 @@ SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
     "references": "changed references",
 }  # fmt: skip
-PRINTED = "a wider demand: printed as "
+PRINTED = "lower required sensitivity: printed as "
 
 
 @dataclass(frozen=True)

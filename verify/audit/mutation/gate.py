@@ -19,14 +19,14 @@ LEAST = 0.99  # share of the held rows that fail at `SMALL`, each sign; all fail
 MOST_LISTED = 0.2  # of all rows
 
 TOLD = {
-    Status.SHOWN: "SHOWN: its reference states no uncertainty",
-    Status.NOTE: "NOTE: a printed value that is wrong",
-    Status.CALIBRATED: "CALIBRATED: it was fitted",
-    Status.FAIL: "fails already",
+    Status.SHOWN: "SHOWN: the uncertainty or the expected error is unknown",
+    Status.NOTE: "NOTE: the printed value is proved wrong, or is used unchanged",
+    Status.CALIBRATED: "CALIBRATED: inputs were fitted",
+    Status.FAIL: "the row fails without a change",
     Status.SKIP: "not run",
 }
-A_FACT = "a fact: an order, a presence, or more than one figure"
-WIDER = "a wider demand"
+A_FACT = "fact: a statement that is true or false, such as convergence"
+WIDER = "lower required sensitivity"
 
 
 def listed_as(row: Row) -> str:
