@@ -61,7 +61,7 @@ def _alone(ranges: Sequence[Range]) -> str:
     """Text of the ranges of single inputs; inputs without a restriction come last."""
     texts = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
-    return "; ".join([*told, f"{whole} alone over the whole range"] if whole else told)
+    return "; ".join([*texts, f"{whole} alone over the whole range"] if whole else texts)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
