@@ -25,7 +25,8 @@ SOME = (
     "ring-lame", "polyhedral-ring", "freewheel-torque", "sprag-wedge", "spring-accordion",
     "spring-map", "contact-roller-flat", "rotor-system",
 )  # fmt: skip
-LOST = ("spring-accordion", "Eqs. 1-9 against the curved beam", 7)  # a point taken away
+# a point taken away
+LOST = ("spring-accordion", "stiffness by Eqs. 1-9 against curved beam elements", 7)
 PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.97×10^-4",
                     value=1.97e-4, unit="kg m^2")  # fmt: skip
 

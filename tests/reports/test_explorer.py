@@ -153,7 +153,7 @@ def test_nearly_every_stored_point_lies_within_the_bar_that_the_others_give(expl
     assert held >= 0.98 * tried
 
 
-BEAM = "Eqs. 1-9 against the curved beam"
+BEAM = "stiffness by Eqs. 1-9 against curved beam elements"
 STAR, ANGLE = "freewheel-torque", "clamping angle under torque"
 
 

@@ -34,7 +34,7 @@ def test_a_wide_strip_is_stiffer_by_one_over_one_minus_nu_squared():
 
 
 def test_shear_and_stretching_of_the_strip_are_those_of_the_force_method():
-    row, case = "Eqs. 1-9 against the curved beam", "spring-accordion"
+    row, case = "stiffness by Eqs. 1-9 against curved beam elements", "spring-accordion"
     q = plan_of(case).case.inputs()
     k_1 = plan_of(case).case.analytic(q)["k1"]
     k = {theory: frame.stiffness(**q.paper_path, **strip_of(q), theory=theory)
@@ -49,7 +49,7 @@ def test_shear_and_stretching_of_the_strip_are_those_of_the_force_method():
 
 
 def test_loads_spread_over_a_race_explain_all_of_eq_6_as_the_fourier_ring_has_it():
-    row, case = "Eq. 6 at a load", "ring-loads-outer"
+    row, case = "deflection at a load by Eq. 6", "ring-loads-outer"
     plan = plan_of(case)
     v = plan.case.analytic(plan.case.inputs())
     as_it_is = error(case, (), 8, row)

@@ -128,7 +128,7 @@ def test_a_parameter_file_is_explained_with_its_numbers(tmp_path, capsys):
     order = ["formula", "FE", "behaviour", "order", "p", "F", "GCI", "u_it", "u_num", "u_ref",
              "u_input", "U", "scale", "d", "test", "detects", "verdict"]  # fmt: skip
     assert [label for label in labels if not label.startswith("h = ")] == order
-    assert run(["explain", "order of the displacement in L2", str(path)]) == 2
+    assert run(["explain", "displacement in the L2 norm", str(path)]) == 2
     err = capsys.readouterr().err  # orders are of the elements, on the paper's inputs alone
     assert err.startswith(f"freewheel: no row with {path} matches")
 

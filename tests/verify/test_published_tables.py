@@ -104,7 +104,7 @@ def test_the_theory_of_the_spring_constant_is_claimed_by_its_judged_rows(tables)
     assert own.status is Status.PASS
     assert own.analytic == pytest.approx(0.601, abs=0.0005)  # half the last printed digit
     assert own.fem is None
-    beam = found["spring-accordion/Eqs. 1-9 against the curved beam"]
+    beam = found["spring-accordion/stiffness by Eqs. 1-9 against curved beam elements"]
     assert beam.fem == pytest.approx(0.601, rel=1e-3)
     assert beam.u is not None
     assert beam.u < 1e-6

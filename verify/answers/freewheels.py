@@ -112,7 +112,7 @@ def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
     E = _moduli(q)[2]
     try:
         ring = OuterRace(r_i=q.R, r_o=q.R_a, n=q.z, F=v["N"], L=q.L, R=q.r, E=E, nu=q.nu)
-        stress = OUTER.analytic(ring)["stress scale"]
+        stress = OUTER.analytic(ring)["largest hoop stress"]
     except ValueError:  # dimensions beyond those of the ring's case
         part.remarks.append(NO_RING)
         return

@@ -32,7 +32,7 @@ def under_pressure(q: Any, _: Values, part: Assessment) -> None:
 def under_sprags(q: Any, v: Values, part: Assessment) -> None:
     """Criteria of a race under sprag forces: hoop stress and contact pressure."""
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
-    part.stress("hoop_stress", "hoop stress of the race", v["stress scale"], strength)
+    part.stress("hoop_stress", "hoop stress of the race", v["largest hoop stress"], strength)
     part.pressure("contact_pressure", "contact pressure under a sprag", v["p_0"], q.E)
 
 

@@ -60,7 +60,7 @@ WARNED = [
     ("sprag-clutch", {"E": "3 GPa"}, "Palmgren's law, which applies to steel only"),
     ("sprag-clutch", {"l": "3 mm"}, "l < b: sprags shorter than their width"),
     ("sprag-crown", {}, "z_m = 10 µm is reached only at the ends"),
-    ("spring-buckling", {"F": "2 N"}, "with a free head the spring buckles at 1.46 mm"),
+    ("spring-buckling", {"F": "2 N"}, "with a free head, it buckles at 1.46 mm"),
     ("spring-stages", {"width_factor": 1.09}, "U_A is 55% of the free length"),
     ("spring-stages", {"F": "10 N", "tail": "mid-leaf"}, "F = 10 N is beyond A"),
     ("spring-stages", {"F": "9.5 N", "tail": "arc"}, "a tip touches"),

@@ -10,7 +10,7 @@ from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 
 CLOSER = 4  # times as many loads
-WAVE = "mean load and its first harmonic per pitch, instead of patches: no indentation"
+WAVE = "mean pressure and its first harmonic per pitch instead of patches: no indentation"
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
@@ -54,27 +54,29 @@ def closer(q: Any) -> Any:
 LOADS = Statement(
     reruns=(
         Rerun(
-            cause=Cause.GEOMETRY, what=WAVE, rows=("Eq. 6 at a load", "Eq. 6 between loads"),
+            cause=Cause.GEOMETRY, what=WAVE,
+            rows=("deflection at a load by Eq. 6", "deflection between loads by Eq. 6"),
             fem=fem_wave,
         ),
         Rerun(
             cause=Cause.GEOMETRY, what="in addition, uniform pressure on the wall: no harmonics",
-            rows=("Eq. 6 at a load", "Eq. 6 between loads"), fem=fem_smeared, after=WAVE,
+            rows=("deflection at a load by Eq. 6", "deflection between loads by Eq. 6"),
+            fem=fem_smeared, after=WAVE,
         ),
         Rerun(
             cause=Cause.GEOMETRY, what="number of sprags × 4, load of each sprag / 4",
-            rows=("Eq. 6 *indentation*",), inputs=closer,
+            rows=("deflection *indentation*",), inputs=closer,
         ),
         Rerun(
-            cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("Eq. 6*",),
+            cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("deflection *",),
             changes=plane_strain(), shared=True,
         ),
     ),
     left=(
-        Left(("Eq. 6 *indentation*",), "the indentation of the half-plane ends at an assumed "
-             "depth; no body corresponds to this model"),
+        Left(("deflection *indentation*",), "the indentation of the half-plane is relative to an "
+             "assumed depth; no body corresponds to this model"),
     ),
-    finer=20, headline="Eq. 6 at a load",
+    finer=20, headline="deflection at a load by Eq. 6",
 )  # fmt: skip
 
 STATEMENTS: Mapping[str, Statement] = {

@@ -21,8 +21,8 @@ SQUARED: dict[str, Any] = {
     "demand_reason": "order 4 within 0.1: twice the order 2 of the energy norm",
 }
 PROFILE_NOTE = (
-    "Dots: finite elements on a radius at 30°. Lower diagram: difference to the formula; band: "
-    "tolerance of the profile."
+    "Line: formula. Dots: finite elements on a radius at 30°. Lower diagram: formula minus finite "
+    "elements; band: tolerance."
 )
 
 

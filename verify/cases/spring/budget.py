@@ -90,12 +90,12 @@ def fem_firmer(q: CurveInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values={"k1": float(2 * once - twice)})
 
 
-PROPORTION = "very small displacement, force scaled in proportion"
-HEAD = "and a free head instead of a guided one"
-EQ_9_FAR = ("Eq. 9 at*",)
-EQ_9 = ("Eqs. 1-9 against the curved beam",)
-HARINGX = ("Haringx*",)
-NO_PLANE = Without(Cause.PLANE, "both models are beams; the width is in spring-width")
+PROPORTION = "very small displacement, with the force scaled in proportion"
+HEAD = "in addition, a free head instead of a guided head"
+EQ_9_FAR = ("force by Eq. 9 at*",)
+EQ_9 = ("stiffness by Eqs. 1-9 against curved beam elements",)
+HARINGX = ("displacement at buckling by Haringx*",)
+NO_PLANE = Without(Cause.PLANE, "both models are beams; see spring-width for the width")
 
 STATEMENTS: Mapping[str, Statement] = {
     "spring-accordion": Statement(
@@ -107,16 +107,16 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(NO_PLANE, Without(Cause.DISPLACEMENT, "both models assume small displacements")),
         corrected=(
-            Corrected("Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
-                      "k_V", "arcs of the inner radius, against those of the centre line"),
-            *(Corrected(f"Eqs. 1-9 with the inner radius in {part}", "k_V",
-                        "these arcs have the inner radius, against the centre line's")
-              for part in ("the arc of head or tail alone (Eqs. 1, 2, 6)",
-                           "the inner segments alone (Eqs. 3, 4)")),
-            Corrected("Eqs. 1-9 with the leaf length of Eq. 3 as printed", "k1",
-                      "length of the leaves by the geometry"),
-            Corrected("stiffness of five segments with the tail of Eq. 5 as printed", "k1_five",
-                      "sign for an odd number of segments"),
+            Corrected("stiffness by Eqs. 1-9 with the inner radius against the true centre line",
+                      "k_V", "inner radius of the arcs instead of the radius of their centre line"),
+            *(Corrected(f"stiffness by Eqs. 1-9 with the inner radius only in {part}", "k_V",
+                        "inner radius of these arcs instead of the radius of their centre line")
+              for part in ("the arc of head or tail (Eqs. 1, 2, 6)",
+                           "the inner segments (Eqs. 3, 4)")),
+            Corrected("stiffness by Eqs. 1-9 with the leaf length as printed in Eq. 3", "k1",
+                      "leaf length by the geometry instead of Eq. 3 as printed"),
+            Corrected("stiffness of a spring with five segments and the tail of Eq. 5 as printed",
+                      "k1_five", "sign of Eq. 5 for an odd number of segments"),
         ),
         finer=48,
     ),
@@ -136,19 +136,20 @@ STATEMENTS: Mapping[str, Statement] = {
     ),
     "spring-width": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="leaves and width twice as large, arcs unchanged",
-                  rows=("factor of the spring, estimated by one leaf",), inputs=long_leaf),
+            Rerun(cause=Cause.GEOMETRY, what="leaves twice as long, strip twice as wide, same arcs",
+                  rows=("width factor of the spring, estimated by the factor of one leaf",),
+                  inputs=long_leaf),
         ),
         without=(Without(Cause.PLANE, "shells and solids have the true width"),),
         corrected=(
-            Corrected("k_1 by E I of a narrow strip, against the shell", "k",
-                      "E I, multiplied by the factor of a leaf as a plate"),
+            Corrected("k_1 of a narrow strip (E I) against the shell", "k",
+                      "E I instead of E I times the width factor of a leaf"),
         ),
     ),
     "spring-curve": Statement(
         reruns=(
             Rerun(cause=Cause.CONTACT, fem=fem_firmer,
-                  what="tenfold contact stiffness; no contact at rest"),
+                  what="tenfold contact stiffness (no contact in the unloaded spring)"),
         ),
         without=(NO_PLANE,),
     ),
@@ -160,8 +161,9 @@ STATEMENTS: Mapping[str, Statement] = {
                   inputs=thin, levels=(4,)),
         ),
         left=(
-            Left(("Haringx's column, tail clamped*",), "neither thickness nor segments "
-                 "explain it; the end conditions were not varied"),
+            Left(("displacement at buckling by Haringx's column*",),
+                 "neither the thickness nor the number of segments explains the difference; the "
+                 "end conditions were not varied"),
         ),
         without=(NO_PLANE,), finer=24,
     ),
@@ -169,7 +171,8 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.DISPLACEMENT, what=PROPORTION, rows=EQ_9_FAR, fem=fem_small),
             Rerun(cause=Cause.GEOMETRY, what=HEAD, rows=EQ_9_FAR, fem=fem_free, after=PROPORTION),
-            Rerun(cause=Cause.GEOMETRY, what="and arcs of the inner radius, as in Eqs. 1-9",
+            Rerun(cause=Cause.GEOMETRY,
+                  what="in addition, arcs of the inner radius, as in Eqs. 1-9",
                   rows=EQ_9_FAR, fem=fem_paper, after=HEAD),
         ),
         without=(NO_PLANE,), finer=24,

@@ -91,14 +91,14 @@ class FreeStage(AccordionInputs, Case):
         """Warnings if geometry or force is outside the range of Eqs. 1-9."""
         if self.L0 / self.b > L0_OVER_B:
             yield (
-                f"L_0/b = {self.L0 / self.b:.4g} is above {L0_OVER_B} (Eq. 13): according to the "
-                "paper, the head moves sideways and the formula loses accuracy"
+                f"L_0/b = {self.L0 / self.b:.4g} is above the limit {L0_OVER_B} of Eq. 13: beyond "
+                "it, by the paper, the head moves sideways and the formula loses accuracy"
             )
         if abs(self.k1 / self.k - 1) > 0.01:
             yield (
-                f"Eqs. 1-9 use the inner radius as radius of the centre line: error of k_1 "
-                f"{self.k1 / self.k - 1:+.1%} against the true centre line "
-                f"({self.k / 1e3:.4g} N/mm)"
+                f"Eqs. 1-9 use the inner radius as radius of the centre line: the error of k_1 is "
+                f"{self.k1 / self.k - 1:+.1%} (with the true centre line, k_1 is "
+                f"{self.k / 1e3:.4g} N/mm)"
             )
         if self.h > 10 * self.b:
             yield (
@@ -109,7 +109,7 @@ class FreeStage(AccordionInputs, Case):
         if self.b > 0.3 * self.R:
             yield (
                 f"b/(r + b/2) = {self.b / self.R:.2f}: the strip is not thin; run with --fem, "
-                "which uses curved bars"
+                "which includes a frame of curved beams"
             )
         if self.F is not None:
             yield from self._overloaded(self.F)

@@ -30,15 +30,16 @@ def tables(context: Context) -> Sequence[Table]:
     )  # fmt: skip
     return (
         Table(
-            title=f"Readings of Eqs. 3 and 5: {len(meet)} of {len(nearest)} give the printed "
-            f"{entry.printed} N/mm",
-            header=("leaf in L_2", "radius in L_2", "arc radius", "signs", "first couple",
+            title=f"Readings of Eqs. 3 and 5 that give the printed k_1: {len(meet)} of "
+            f"{len(nearest)} ({entry.printed} N/mm)",
+            header=("leaf in L_2", "radius in L_2", "arc radius", "signs", "first couple T_1",
                     "k_1 [N/mm]", "equal to printed digits", ""),
             rows=rows,
-            note="Statics (M = F y with matching ends) determines the signs, the first couple and "
-            "half of L_1 in L_2, but not the radius. The printed text has r in the arcs and "
-            "r + b/2 in L_2 (with h instead of b); the loops then have gaps of b cos α. Closed "
-            "loops require r or r + b/2 everywhere (0.60320 or 0.58202 N/mm). The adopted reading "
-            "is the printed text with b instead of h.",
+            note="The bending moment is F y, with the distance y from the line of force, and is "
+            "continuous between the segments. This determines the signs, the first couple T_1, and "
+            "the factor 1/2 of L_1 in L_2, but not the radius. The printed text has r in the arcs "
+            "and r + h/2 in L_2. With b instead of h, the loops have gaps of b cos α. Closed loops "
+            "require r everywhere (0.60320 N/mm) or r + b/2 everywhere (0.58202 N/mm). The adopted "
+            "reading is the printed text with b instead of h.",
         ),
     )  # fmt: skip

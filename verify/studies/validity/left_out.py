@@ -3,18 +3,17 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "its formulas are those of freewheel-torque, which has a study",
-    "sprag-friction": "a point takes five minutes of transient analysis; the rows of the case "
-    "state the errors at the inputs of the case",
-    "sprag-optimum": "a point takes a complete search for the optimum, even on the first level; "
-    "maps of the case show the pressure over the parameters of the crown",
-    "sprag-optimum-40": "a point takes a complete search for the optimum, even on the first level; "
-    "maps of the case show the pressure over the parameters of the crown",
-    "spring-curve": "a point takes a minute; spring-stages has a study of the same stiffness",
-    "contact-roller-end": "a point takes two minutes with solid elements; contact-roller has a "
-    "study of the same formulas outside the ends",
-    "rotor-step": "a point takes three minutes with solid elements; a map of the case shows the "
-    "error of mode 1",
+    "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
+    "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
+    "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
+    "crowns",
+    "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
+    "the crowns",
+    "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
+    "the stiffness k_1 of the same spring",
+    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
+    "contact-roller measures the same formulas outside the ends",
+    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case

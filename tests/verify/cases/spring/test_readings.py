@@ -37,7 +37,7 @@ READINGS = [
                  "stiffness k_1, head hinged, tail clamped at mid-leaf",
                  id="a hinge without side force"),
     pytest.param(WIDTH, frame, "stiffness", given(plane_strain=lambda _: False),
-                 "shell with held edges, tail clamped at mid-leaf, head guided",
+                 "stiffness of the shell in plane strain, tail clamped at mid-leaf, head guided",
                  id="1 - nu² dropped"),
 ]  # fmt: skip
 
@@ -64,7 +64,7 @@ def test_one_of_sixteen_readings_meets_the_printed_stiffness():
 def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_figure(
     monkeypatch,
 ):
-    name = "displacement at A against Eq. 10, reading with the nearest k_1"
+    name = "displacement at A against Eq. 10, reading whose k_1 is nearest to Eq. 10"
     assert [row.status for row in rows(STAGES, name)] == [Status.CALIBRATED]
     guided = [
         x for x in readings(StageSpring(width_factor=1.09))

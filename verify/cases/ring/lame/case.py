@@ -36,9 +36,9 @@ AROUND = np.linspace(22.5, 337.5, 8)  # degrees: arrows of the sketch
 
 
 class Ring(Case):
-    """Lamé's ring is the structural model of every race in the papers.
+    """Lamé's thick ring is the structural model of every race in the papers.
 
-    Formula and finite elements solve the same problem: their difference is the discretisation
+    Formula and finite elements solve the same problem; they differ only by the discretisation
     error.
     """
 
@@ -155,20 +155,23 @@ class Ring(Case):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Results of three quarters: plane stress, plane strain, straight cell edges."""
+        """Results of a quarter of the ring: plane stress, plane strain, straight cell edges."""
         from verify.cases.ring.lame.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Order]:
-        """Rows: thin and long ring against Lamé; convergence of energies and displacements."""
+        """Rows: thin and long ring against Lamé; orders of convergence."""
         ring, long = Ring, self.as_long()
         thin_and_long = (State(self, "", ENDS[0]), State(long, "strain", ENDS[1]))
         both: dict[str, Any] = {"sensitivity": walls.FAST}
-        stress = {"stress scale": max(abs(self.p_i), abs(self.p_o), *np.abs(self._stresses[1]))}
+        stress = {
+            "largest pressure or hoop stress":
+            max(abs(self.p_i), abs(self.p_o), *np.abs(self._stresses[1]))
+        }  # fmt: skip
         for state, ends in zip(thin_and_long, ENDS, strict=True):
             thick: Any = state.case
-            scale = {f"displacement scale, {ends}": max(abs(thick.u_bore), abs(thick.u_rim))}
+            scale = {f"largest wall displacement, {ends}": max(abs(thick.u_bore), abs(thick.u_rim))}
             for u in (ring.u_bore, ring.u_rim):
                 yield identity(u, state=state, scale=scale, order=4, **both)
         for state in thin_and_long:
@@ -181,17 +184,20 @@ class Ring(Case):
         for state in thin_and_long:
             residual = "balance_strain" if state.key else "balance"
             yield balance(residual, f"balance of forces, {state.words}", "ΣF_x", "N/mm",
-                          of={"load": load}, bound=1e-9, because=DIRECT)  # fmt: skip
+                          of={"sum of the pressure forces": load}, bound=1e-9,
+                          because=DIRECT)  # fmt: skip
         order: dict[str, Any] = {"symbol": "p", "unit": "1"}
         for state in thin_and_long:
-            yield Order(name=f"order of the strain energy, {state.words}", order=4, **order,
-                        errors=errors_of(ring.U, state=state), **walls.SQUARED)  # fmt: skip
-        yield Order(name="order of the displacement in L2", order=3, **order,
-                    errors=displacement_errors(""))  # fmt: skip
-        yield Order(name="order of the strain energy, straight edges", order=2, **order,
-                    errors=errors_of(ring.U, "U_straight", state=thin_and_long[1]))  # fmt: skip
-        yield Order(name="order of the displacement in L2, straight edges", order=2, **order,
-                    errors=displacement_errors("_straight"))  # fmt: skip
+            yield Order(name=f"order of convergence of the strain energy, {state.words}", order=4,
+                        **order, errors=errors_of(ring.U, state=state),
+                        **walls.SQUARED)  # fmt: skip
+        yield Order(name="order of convergence of the displacement in the L2 norm", order=3,
+                    **order, errors=displacement_errors(""))  # fmt: skip
+        yield Order(name="order of convergence of the strain energy, straight cell edges", order=2,
+                    **order, errors=errors_of(ring.U, "U_straight",
+                                              state=thin_and_long[1]))  # fmt: skip
+        yield Order(name="order of convergence of the displacement in the L2 norm, straight cell "
+                    "edges", order=2, **order, errors=displacement_errors("_straight"))  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
         """Figures: stresses and displacement over the wall of the long ring."""
@@ -208,7 +214,7 @@ class Ring(Case):
     def pictures(self) -> Iterator[Picture]:
         """Pictures of the hoop stress and the von Mises stress of the long ring."""
         for data, what in (("hoop_stress", "Hoop"), ("von_mises", "Von Mises")):
-            caption = f"{what} stress, plane strain, means of cells"
+            caption = f"{what} stress, plane strain, element averages"
             yield picture("plane strain", data, caption, mirror="xy")
 
     def sketch(self) -> Sketch:
@@ -217,7 +223,7 @@ class Ring(Case):
         pushed = [f"{p / 1e6:.4g} MPa {where}" for p, where in
                   ((self.p_i, "in the bore"), (self.p_o, "on the rim")) if p]  # fmt: skip
         return sketches.sketch(
-            f"ring under {' and '.join(pushed)}; symmetry on both cuts of the quarter",
+            f"ring under {' and '.join(pushed)}; a quarter is modelled, with symmetry on both cuts",
             walls.quarter(inner), _pressure(self.p_i, inner - 0.2, inner, "p_i"),
             _pressure(self.p_o, 1.2, 1.0, "p_o"),
             walls.radii(((f"r_o = {self.shown('r_o')}", 140, 1.0),
@@ -240,7 +246,7 @@ class Ring(Case):
         if strain > 2e-3 and self.R_p is None:
             yield f"strain reaches {strain:.2%} at the {where}: most steels yield; enter R_p"
         if strain > 1e-2:
-            yield f"strain reaches {strain:.2%}: the theory of small strains has such an error"
+            yield f"strain reaches {strain:.2%}: the theory of small strains has an equal error"
         if wall < 0.02 * self.r_o:
             yield (
                 f"the wall is {wall / self.r_o:.1%} of r_o: out-of-roundness and bending, "

@@ -9,7 +9,7 @@ from verify.cases.ring import walls
 
 
 def solve(q: Any, level: int) -> Level:
-    """Results of all three quarters on the mesh of `level`."""
+    """Results of a quarter of the ring on the mesh of `level`, by all three models."""
     values: dict[str, float] = {}
     arrays: dict[str, Any] = {}
     loads: dict[str, Any] = {"pressures": {"bore": q.p_i, "rim": q.p_o}, "degree": 2}

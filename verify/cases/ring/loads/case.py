@@ -28,7 +28,7 @@ class SpragRace(SpragLoads):
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (
         "linear elasticity, small strain, radial forces, no friction",
-        "Hertz's pressure acts on every contact patch, along the arc; the second wall is free",
+        "Hertz's pressure acts on every contact patch, along the arc; the other wall is unloaded",
         "half a pitch is modelled, with symmetry on both cuts",
     )
 
@@ -86,8 +86,8 @@ class OuterRace(SpragRace):
     scans: ClassVar = (Scan(vary=("n=6,12,24,48", "r_o=22mm,26.23mm,32mm,45mm")),)
     readings: ClassVar = (
         *READINGS,
-        "the contact radius of the sprag at the outer race is not printed: that at the inner race "
-        "is used",
+        "the contact radius of the sprag at the outer race is not printed: the printed contact "
+        "radius at the inner race is used",
     )
     names: ClassVar = ("R_e", "R_ed")
 
@@ -108,8 +108,8 @@ class OuterRace(SpragRace):
 class InnerRace(SpragRace):
     """The sprags load the rim of the inner race.
 
-    Its wall is thicker relative to its radius than that of the outer race. The waves of deflection
-    between the sprags, which Eq. 6 neglects, are therefore a larger part of its deflection.
+    Relative to its radius, the wall of the inner race is thicker than the wall of the outer race.
+    The deflection therefore varies more between the sprags, which Eq. 6 neglects.
     """
 
     id = "ring-loads-inner"

@@ -61,9 +61,9 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
         x_label="θ n/π, from a load to half-way to the next load", y_label="δ over Eq. 6",
         curves=tuple(curves),
-        note="All curves have the load of one sprag of this case; δ is relative to Eq. 6 with n of "
-        "the curve. The peak at the left is the local indentation. The mean of each curve over θ "
-        "equals Eq. 6 exactly.",
+        note="The force of a sprag is the same for all curves. δ is divided by the deflection by "
+        "Eq. 6 for the n of the curve. The peak at the left is the local indentation. Eq. 6 gives "
+        "the mean of each curve over θ exactly.",
     )  # fmt: skip
 
 
@@ -91,8 +91,8 @@ def _stresses(q: SpragLoads, context: Context) -> Curves:
         ]  # fmt: skip
     return Curves(
         title="Hoop stress on both walls", x_label="θ n/π", y_label="σ_θ [MPa]",
-        curves=tuple(curves), note=f"Lines: Fourier ring; the {q.loaded} is drawn outside the "
-        "contact patch only, as the hoop stress in the patch is about the pressure.",
+        curves=tuple(curves), note=f"Lines: Fourier ring. The curve of the {q.loaded} begins at "
+        "the edge of the contact patch: in the patch, the hoop stress is about the pressure.",
     )  # fmt: skip
 
 
@@ -102,7 +102,7 @@ def pictures(self: SpragLoads) -> Iterator[Picture]:
     window = (self.radius - view, -view, self.radius + view, view)
     yield Picture(field="half a pitch", data="radial_displacement", symbol="u_r", unit="µm",
                   factor=um, caption="Radial displacement over a pitch", mirror=("y",))  # fmt: skip
-    yield picture("half a pitch", "von_mises", "Von Mises stress near a load, means of cells",
+    yield picture("half a pitch", "von_mises", "Von Mises stress near a load, element averages",
                   mirror="y", window=window)  # fmt: skip
 
 
@@ -123,11 +123,12 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
         rows.append((str(n), *(f"{x - 1:+.1%}" for x in (*ratios((q,), n), *both))))
     header = ("n", "wind-up, this race", "peak force, this race")
     return Table(
-        title="Error of Lamé's ring with Hertz's indentation (to the depth of the wall)",
+        title="Errors of wind-up and peak force by Lamé's ring with Hertz's indentation",
         header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
-        note=f"Errors against the Fourier ring, for one sprag under {q.F:.4g} N with its local "
-        "indentation. The peak force belongs to a shock with the energy that the race by Lamé and "
-        "Hertz absorbs under this force. A model that is too soft overestimates the wind-up "
-        "(conservative) and underestimates the peak force (unsafe).",
+        note=f"Errors against the Fourier ring, with {q.F:.4g} N on each sprag. The indentation is "
+        "taken relative to a point at the depth of the wall. The peak force is that of a shock "
+        "whose energy Lamé's ring with Hertz's indentation absorbs under this force. A model that "
+        "is too compliant overestimates the wind-up (conservative) and underestimates the peak "
+        "force (unsafe).",
     )

@@ -17,7 +17,7 @@ from verify.form.adapter import adapted
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
-SHARP = 3e-3, "less than a tenth of the smallest step between shades of the map"
+SHARP = 3e-3, "less than a tenth of the smallest difference between two shades of the map"
 
 
 class Point(NamedTuple):
@@ -39,19 +39,21 @@ CHECKED = tuple(
     Point(*at) for at in ((3, 1.05), (48, 1.05), (6, 1.35), (12, 1.35), (3, 3.0), (48, 3.0))
 )
 PLACES = {
-    "load": ("at a load, without indentation", "Eq. 6 over the deflection of the Fourier ring "
-             "minus its local indentation (half-plane, to the depth of the wall)"),
-    "between": ("between loads", "Eq. 6 over the deflection of the Fourier ring"),
-    "total": ("with Hertz's indentation, at a load", "Eq. 6 plus the indentation of a half-plane "
-              "to the depth of the wall, over the deflection of the Fourier ring"),
+    "load": ("at a load, without indentation", "δ_6/(δ − δ_H) − 1, with δ_6 by Eq. 6, the "
+             "deflection δ of the Fourier ring at a load, and the indentation δ_H of a half-plane"),
+    "between": ("between loads", "δ_6/δ − 1, with δ_6 by Eq. 6 and the deflection δ of the Fourier "
+                "ring between loads"),
+    "total": ("with Hertz's indentation, at a load", "(δ_6 + δ_H)/δ − 1, with δ_6 by Eq. 6, the "
+              "deflection δ of the Fourier ring at a load, and the indentation δ_H of a "
+              "half-plane"),
 }  # fmt: skip
 
 
 class LoadsMap(Case):
     """The Fourier ring gives the error of Eq. 6 for any number of loads and any wall thickness.
 
-    Finite elements confirm the Fourier ring at six points of the map, including its corners. Radius
-    of the bore, load and modulus are 1.
+    Finite elements confirm the Fourier ring at six points of the map, including its corners. Bore
+    radius, load per length and Young's modulus are 1.
     """
 
     id = "ring-loads-map"
@@ -60,7 +62,9 @@ class LoadsMap(Case):
     place = "Eq. 6 over number of sprags and wall thickness"
     levels: ClassVar = (2, 3, 5)
     scans: ClassVar = (Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),)
-    readings: ClassVar = ("thin rings (plane stress), as in Eq. 6; the loads act on the bore",)
+    readings: ClassVar = (
+        "thin rings (plane stress), as in Eq. 6; in the rows, the loads act on the bore",
+    )
     assumptions: ClassVar = (
         "linear elasticity, small strain, radial forces, no friction",
         "Hertz's pressure acts on patches of equal half-width on all rings",
@@ -135,7 +139,7 @@ class LoadsMap(Case):
     def comparisons(self) -> Iterator[Comparison]:
         """Rows: Fourier ring against finite elements at every checked point."""
         for at in CHECKED:
-            scale = {f"{at.words}: value at a load": self.load(at)}
+            scale = {f"displacement at a load, {at.words}": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):
                 yield identity(q, symbol="δ/δ_6", scale=scale, order=order, sensitivity=SHARP,
                                shares=PATCHES)  # fmt: skip
@@ -159,8 +163,9 @@ class LoadsMap(Case):
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,
-            note=f"Error: {words}, minus 1; a/r = {self.a_r:g}, r of the loaded wall. The mean "
-            "deflection over the wall has no error.",
+            note=f"Error: {words}. δ_H is relative to the depth of the wall. a/r = {self.a_r:g}, "
+            "with the radius r of the loaded wall. Eq. 6 gives the mean deflection of the wall "
+            "exactly.",
         )  # fmt: skip
 
 

@@ -38,15 +38,15 @@ from verify.judging.claims import Claim
 
 Ends = Literal["plane stress", "plane strain"]
 FASTEST = 0.05  # strain beyond which small-strain elasticity is no model
-PARABOLAS = "parabolas replace circles: their first moment errs by less than (angle of a cell)^4"
+PARABOLAS = "parabolas replace circles: error of their first moment below (angle of a cell)^4"
 RPM = np.pi / 30
 
 
 class RotatingRace(Case):
-    """Centrifugal force widens the outer race, which can separate it from the sprags.
+    """Centrifugal force widens the outer race, so that the race can separate from the sprags.
 
-    Formula and finite elements solve the same problem. The growth is compared with the deflection
-    of the race under the sprags. The paper prints neither speed nor density: both are assumed.
+    Formula and finite elements solve the same problem. The growth of the bore is compared with its
+    deflection under the sprags. The paper prints neither speed nor density: both are assumed.
     """
 
     id = "ring-rotation"
@@ -168,7 +168,7 @@ class RotatingRace(Case):
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Results of quarters in plane stress and plane strain under centrifugal forces."""
+        """Results of a quarter of the race under centrifugal forces: plane stress, plane strain."""
         pull = self.rho * self.omega**2
 
         def read(race: Any) -> dict[str, float]:
@@ -210,12 +210,13 @@ class RotatingRace(Case):
         for state in states:
             residual = "balance_strain" if state.key else "balance"
             yield balance(residual, f"balance of forces, {state.words}", "ΣF_x", "N/mm",
-                          of={"load": load}, bound=1e-9, because=PARABOLAS)  # fmt: skip
+                          of={"centrifugal force": load}, bound=1e-9,
+                          because=PARABOLAS)  # fmt: skip
         for state in states:
-            yield Order(name=f"order of the strain energy, {state.words}", symbol="p", unit="1",
-                        errors=errors_of(race.U, state=state), order=4,
+            yield Order(name=f"order of convergence of the strain energy, {state.words}",
+                        symbol="p", unit="1", errors=errors_of(race.U, state=state), order=4,
                         **walls.SQUARED)  # fmt: skip
-        name = "growth at speed over the race's deflection under the sprags (Eq. 8 over Eq. 6)"
+        name = "bore growth by Eq. 8 over the deflection of the race by Eq. 6"
         yield Comparison(check=Small(name=name, symbol="δ_ce/δ_BE", unit="1"), quantity=race.ratio)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
@@ -252,7 +253,7 @@ class RotatingRace(Case):
 
     def pictures(self) -> Iterator[Picture]:
         """Picture of the hoop stress of the thin race."""
-        yield picture("plane stress", "hoop_stress", "Hoop stress, plane stress, means of cells",
+        yield picture("plane stress", "hoop_stress", "Hoop stress, plane stress, element averages",
                       mirror="xy")  # fmt: skip
 
     def sketch(self) -> Sketch:

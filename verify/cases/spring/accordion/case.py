@@ -35,7 +35,7 @@ from verify.judging.checks import Order
 from verify.judging.published_checks import Contradiction, PrintedMeasurement
 
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
-EQ_9_SOURCE = "axial and shear energy by the force method, ± 10 %"
+EQ_9_SOURCE = "energy of axial force and shear by the force method, ± 10 %"
 CENTRE_LINE = 0.02  # over the error by the radius: effect of elements and shear
 RADIUS_SOURCE = "force method on the centre line, with axial force and shear"
 PRINTED = ("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")
@@ -76,9 +76,9 @@ class AccordionSpring(FreeStage):
         ),
     )  # fmt: skip
     readings: ClassVar = (
-        "r is the inner radius. As printed, Eqs. 1-9 use r as radius of the centre line of the "
-        "arcs, but r + b/2 in L_2; this changes the paper's k_1 by 3.2 % against the true centre "
-        "line",
+        "r is the inner radius. Eqs. 1-9 as printed contain r as radius of the centre line of the "
+        "arcs, but r + b/2 in L_2. With r + b/2 everywhere, k_1 of the paper's spring is 3.2 % "
+        "smaller",
         "in Eq. 3, 2 L_1/sin α means 2 (L_1/2)/sin α, and h/2 means b/2",
         "the signs of Eq. 3 alternate from unit to unit; T_0 in the text is T_1 = F (L_1/2 + r)",
         "the head is free to rotate and to move sideways; the tail is clamped at the end of its "
@@ -119,13 +119,13 @@ class AccordionSpring(FreeStage):
         printed, right = (energy.tail_flexibility(n, T, r=self.r) for n in (self.n + 1, self.n))
         return self.E * self.h * self.b**3 / 12 / (self.J + float(printed - right))
 
-    @Quantity("σ_n", "MPa", "nominal bending stress at F or the largest test force",
+    @Quantity("σ_n", "MPa", "nominal bending stress at F; without F, at the largest test force",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def nominal_stress(self) -> float:
         return self.bending_stress(self.F or TEST_FORCE) / self.kappa
 
-    @Quantity("L_0/b", "1", "free length over thickness, arcs of the inner radius",
-              source="without the thickness of the leaves, which favours the limit")  # fmt: skip
+    @Quantity("L_0/b", "1", "free length over thickness, with arcs of the inner radius",
+              source="smallest value: L_0 does not contain the leaf thickness")  # fmt: skip
     def slenderness(self) -> float:
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
 
@@ -146,7 +146,7 @@ class AccordionSpring(FreeStage):
 
     @property
     def lengths(self) -> dict[str, Any]:
-        """Arguments of the centre line: that of Eqs. 1-9 if `ends.inner`, or else the true one."""
+        """Arguments of the paper's centre line if `ends.inner`, otherwise of the true one."""
         return self.paper_path if self.ends.inner else self.path
 
     def held(self, ends: Ends) -> Self:
@@ -164,48 +164,49 @@ class AccordionSpring(FreeStage):
         return frames.solve((*held, self.of_five), level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows of Eqs. 1-9 against printed values and curved elements, and of the force method."""
+        """Rows: Eqs. 1-9 against printed values and curved beams; force method against frames."""
         spring = AccordionSpring
         yield as_printed(spring.k1, "wang2023:k1-theory", name="stiffness by Eqs. 1-9")
         for words, printed in (("shell model", "fea"), ("test", "test")):
             yield Comparison(quantity=spring.k1, check=PrintedMeasurement(
-                name=f"Eqs. 1-9 against the paper's {words}", symbol="k_1", unit="N/mm",
-                analytic="k1", reference=f"wang2023:k1-{printed}",
+                name=f"k_1 by Eqs. 1-9, compared with the paper's {words}", symbol="k_1",
+                unit="N/mm", analytic="k1", reference=f"wang2023:k1-{printed}",
             ))  # fmt: skip
         yield approximation(
-            spring.k1, PAPER.named("k_V"), name="Eqs. 1-9 against the curved beam", order=4,
+            spring.k1, PAPER.named("k_V"),
+            name="stiffness by Eqs. 1-9 against curved beam elements", order=4,
             expected=self._neglected(),
             sensitivity=(5e-4, "required accuracy of frame elements, 0.05 %"),
             printed=PRINTED, shares=SHARED,
         )  # fmt: skip
         yield approximation(
             spring.k1, COMBINED[0].named("k_V"), order=4, expected=self._of_inner_radius(),
-            name="Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
+            name="stiffness by Eqs. 1-9 with the inner radius against the true centre line",
             shares=SHARED,
         )  # fmt: skip
         for one, where in (
-            (spring.k1_inner_head, "in the arc of head or tail alone (Eqs. 1, 2, 6)"),
-            (spring.k1_inner_segments, "in the inner segments alone (Eqs. 3, 4)"),
+            (spring.k1_inner_head, "in the arc of head or tail (Eqs. 1, 2, 6)"),
+            (spring.k1_inner_segments, "in the inner segments (Eqs. 3, 4)"),
         ):
             yield approximation(
                 one, COMBINED[0].named("k_V"), order=4, shares=SHARED,
-                name=f"Eqs. 1-9 with the inner radius {where}",
-                expected=underived("this radius applies only in one part of the spring"),
+                name=f"stiffness by Eqs. 1-9 with the inner radius only {where}",
+                expected=underived("only one part of the spring has the inner radius"),
             )  # fmt: skip
         yield approximation(
             spring.k1_printed_leaves, PAPER.named("k_V"), order=4, shares=SHARED,
-            name="Eqs. 1-9 with the leaf length of Eq. 3 as printed",
-            expected=underived("width instead of thickness, and a factor of 2"),
+            name="stiffness by Eqs. 1-9 with the leaf length as printed in Eq. 3",
+            expected=underived("Eq. 3 contains the width for the thickness, and 2 L_1 for L_1"),
         )  # fmt: skip
         yield from self._odd()
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
-            name="yield strength against the largest test force", symbol="σ", unit="MPa",
-            analytic="nominal_stress", reference="wang2023:yield-strength",
+            name="bending stress at the largest test force against the yield strength", symbol="σ",
+            unit="MPa", analytic="nominal_stress", reference="wang2023:yield-strength",
             erratum="wang2023:yield-strength",
         ))  # fmt: skip
         yield Comparison(quantity=spring.slenderness, check=Contradiction(
-            name="L_0/b of the paper's spring against its limit", symbol="L_0/b", unit="1",
-            analytic="slenderness", reference="wang2023:rule-length-thickness-max",
+            name="L_0/b of the paper's spring against the limit of Eq. 13", symbol="L_0/b",
+            unit="1", analytic="slenderness", reference="wang2023:rule-length-thickness-max",
             erratum="wang2023:eq-13-printed-spring",
         ))  # fmt: skip
         for q, elements, order in ((spring.k_N, "straight", 2), (spring.k_V, "curved", 4)):
@@ -225,11 +226,11 @@ class AccordionSpring(FreeStage):
         more: dict[str, Any] = {"order": 4, "shares": SHARED, "state": five}
         yield approximation(
             AccordionSpring.k1, FIVE.named("k_V"), expected=self.of_five._neglected(),
-            name="stiffness of five segments by Eqs. 1-9", **more,
+            name="stiffness of a spring with five segments by Eqs. 1-9", **more,
         )  # fmt: skip
         yield approximation(
             AccordionSpring.k1_printed_tail, FIVE.named("k_V"),
-            name="stiffness of five segments with the tail of Eq. 5 as printed",
+            name="stiffness of a spring with five segments and the tail of Eq. 5 as printed",
             expected=underived("the printed sign applies to an even number of segments"), **more,
         )  # fmt: skip
 

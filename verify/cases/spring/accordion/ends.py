@@ -38,6 +38,6 @@ def _combined() -> Iterator[Ends]:
         yield Ends(key, f"head {head}, tail{how} at {tail}", head, tail, hold)
 
 
-PAPER = Ends("paper", "paper's lengths", inner=True)  # the shape that Eqs. 1-9 speak of
-FIVE = Ends("five", "paper's lengths, five segments", inner=True)  # an odd number of them
+PAPER = Ends("paper", "paper's centre line", inner=True)  # the shape that Eqs. 1-9 speak of
+FIVE = Ends("five", "paper's centre line, five segments", inner=True)  # an odd number of them
 COMBINED = tuple(_combined())  # on the true centre line, the free head with its arc held first

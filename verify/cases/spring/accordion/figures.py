@@ -37,7 +37,7 @@ def combinations(q: Any) -> list[Combination]:
 
 
 def moments(context: Context) -> Iterator[Profile]:
-    """Figure of bending moments by Eqs. 1-5, with dots of straight elements at ends of pieces."""
+    """Figure of bending moments by Eqs. 1-5, with dots of straight elements at the joints."""
     if not context.converging:
         return
     q = context.inputs
@@ -67,37 +67,38 @@ def open_questions(context: Context) -> Iterator[Dots]:
     items.append(("Eqs. 1-9", q.k1 / 1e3, None, "formula"))
     if context.fem:
         curved = context.series("k_V_paper")[1][-1]
-        items.append(("FE, lengths of Eqs. 1-9", curved / 1e3, None, "fe"))
+        items.append(("FE, centre line of Eqs. 1-9", curved / 1e3, None, "fe"))
     for one in combinations(q):
         if one.tail == "arc":
-            strip = "wide strip" if one.wide else "narrow"
+            strip = "wide strip" if one.wide else "narrow strip"
             items.append((f"head {one.head}, {one.radius}, {strip}", one.k / 1e3, None, "formula"))
     yield Dots(
-        title="k_1 by readings that the paper leaves open", label="k_1 [N/mm]", items=tuple(items),
-        note="Force method with the tail clamped at its arc, for the readings of head, radius and "
-        "strip that the text allows. The table below contains all sixteen readings.",
+        title="k_1 for readings that the paper leaves open", label="k_1 [N/mm]", items=tuple(items),
+        note="k_1 by the force method, tail clamped at its arc. The paper's text leaves open "
+        "whether the head is free or guided, whether the arcs have the radius r or r + b/2, and "
+        "whether the strip is narrow or wide. The table below contains all sixteen readings.",
     )  # fmt: skip
 
 
 def sensitivity(q: Any) -> Table:
     """Table of k_1 for all 16 combinations of tail, head, radius and strip."""
     return Table(
-        title="k_1 [N/mm] for all combinations that the paper leaves open",
+        title="k_1 [N/mm] for all readings of supports, radius and strip",
         header=("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]"),
         rows=tuple(
             (one.tail, one.head, one.radius, "E I/(1 − ν²)" if one.wide else "E I",
              round(one.k / 1e3, 4))
             for one in combinations(q)
         ),
-        note="The first row is Eqs. 1-9. No row is fitted. A row that is chosen because it gives a "
-        "printed number would be calibrated.",
+        note="The first row has the assumptions of Eqs. 1-9. No value is fitted. A reading that is "
+        "chosen because it gives a printed number counts as calibrated.",
     )  # fmt: skip
 
 
 def bending_stress(q: Any) -> Picture:
     """Picture of the bending stress in the spring of the paper."""
     return Picture(
-        field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa,
-        width=q.h, caption="Bending stress 6 M/(h b²) under 1 N; positive: tension in the left "
-        "face, seen from head to tail",
+        field="paper's centre line", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa,
+        width=q.h, caption="Bending stress 6 M/(h b²) under 1 N (positive stress is tension in the "
+        "left face, seen from head to tail)",
     )  # fmt: skip

@@ -29,8 +29,8 @@ CUBE = 1e-3  # tolerance of the exponent; strain and shear change it by (b/L_1)^
 SPREAD = 0.005  # spread of U_cr over a fourfold thickness
 HINGED_TO = 0.7  # over the free length
 NOT_FOUND = "no equilibrium of the elastica was found before a critical point"
-FEW = 5e-4, "one unit with a few curved elements"
-EXACT = 1e-3, "exact elastica and geometrically exact beams"
+FEW = 5e-4, "the reference is one unit of a few curved elements"
+EXACT = 1e-3, "exact elastica and exact beams have equal equations"
 SHARED = "narrow strip, E I; no contact of leaves"
 WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf"}
 
@@ -38,8 +38,9 @@ WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf
 class BucklingSpring(BucklingFormulas):
     """Compression at which a spring buckles laterally if its head is not guided.
 
-    The formulas are Haringx's column, whose stiffnesses are those of the units of the spring, and
-    the exact elastica of its leaves and arcs. They are compared with geometrically exact beams.
+    Two formulas give this compression: Haringx's column with the stiffnesses of the units (arc,
+    leaf, arc) of the spring, and the exact elastica of the leaves and arcs. Both are compared with
+    geometrically exact beams.
     """
 
     id = "spring-buckling"
@@ -50,9 +51,11 @@ class BucklingSpring(BucklingFormulas):
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
         "free head: the force has a constant direction and acts at O, which moves and rotates "
-        "with the head",
-        "definition of buckling: the spring is compressed with a guided head; then the guide is "
-        "replaced by its reactions as dead loads, and the head can move without a change of load",
+        "with the head; its unit P is the Euler load of a column that bends like the unfolded "
+        "strip",
+        "buckling: the spring is compressed with a guided head, and the guide is then replaced by "
+        "its reactions as dead loads; the spring buckles at the compression at which the head can "
+        "then move without a change of these loads",
         "r is the inner radius: the centre line of the arcs has the radius r + b/2",
     )
     assumptions: ClassVar = (
@@ -67,7 +70,7 @@ class BucklingSpring(BucklingFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows of unit, elastica and column against beams, and claims on further springs."""
+        """Rows: unit, elastica and column against beams; claims on further springs."""
         spring = BucklingSpring
         tails = [State(self.held(tail), KEYS[tail].removeprefix("_"), WHERE[tail])
                  for tail in TAILS]  # fmt: skip
@@ -82,11 +85,12 @@ class BucklingSpring(BucklingFormulas):
         for tail in TAILS:
             yield approximation(
                 spring.column_U, f"U_cr{KEYS[tail]}", symbol="U_cr", order=4,
-                name=f"Haringx's column, {WHERE[tail]}", shares=SHARED,
-                expected=underived("computed: the ends of the spring are not units"),
+                name=f"displacement at buckling by Haringx's column with the {WHERE[tail]}",
+                shares=SHARED, expected=underived("the ends of the spring are not units"),
             )  # fmt: skip
         yield Comparison(quantity=spring.column_U, check=Limit(
-            name="Haringx's column with increasing numbers of units, tail clamped at its arc",
+            name="error of Haringx's column for increasing numbers of units, "
+            "tail clamped at its arc",
             symbol="U_cr", unit="1", points=claims.many_units, exponent=0.5, paper_only=True,
         ))  # fmt: skip
         yield from _swept()
@@ -125,8 +129,8 @@ def _swept() -> Iterator[Check]:
         source=suites("the effect of strain and shear, (b/L_1)², is far smaller"),
     )  # fmt: skip
     yield Agreement(
-        name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
-        unit="mm", pair=claims.spread, accepted=SPREAD,
+        name="U_cr is the same for thicknesses of 0.5 b to 2 b of the same centre line",
+        symbol="U_cr", unit="mm", pair=claims.spread, accepted=SPREAD,
         source=suites("half of the required sensitivity, 1 %"),
     )  # fmt: skip
     yield Accepted(
@@ -135,7 +139,7 @@ def _swept() -> Iterator[Check]:
         printed=("wang2023:rule-length-thickness-max",),
     )  # fmt: skip
     for name, margin in (
-        ("a free head drifts without a critical point", claims.stays),
+        ("a free head moves sideways without a critical point", claims.stays),
         (f"a spring with a hinged head does not buckle up to {HINGED_TO:.0%} of L_0",
          claims.hinged),
     ):  # fmt: skip

@@ -18,7 +18,7 @@ def spread(context: Context) -> Pair:
     b, U, _ = stored(context, "by_b").T
     spread = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
-    words = f"spread {spread:.2%}; L_0/b decreases from {z[0]:.0f} to {z[-1]:.0f}"
+    words = f"spread of U_cr {spread:.2%}; L_0/b decreases from {z[0]:.0f} to {z[-1]:.0f}"
     return Pair(float(U.max()), float(U.min()), NOISE * float(U.min()), words)
 
 
@@ -27,7 +27,7 @@ def by_cube(context: Context) -> Pair:
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
-    return Pair(worst, 3.0, NOISE, f"slope {worst:.5f}")
+    return Pair(worst, 3.0, NOISE, f"exponent {worst:.5f}")
 
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
@@ -53,7 +53,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
         share = U[-1] / context.inputs.length
         return float(left[k]), 1e-3, (
             f"smallest determinant: {left[k]:.1%} of the initial one, at {F[k]:.3g} N; no "
-            f"critical point up to {share:.0%} of the length"
+            f"critical point up to a displacement of {share:.0%} of the length"
         )  # fmt: skip
 
     return margin

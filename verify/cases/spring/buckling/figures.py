@@ -35,9 +35,9 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
             title="Lateral buckling and L_0/b",
             header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
             rows=(*same_line, *same_ratio),
-            note="Upper rows: springs with one centre line and different thicknesses; L_0/b "
-            "changes, U_cr does not. Lower rows: springs at the limit of Eq. 13. Results of finite "
-            "elements, tail clamped at its arc.",
+            note="Upper rows: springs with the same centre line and different thicknesses. L_0/b "
+            "changes with the thickness, U_cr does not. Lower rows: springs with the largest L_0/b "
+            "that Eq. 13 allows. All values by finite elements, tail clamped at its arc.",
         ),
     )
 
@@ -75,10 +75,10 @@ def _slender(context: Context, found: Array | None) -> Curves:
             dots("FE, head free, leaves of 0.5 to 2 L_1", at[on], 100 * found[on])
         )  # fmt: skip
     return plot(
-        "Slenderness at which springs buckle", "L_0/L_1", "U_cr/L_0 [%]", curves,
+        "Compression at which springs buckle, over their length", "L_0/L_1", "U_cr/L_0 [%]", curves,
         y_bottom=0.0, y_top=60.0,
-        note="To the left of the end of a line, the spring does not buckle. The lines apply to all "
-        "thicknesses.",
+        note="Springs with a smaller L_0/L_1 than the left end of a line do not buckle with this "
+        "support of the head. The lines apply to all thicknesses.",
     )  # fmt: skip
 
 
@@ -106,13 +106,13 @@ def _drift(context: Context) -> Curves:
         F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
         curves.append(line(f"tail clamped at {tail}", np.abs(y) / mm, F, k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
-        curves.append(dashes(f"guide released, {tail}", [0, np.abs(y).max() / mm], limit, k))
+        curves.append(dashes(f"F_cr, tail clamped at {tail}", [0, np.abs(y).max() / mm], limit, k))
     return plot(
         "Sideways movement of a free head", "sideways movement [mm]", "F [N]", curves,
         y_bottom=0.0,
         note="F is a dead load at O along x. There is no limit point and no bifurcation: the "
-        "movement increases steadily, even at the force at which a guided head would buckle if "
-        "released (dashed).",
+        "movement increases steadily, even at F_cr (dashed), the force at which a guided spring "
+        "buckles if its guide is removed.",
     )  # fmt: skip
 
 
@@ -146,5 +146,5 @@ def _shapes(context: Context) -> Shapes:
     return Shapes(
         title="Guided head and free head", unit="mm", panels=tuple(panels),
         thickness=q.b / mm, note="To scale. The springs with a free head are "
-            "compressed by 10 %. Faint lines: guided head at its critical point.",
+            "compressed by 10 % of the length. Faint lines: guided springs at the critical point.",
     )  # fmt: skip

@@ -74,7 +74,9 @@ class BucklingFormulas(BucklingInputs, Case):
     k_y = Quantity("k_y", "N/mm", "lateral stiffness of the guided head, unloaded",
                    source=EXACT).reads(lambda q: q._critical.get("k_y", math.nan))  # fmt: skip
 
-    @Quantity("u_y({0:g} P)", "mm", "drift of a free head under {0:g} P", source=EXACT).over(DRIFT)
+    @Quantity(
+        "u_y({0:g} P)", "mm", "lateral displacement of a free head under {0:g} P", source=EXACT
+    ).over(DRIFT)
     def drift(self, share: Share) -> float:
         return self._critical.get(f"drift_{share}", math.nan)
 
@@ -188,9 +190,9 @@ class BucklingFormulas(BucklingInputs, Case):
             for head, limit in (("free", least), ("hinged", hinged)):
                 if limit < self.deflection:
                     yield (
-                        f"F = {self.F:g} N compresses it by {self.deflection * 1e3:.3g} mm; with a "
-                        f"{head} head the spring buckles at {limit * 1e3:.3g} mm: the head needs a "
-                        "guide"
+                        f"F = {self.F:g} N compresses the spring by {self.deflection * 1e3:.3g} "
+                        f"mm; with a {head} head, it buckles at {limit * 1e3:.3g} mm: the head "
+                        "needs a guide"
                     )
         if self.n > MOST:
             yield f"more than {MOST} segments: results by Haringx's column only"

@@ -26,7 +26,7 @@ from verify.core.figures import Dots, Picture
 from verify.form.adapter import adapted
 
 DEMAND = 1e-3, "required agreement of continuum and frame: 0.1 %"
-SOURCE = "derived: effects of shear and curvature up to (b/R)², ± b/R of these, at least 1e-5"
+SOURCE = "derived: effects of shear and curvature up to (b/R)², each ± b/R, at least 1e-5"
 STRIPS = (("plane stress", False), ("plane strain", True))
 
 
@@ -51,12 +51,13 @@ class PlaneSpring(FreeStage):
     )
     readings: ClassVar = (
         "r is the inner radius: the centre line of the arcs has the radius r + b/2",
-        "the strip is 56 mm wide, the loops have 1 mm: its bending stiffness is between E I and "
-        "E I/(1 − ν²)",
+        "the strip is 56 mm wide, and its loops measure only 1 mm: the bending stiffness of the "
+        "strip is between E I and E I/(1 − ν²)",
     )
     assumptions: ClassVar = (
         "head free, tail clamped at the end of its arc",
-        "force and reaction act as the parabolic shear stress of a rectangular section",
+        "force and reaction act on the end sections as parabolic shear stress, as in a rectangular "
+        "section",
     )
 
     k_thick = Quantity("k_b", "N/mm", "stiffness of a thick curved frame, plane stress",
@@ -116,15 +117,15 @@ class PlaneSpring(FreeStage):
             title=f"Error of frame theories against the plane body, {strip}",
             label="k of the frame / k of the body − 1 [1/10 000]",
             items=(*items, ("plane body", 0.0, None, "fe")),
-            note="The differences are the effects that each theory neglects. The uncertainties of "
-            "the rows above are smaller than a dot.",
+            note="The differences are caused by the effects that each theory neglects. The "
+            "numerical uncertainties are smaller than a dot.",
         )
 
     def pictures(self) -> Iterator[Picture]:
         """Pictures of the von Mises stress in plane stress: whole spring, and its first loop."""
         R, top = self.R, self.L1 / 2
         yield picture("plane stress", "von_mises",
-                      "Von Mises stress under 1 N, plane stress, cell means")  # fmt: skip
+                      "Von Mises stress under 1 N, plane stress, element averages")  # fmt: skip
         yield picture("plane stress", "von_mises", "Von Mises stress in the loop of the head",
                       window=(-0.8 * R, top - 0.8 * R, 2.8 * R, top + 1.9 * R))  # fmt: skip
 

@@ -29,7 +29,7 @@ def of_paper(q: CurveInputs) -> bool:
 
 
 class CurveSpring(CurveInputs, Case):
-    """Force over displacement in all stages, by geometrically exact beams with friction.
+    """Force over displacement in all stages, by geometrically exact beams with contact.
 
     The curve is compared with the straight lines of linear theory and, for readings of the paper's
     spring, with Eq. 10.
@@ -43,12 +43,12 @@ class CurveSpring(CurveInputs, Case):
     quick: ClassVar = False
     readings: ClassVar = (
         "r is the radius of the centre line of the arcs, as in a shell model drawn with the "
-        "printed dimensions; r, tail and head are chosen by k_1 alone (calibrated)",
+        "printed dimensions; this reading of r, tail and head is chosen by k_1 alone (calibrated)",
         "the tail is clamped in the middle of its leaf; the head moves along the axis without "
         "rotation",
         "k_1 and k_2 of a curve are slopes of least-squares lines before and after the leaves "
         "touch",
-        "the width factor f is that of the shell in case spring-width",
+        "the width factor f is the result of the shell model in case spring-width",
     )
     assumptions: ClassVar = (
         "plane deformation of a strip with one bending stiffness; linear elastic",
@@ -103,7 +103,8 @@ class CurveSpring(CurveInputs, Case):
         yield identity(spring.k1, order=4, sensitivity=FINE,
                        shares="beam theory, E I with one width factor")  # fmt: skip
         slender = (
-            (spring.U_A, "displacement where tips touch"), (spring.F_A, "force where tips touch"),
+            (spring.U_A, "displacement at which the tips touch"),
+            (spring.F_A, "force at which the tips touch"),
             (spring.k2, "stiffness after the tips touch"),
         )  # fmt: skip
         for k, (q, words) in enumerate(slender):
@@ -125,8 +126,8 @@ class CurveSpring(CurveInputs, Case):
         if self.head != "guided":
             return (
                 f"head = {self.head}: the whole curve is computed only for a guided head; for "
-                "other heads, case spring-stages has the first stage and case spring-buckling "
-                "the sideways movement"
+                "other heads, see case spring-stages (first stage) and case spring-buckling "
+                "(sideways movement)"
             )
         return too_slender(self)
 

@@ -34,10 +34,10 @@ def deviations() -> Iterator[Deviation]:
     yield Deviation(name="no interpenetration of leaves", symbol="δ/b", unit="1",
                     size=claims.depth, accepted=PENETRATION, whole="thickness",
                     source="tolerance of the contact algorithm")  # fmt: skip
-    yield Deviation(name="slopes do not depend on the contact's stiffness", **slopes,
+    yield Deviation(name="slopes k_1 and k_2 do not depend on the contact stiffness", **slopes,
                     size=claims.same_contact, accepted=SAME_CONTACT,
                     source=suites(f"one fifth of {ASKED}"))  # fmt: skip
-    yield Deviation(name="slopes do not depend on halving of the mesh", **slopes,
+    yield Deviation(name="slopes k_1 and k_2 are equal on a mesh of half the size", **slopes,
                     size=claims.halved, accepted=HALVED,
                     source=suites(f"one third of {ASKED}"))  # fmt: skip
     yield Deviation(name="work equals stored energy and friction losses", symbol="W − V − D",

@@ -57,7 +57,7 @@ def _curve(context: Context) -> Curves:
         "At the kink (A), the leaves of head and tail touch the adjacent leaves."
         if np.isfinite(lines(context).U_A) else "No leaves touch within the stroke."
     )  # fmt: skip
-    tests = " The paper prints the slopes of its tests only; their lines are drawn from zero."
+    tests = " The paper prints only the slopes of its tests; these lines begin at the origin."
     return plot(
         "Force over displacement until the loops touch", "U [mm]", "F [N]", curves,
         note=kink + tests * context.is_paper,
@@ -71,7 +71,7 @@ def _whole(context: Context) -> Curves:
         note="Stages: OA free, AB leaves in contact, BE loops in contact. The curve ends "
         + ("because no equilibrium was found; this is not a limit of the spring."
            if ends_early(context) else
-           "when the force after the stroke has doubled, or a quarter of the stroke beyond it."),
+           "at twice the force at the end of the stroke, at the latest at 1.24 times the stroke."),
     )  # fmt: skip
 
 
@@ -127,7 +127,7 @@ def _states(context: Context) -> Shapes:
     return Shapes(
         title="Deformed shapes", unit="mm", panels=tuple(panels),
         thickness=context.inputs.b / mm, dots_name="contacts",
-        note="Centre lines have the thickness of the strip. B: half of the adjacent leaves touch.",
+        note="The lines are as thick as the strip. B: half of the pairs of adjacent leaves touch.",
     )  # fmt: skip
 
 
@@ -143,8 +143,9 @@ def _readings(context: Context) -> Curves:
     return plot(
         "Readings of the paper's spring against Eq. 10", "U [mm]",
         "difference of F from Eq. 10 [%]", curves,
-        note="The readings state tail, head and radius of the centre line of the arcs; all have "
-        "the width factor f. Springs with a free head buckle at 1.5 mm and are not drawn.",
+        note="The name of a reading states the clamp of the tail, the head, and the radius of the "
+        "centre line of the arcs. All springs have the width factor f. Springs with a free head "
+        "buckle at 1.5 mm and are not drawn.",
     )  # fmt: skip
 
 
@@ -167,7 +168,7 @@ def _points(context: Context) -> Table:
     found, form = lines(context), context.inputs.linear
     most = float(abs(stored(context, f"curve {FINE} side") / F).max())
     rows: list[tuple[str, float, float, str]] = []
-    words = {"B": "half of the adjacent leaves touch", "E": "end of the curve"}
+    words = {"B": "half of the pairs of adjacent leaves touch", "E": "end of the curve"}
     if np.isfinite(found.U_A):
         rows.append(("A", found.U_A / mm, found.F_A, "leaves of head and tail touch first"))
     rows += [(name, U[k] / mm, F[k], words[name]) for name, k in points(context).items()
@@ -181,8 +182,8 @@ def _points(context: Context) -> Table:
         title="Points of the curve", header=("point", "U [mm]", "F [N]", "event"),
         rows=tuple((name, round(u, 3), round(f, 3), what) for name, u, f, what in rows),
         note="In the paper, the tail slides on its base between the points C and D. These points "
-        f"do not occur, because the tail is clamped. The side force on the clamp is at most "
-        f"{most:.2g} F.",
+        f"do not occur here, because the tail is clamped. The lateral force on the clamp is at "
+        f"most {most:.2g} F.",
     )  # fmt: skip
 
 
@@ -200,7 +201,7 @@ def _forces(context: Context) -> Table:
         title="F(U) against Eq. 10", rows=rows,
         header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams against Eq. 10",
                 "0.601 U against beams", "closed form against beams"),
-        note="The reading is chosen by k_1 alone; all other values are predictions.",
+        note="The reading of the paper is chosen by k_1 alone. All other values are predictions.",
     )  # fmt: skip
 
 

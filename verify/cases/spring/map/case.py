@@ -31,7 +31,7 @@ from verify.judging.published_checks import Contradiction
 from verify.judging.tolerance_checks import Agreement, demanded, suites
 
 WAY = 0.01  # relative to the force at the end of a straight path
-EXACT = 1e-3, "exact elastica and geometrically exact beams"
+EXACT = 1e-3, "exact elastica and exact beams have equal equations"
 SHARED = "narrow strip, E I; no contact of leaves"
 
 
@@ -71,10 +71,11 @@ class MapSpring(MapFormulas):
         "r is the inner radius: the arcs have the radius r in Eqs. 1-9, r + b/2 in the finite "
         "elements",
         "in Eqs. 1-9 the head can rotate and move sideways; in a clutch, the slot of the roller "
-        "guides it",
+        "guides the head",
     )
     assumptions: ClassVar = (
-        "leaves do not touch, although those of the paper's spring touch before 60 % of the length",
+        "contact of leaves is neglected, although the leaves of the paper's spring touch before a "
+        "displacement of 60 % of the length",
         "narrow strip: both models use E I without the factor 1/(1 − ν²)",
         "the travel of the roller begins at the unloaded spring; the head does not rotate",
     )
@@ -84,19 +85,21 @@ class MapSpring(MapFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows of elastica and Eq. 9 against beams, and of the paper's statements on Eqs. 1-9."""
+        """Rows: elastica and Eq. 9 against beams; the paper's statements on Eqs. 1-9."""
         spring = MapSpring
         exact: dict[str, Any] = {"order": 4, "sensitivity": EXACT, "shares": SHARED}
         for share in PARTS:
             yield identity(spring.F(share), symbol="F", **exact)
         for q, words in ((spring.F_x, "axial"), (spring.F_y, "transverse")):
-            scale = {"F_x, aside": self.F_x} if q is spring.F_y else None
+            scale = {"F_x, slanted path": self.F_x} if q is spring.F_y else None
             yield identity(q, scale=scale, **exact,
                            name=f"{words} force at the end of the roller's travel")  # fmt: skip
         for share, q in zip(PARTS, (spring.linear_0_3, spring.linear_0_6), strict=True):
             yield approximation(
-                q, f"F_{share}", name=f"Eq. 9 at {share:.0%} of the length, head guided",
-                symbol="F", order=4, expected=underived("radius, guide and displacement"),
+                q, f"F_{share}",
+                name=f"force by Eq. 9 at a displacement of {share:.0%} of the length with a "
+                "guided head",
+                symbol="F", order=4, expected=underived("arc radius, guide, large displacement"),
                 shares=SHARED,
             )  # fmt: skip
         yield from _of_paper()
@@ -115,21 +118,23 @@ def _of_paper() -> Iterator[Comparison]:
         printed=("wang2023:k1-error-large-z",),
     ))  # fmt: skip
     yield Comparison(quantity=k1, check=Accepted(
-        name="error of Eqs. 1-9 at small displacement falls as L_0/b grows on one centre line",
+        name="error of Eqs. 1-9 at small displacement decreases with L_0/b for the same centre "
+        "line",
         symbol="k_1", unit="1", margin=claims.falls,
         printed=("wang2023:k1-error-large-z", "wang2023:rule-length-thickness-max"),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.linear_0_3, check=Accepted(
-        name="a free head carries less than a third of Eq. 9's force at 30 % of the length",
+        name="force of a free head below a third of the force by Eq. 9 at a displacement of 30 % "
+        "of the length",
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
-        name="force on a straight path within 1 % of that on the roller's path", symbol="F_x",
-        unit="N", pair=claims.travel, accepted=WAY, source=suites("the required sensitivity, 1 %"),
-        **demanded(WAY),
+        name="axial force on a straight path within 1 % of the axial force on the roller's path",
+        symbol="F_x", unit="N", pair=claims.travel, accepted=WAY,
+        source=suites("the required sensitivity, 1 %"), **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
-        name="Eq. 9 against Eq. 10 at the tests' largest force", symbol="e_r", unit="%",
+        name="force by Eq. 9 against Eq. 10 at the largest test force", symbol="e_r", unit="%",
         analytic="error_of_tests", reference="wang2023:theory-fea-error-max",
         erratum="wang2023:theory-error-six-percent",
     ))  # fmt: skip

@@ -23,8 +23,11 @@ from verify.form.plots import dots, plot
 
 mm = 1e-3
 WHAT = (
-    ("at small displacement", "the head is free in both models"),
-    *((f"at {share:.0%} of the length", "the head is guided, no contact") for share in SHARES),
+    ("at small displacement", "head free in both models"),
+    *(
+        (f"at a displacement of {share:.0%} of the length", "head guided, leaves not in contact")
+        for share in SHARES
+    ),
 )
 
 
@@ -33,7 +36,7 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
 
     `date` is the date of the long study; it is empty if the maps are those of the present run.
     """
-    deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} of its length"
+    deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} compression"
     columns: Sequence[float]
     rows: Sequence[float]
     if name == "slender":
@@ -46,10 +49,10 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
         without, of = unstable, "α and L_1/r"
     return [
         Map(
-            title=f"Eqs. 1-9 over {of}, {when}", x_label=labels[0], y_label=labels[1],
+            title=f"Error of Eqs. 1-9 over {of}, {when}", x_label=labels[0], y_label=labels[1],
             columns=tuple(f"{c:g}" for c in columns), rows=tuple(f"{row:g}" for row in rows),
             error=m[..., k], checked=np.isfinite(m[..., k]), without=without,
-            note=f"Error of the force in per cent; {how}."
+            note=f"Error of the force in per cent. Condition: {how}."
             + (f" Computed by `freewheel deep` on {date}." if deep else ""),
         )
         for k, (when, how) in enumerate(WHAT)
@@ -65,10 +68,10 @@ def radius(over: list[tuple[Array, Array]]) -> Curves:
         )
     ]
     return plot(
-        "Error at small displacement over b/R", "b/R", "error of k_1 [%]", curves,
+        "Error of k_1 at small displacement over b/R", "b/R", "error of k_1 [%]", curves,
         y_bottom=0.0,
         note="The error is caused by the inner radius, which Eqs. 1-9 use as radius of the centre "
-        "line. It depends mainly on b/R.",
+        "line. The error depends mainly on b/R, with the radius R of the centre line.",
     )  # fmt: skip
 
 
@@ -92,7 +95,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             title="Path of the roller, approximated by a straight line",
             header=("quantity", "value"),
             rows=tuple(rows),
-            note="The head is guided without rotation, beginning at the unloaded spring. The "
-            "transverse force is added to the lateral force of the spring on a straight path.",
+            note="The path begins at the unloaded spring; the head does not rotate. The transverse "
+            "force includes the lateral force that the spring exerts on a straight path.",
         ),
     )

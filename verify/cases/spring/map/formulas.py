@@ -16,7 +16,7 @@ from verify.papers.ledger import published
 MOST = 24  # segments of an elastica that a check has time for
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
 PARTS = tuple(map(Share, SHARES))
-NOT_FOUND = f"no equilibrium of the guided elastica was found up to {SHARES[-1]:.0%} of its length"
+NOT_FOUND = f"no equilibrium of the guided elastica was found up to {SHARES[-1]:.0%} compression"
 EXACT = "exact elastica"
 
 
@@ -70,7 +70,8 @@ class MapFormulas(MapInputs, Case):
     def L0(self) -> float:
         return self.length
 
-    @Quantity("F({0:g} L_0)", "N", "force of the guided head at {0:.0%} of its length",
+    @Quantity("F({0:g} L_0)", "N",
+              "force of the guided head at a displacement of {0:.0%} of the length",
               source=EXACT).over(PARTS)  # fmt: skip
     def F(self, share: Share) -> float:
         return self._pressed.get(f"F_{share}", math.nan)
@@ -126,6 +127,6 @@ class MapFormulas(MapInputs, Case):
         for share, linear in zip(PARTS, (self.linear_0_3, self.linear_0_6), strict=True):
             if math.isfinite(F := self.F(share)) and abs(m := linear / F - 1) > 0.02:
                 yield (
-                    f"at {share:.0%} of the length, the error of Eq. 9 is {m:+.1%} against the "
-                    "force of the guided spring (without contact of leaves)"
+                    f"at a displacement of {share:.0%} of the length, the error of Eq. 9 is "
+                    f"{m:+.1%} against the force of the guided spring (without contact of leaves)"
                 )

@@ -35,7 +35,8 @@ SHARED = "beam theory, small displacements, rigid contact without friction"
 class StageSpring(StageFormulas):
     """First contact of the free tips with the adjacent leaves (point A), and stiffness beyond it.
 
-    Closed forms are compared with a frame with rigid links. Both use linear theory.
+    Closed forms are compared with a frame of straight elements, in which rigid links model the
+    contacts. Both use linear theory.
     """
 
     id = "spring-stages"
@@ -48,15 +49,15 @@ class StageSpring(StageFormulas):
     )
     readings: ClassVar = (
         "head and tail are whole leaves: the force acts in the middle of the head leaf; the tail "
-        "leaf is clamped in its middle (mid-leaf) or along its whole length (arc)",
+        'leaf is clamped in its middle ("at mid-leaf") or along its whole length ("at arc")',
         "r is the inner radius: the centre line of the arcs has the radius r + b/2",
         "the corner of a tip touches the face of the leaf: the gap between the centre lines is "
         "reduced by b/2 of the tip and by b/(2 sin α) of the leaf",
         "the force between tip and leaf acts along the axis, because at A the leaf has rotated "
-        "until it is parallel to the tip; a force normal to the unloaded leaf changes U_A by 1 % "
-        'and k_2 by 1 % (rows "contact force normal to the leaf")',
-        "one of the readings of the paper is chosen by k_1 alone; its k_2 and its point A are "
-        "calibrated",
+        "until it is parallel to the tip; a force normal to the unloaded leaf would change U_A "
+        'by 1 % and k_2 by 1 % (rows "contact force normal to the leaf")',
+        "one reading of supports, radius and strip is chosen by k_1 alone; k_2 and point A of this "
+        "reading therefore have the status CALIBRATED",
     )
     assumptions: ClassVar = (
         "small displacements, although U_A is half of the free length of the paper's spring",
@@ -69,7 +70,7 @@ class StageSpring(StageFormulas):
         return linked_frame.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows of closed forms against the frame, and of the best reading against Eq. 10.
+        """Rows: closed forms against the frame; the best reading against Eq. 10.
 
         The best reading is that with the k_1 nearest to Eq. 10.
         """
@@ -86,7 +87,7 @@ class StageSpring(StageFormulas):
                         sensitivity=CHORDS, shares=SHARED,
                     )  # fmt: skip
         for ends in ENDS:
-            F_A = {f"{ends.words}, F_A": self._spring(ends).F_A}
+            F_A = {f"F_A, {ends.words}": self._spring(ends).F_A}
             yield balance(
                 f"push_{ends.key}", f"force in the closing link at point A, {ends.words}", "C", "N",
                 of=F_A, bound=1e-9, because="both lines intersect at A within round-off",
@@ -110,7 +111,7 @@ class StageSpring(StageFormulas):
             "tail": x.tail, "head": x.head, "inner": x.radius == "r", "width_factor": x.factor,
             "theory": "bending",
         })  # fmt: skip
-        return State(spring, "reading", "reading with the nearest k_1", displayed=False)
+        return State(spring, "reading", "reading whose k_1 is nearest to Eq. 10", displayed=False)
 
     def _calibrated(self) -> Iterator[Comparison]:
         spring = StageSpring
@@ -121,8 +122,8 @@ class StageSpring(StageFormulas):
             (spring.F_A, "F", paper.ACCEPTED, "force at A", ()),
         ):
             yield Comparison(quantity=q, state=self._reading, check=Accepted(
-                name=f"{words} against Eq. 10, reading with the nearest k_1", symbol=q.symbol,
-                unit=q.unit, margin=paper.keeps(key, figure), fem_needed=False,
+                name=f"{words} against Eq. 10, reading whose k_1 is nearest to Eq. 10",
+                symbol=q.symbol, unit=q.unit, margin=paper.keeps(key, figure), fem_needed=False,
                 fitted=paper.FITTED, printed=printed, paper_only=True,
             ))  # fmt: skip
 
@@ -133,16 +134,16 @@ class StageSpring(StageFormulas):
             (spring.k1, "k_1", test, "k1-test"), (spring.k2, "k_2", test, "k2-test"),
             (spring.intercept, "constant of the second line", "paper's line", "eq10-ab-intercept"),
         ):  # fmt: skip
-            name = f"{words} of the reading with the nearest k_1 against the {what}"
+            name = f"{words} against the {what}, reading whose k_1 is nearest to Eq. 10"
             yield _beside(q, self._reading, name, printed)
         most = self.widest if self.width_factor is None else self.width_factor
         guided = self.model_copy(update={
             "head": "guided", "tail": "mid-leaf", "width_factor": most, "theory": "bending",
         })  # fmt: skip
-        wide = State(guided, "guided_wide", "a guided wide strip", displayed=False)
+        wide = State(guided, "guided_wide", "guided head and wide strip", displayed=False)
         for q in (spring.k1, spring.k2):
             for what, printed in (("paper's shell model", "fea"), (test, "test")):
-                name = f"{q.symbol} of a guided wide strip against the {what}"
+                name = f"{q.symbol} with a guided head and a wide strip against the {what}"
                 yield _beside(q, wide, name, f"{q.name}-{printed}")
 
     refusal = too_slender

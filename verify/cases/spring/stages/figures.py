@@ -53,8 +53,8 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
     name = f"tail clamped at {q.tail}, head {q.head}, r + b/2, {strip}"
     found.append((name, q.held().force(U), "dashes", 4))
     note = (
-        "The tests end at 11 N. The paper prints the slopes of the lines of its tests, not their "
-        "constants: the lines are drawn from the origin, with point A of Eq. 10."
+        "The tests end at 11 N. The paper prints only the slopes of its test lines. They are drawn "
+        "from the origin, and the slope changes at point A of Eq. 10."
     )
     yield plot(
         "Closed form and Eq. 10, for readings with the printed k_1", "U [mm]",
@@ -99,5 +99,5 @@ def bending_stress(q: StagesInputs) -> Picture:
     return Picture(
         field="point A", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa, width=q.h,
         share=float(q.held().U_A) / body,
-        caption="Bending stress 6 M/(h b²) when the tips touch, displacements to scale",
+        caption="Bending stress 6 M/(h b²) at point A, where the tips touch",
     )  # fmt: skip

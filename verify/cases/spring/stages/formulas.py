@@ -15,7 +15,7 @@ from verify.cases.spring.stages.inputs import StagesInputs
 
 LINEAR = 0.1  # largest U_A over L_0 for unchanged lengths
 PARALLEL = math.radians(5)
-TIPS = "closed form of the touching tips"
+TIPS = "closed form for the contact of the tips"
 
 
 def narrow(q: Any) -> bool:
@@ -54,7 +54,7 @@ class StageFormulas(StagesInputs, Case):
     k1 = Quantity("k_1", "N/mm", "stiffness before the tips touch", source=TIPS,
                   tex=r"\frac{EI}{J}").reads(lambda q: q._stages.k1)  # fmt: skip
 
-    @Quantity("f_FC", "mm^3", "compliance integral of F with the contact force",
+    @Quantity("f_FC", "mm^3", "mutual compliance integral of F and the contact force",
               role="step", source=TIPS, tex=r"\int M\,m\,ds")  # fmt: skip
     def f_FC(self) -> float:
         return self.gap * self.EI / self.F_A
@@ -143,9 +143,9 @@ class StageFormulas(StagesInputs, Case):
         """Warnings on limits of linear theory, width, working force and strength."""
         if self.share > LINEAR:
             yield (
-                f"U_A is {self.share:.0%} of the free length: linear theory assumes unchanged "
-                "lengths and lever arms, so that point A and k_2 are reference values and not "
-                "the true curve of the spring"
+                f"U_A is {self.share:.0%} of the free length: linear theory neglects the change of "
+                "the lever arms, so that point A and k_2 are reference values, from which the true "
+                "curve of the spring differs"
             )
         if abs(self.tilt) > PARALLEL:
             yield (

@@ -26,7 +26,7 @@ from verify.papers.ledger import published
 MET = 0.01  # accepted relative difference of k_1 from the printed value
 ACCEPTED = 0.05  # tolerances of k_2 and the crossing
 EQ10_END = 16.85e-3  # m: 11 N, the end of the tests, on the second line
-FITTED = "calibrated: the reading, of sixteen, whose k_1 is nearest to the printed one"
+FITTED = "calibrated: of sixteen readings, the one with k_1 nearest to the printed k_1"
 LOOSE = "valid in linear theory only: this spring buckles near 1 N, see case spring-buckling"
 N_PER_MM, mm = 1e3, 1e-3
 
@@ -111,7 +111,7 @@ def keeps(key: str, figure: float) -> Margin:
     def margin(context: Context) -> tuple[float, float, str]:
         reading, printed = chosen(context.inputs), float(getattr(eq10(), key))
         off = float(getattr(reading, {"U": "U_A", "F": "F_A"}.get(key, key))) / printed - 1
-        words = f"difference from the printed one {off:+.1%}, {figure:.0%} accepted ({reading}"
+        words = f"difference from the printed value {off:+.1%}, {figure:.0%} accepted ({reading}"
         words += f"; {LOOSE})" if reading.head == "free" else ")"
         return (figure - abs(off)) * printed, expanded(0.0, uncertainties()[key]), words
 
@@ -132,7 +132,7 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
         rows.append(row)
     header: tuple[str, ...] = ("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]",
                                "U_A [mm]", "F_A [N]", "k_2 [N/mm]")  # fmt: skip
-    title = "Stages OA and AB for all combinations that the paper leaves open"
+    title = "Stages OA and AB for all readings that the paper leaves open"
     if not context.is_paper:
         return (Table(title=title, header=header, rows=tuple(rows), note=NOTE),)
     header += ("k_1, Eq. 10", "U_A", "F_A", "k_2", "k_1, test", "k_2, test", "k_1 within 1 %")
@@ -141,9 +141,10 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
 
 
 NOTE = (
-    "Linear theory. Point A is the first contact of a tip, k_2 the slope beyond A. Both tips touch "
-    "if the tail is clamped at mid-leaf, only the tip of the head if it is clamped at its arc. U_A "
-    "does not depend on the width factor; k_1, F_A and k_2 are proportional to it."
+    "All values by linear theory. Point A is the first contact of a tip, k_2 the slope beyond A. "
+    "If the tail is clamped at mid-leaf, both tips touch; if the tail is clamped at its arc, only "
+    "the tip of the head touches. U_A does not depend on the width factor; k_1, F_A and k_2 are "
+    "proportional to the width factor."
 )
 
 
@@ -153,14 +154,14 @@ def predictions(q: StagesInputs) -> str:
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."
     names = "; ".join(
-        f"{x} ({x.off:+.1%}): U_A {x.U_A / eq10().U - 1:+.1%}, F_A {x.F_A / eq10().F - 1:+.1%}, "
+        f"{x}: k_1 {x.off:+.1%}, U_A {x.U_A / eq10().U - 1:+.1%}, F_A {x.F_A / eq10().F - 1:+.1%}, "
         f"k_2 {x.k2 / eq10().k2 - 1:+.1%}"
         for x in found
     )
     return (
-        f"Printed: k_1 = {eq10().k1 / N_PER_MM:.3f}, k_2 = {eq10().k2 / N_PER_MM:.3f} N/mm; the "
-        f"lines intersect at {eq10().U / mm:.2f} mm and {eq10().F:.2f} N. Readings with k_1 within "
-        f"{MET:.0%}: {names}."
+        f"Printed: k_1 = {eq10().k1 / N_PER_MM:.3f} N/mm, k_2 = {eq10().k2 / N_PER_MM:.3f} N/mm; "
+        f"the lines intersect at U = {eq10().U / mm:.2f} mm, F = {eq10().F:.2f} N. Readings with "
+        f"k_1 within {MET:.0%} of the printed k_1, with their differences from Eq. 10: {names}."
     )
 
 

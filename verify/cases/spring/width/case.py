@@ -36,7 +36,7 @@ MOST = 30  # largest number of segments for which shells are solved
 FOIL = 3000  # length over thickness of a leaf, above which narrow shells are ill-conditioned
 PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
-HELD = 5e-4, "a shell with held edges is equivalent to a beam"
+HELD = 5e-4, "a shell with the edges in plane strain is equivalent to a beam"
 PLATES = 5e-4, "a thin leaf is a Kirchhoff plate"
 FIFTH = "one fifth of the accepted difference"
 HALF = "half of the required sensitivity, 1 %"
@@ -44,17 +44,17 @@ CURVE = "half of the accepted difference of case spring-curve"
 THEORY = "difference between shell theory and a thin solid"
 FITTED = "these end conditions are chosen because they give the printed stiffness"
 FRAME = "force method on the true centre line"
-RITZ = "a leaf as Kirchhoff's plate, by Ritz's method"
+RITZ = "Kirchhoff's plate theory of a leaf, by Ritz's method"
 SMALL = "small displacements"
-LOOPS = ("20 times as wide as thick", "100 times as wide as thick", "at the spring's width")
+LOOPS = ("h/b = 20", "h/b = 100", "width of the spring")
 
 
 class WideSpring(WidthInputs, Case):
-    """Stiffening of the spring by its width, as a factor f of E I (width factor).
+    """Width factor f: bending stiffness of a wide strip over that of a narrow strip, E I.
 
-    The factor is computed with shells of the whole spring, with solids of a loop, and with a plate
-    model of a leaf by Ritz's method. Its limits are a beam in plane stress and an infinite strip in
-    plane strain.
+    The factor is computed with shell elements for the whole spring, with solid elements for one
+    loop, and with a plate model of one leaf by Ritz's method. The limits of f are plane stress
+    (narrow strip) and plane strain (infinitely wide strip).
     """
 
     id = "spring-width"
@@ -69,7 +69,7 @@ class WideSpring(WidthInputs, Case):
         ),
     )
     readings: ClassVar = (
-        "the force acts on a line across the head, which remains straight, as at a roller",
+        "the force acts on a line across the head; this line remains straight, as at a roller",
         "r is the inner radius: the centre line of the arcs has the radius r + b/2",
         "the paper does not print the supports of tail and head: all four combinations are "
         "reported",
@@ -94,7 +94,7 @@ class WideSpring(WidthInputs, Case):
     def h_over_l(self) -> float:
         return self.h / self.leaf
 
-    @Quantity("f", "1", "width factor, estimated by that of one leaf", source=RITZ,
+    @Quantity("f", "1", "width factor of the spring, estimated by that of one leaf", source=RITZ,
               tex=r"\frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
               r"+ \frac{l^4}{h^4} w_{\eta\eta}^2 + 2 \frac{l^2}{h^2} (\nu w_{\xi\xi} "
               r"w_{\eta\eta} + (1-\nu) w_{\xi\eta}^2)\, d\xi\,d\eta")  # fmt: skip
@@ -115,7 +115,7 @@ class WideSpring(WidthInputs, Case):
     def k(self) -> float:
         return self.f * self.k_narrow
 
-    @Quantity("f({0:g})", "1", "factor of a leaf {0:g} times as wide as long",
+    @Quantity("f({0:g})", "1", "width factor of a leaf with h/l = {0:g}",
               source=RITZ).over(RATIOS)  # fmt: skip
     def leaf_factor(self, ratio: Share) -> float:
         return float(width_factor(ratio, 1.0, nu=self.nu))
@@ -145,21 +145,22 @@ class WideSpring(WidthInputs, Case):
         states = {ends: State(self.held(*ends), shells.key_of(*ends), "", displayed=False)
                   for ends in ENDS}  # fmt: skip
         for (tail, head), state in states.items():
-            name = f"shell with held edges, tail clamped at {tail}, head {head}"
+            name = f"stiffness of the shell in plane strain, tail clamped at {tail}, head {head}"
             yield identity(spring.k_wide, state=state, name=name, symbol="k", order=4,
                            sensitivity=HELD, shares=SMALL)  # fmt: skip
-        yield identity(spring.k_narrow, name="shell with held edges and plane stress", order=4,
+        yield identity(spring.k_narrow, name="stiffness of the shell in plane stress", order=4,
                        sensitivity=HELD, shares=SMALL)  # fmt: skip
         for ratio in RATIOS:
             q = spring.leaf_factor(ratio)
             yield identity(q, symbol="f", uncertainty=self._left(ratio), sensitivity=PLATES,
                            shares=SMALL)  # fmt: skip
         figure = Expected(-claims.ESTIMATE, claims.ESTIMATE, suites(CURVE), sharp=self.is_default)
-        yield approximation(spring.f, name="factor of the spring, estimated by one leaf",
+        yield approximation(spring.f,
+                            name="width factor of the spring, estimated by the factor of one leaf",
                             expected=figure, sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS),
                             shares=SMALL)  # fmt: skip
         yield approximation(
-            spring.k_narrow, "k", name="k_1 by E I of a narrow strip, against the shell", order=2,
+            spring.k_narrow, "k", name="k_1 of a narrow strip (E I) against the shell", order=2,
             expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1; {RITZ}"), shares=SMALL,
         )  # fmt: skip
         yield from _limits()
@@ -205,8 +206,8 @@ class WideSpring(WidthInputs, Case):
         """Warnings if the factor of a leaf does not represent the spring."""
         if self.h < PLATE * self.b:
             yield (
-                f"a strip {self.h / self.b:.2g} times as wide as thick is not a plate: its factor "
-                "is nearer to 1"
+                f"a strip {self.h / self.b:.2g} times as wide as thick is not a plate: its width "
+                "factor is nearer to 1 than by the plate model"
             )
         elif self.h < self.leaf:
             yield (
@@ -230,13 +231,14 @@ def _limits() -> Iterator[Comparison]:
         exponent=None, demand=1e-3, demand_reason=FIFTH, paper_only=True,
     ))  # fmt: skip
     yield Comparison(quantity=spring.k_wide, check=Limit(
-        name="a wide spring is in plane strain except for edges as wide as leaves are long",
+        name="a wide spring is in plane strain, except within about one leaf length of its edges",
         symbol="f", unit="1", points=claims.wide, exponent=1.0, demand=1e-3, demand_reason=FIFTH,
     ))  # fmt: skip
     for q, which, name in (
-        (spring.k_narrow, 0, "the narrowest spring within 0.5 % of plane stress"),
-        (spring.k_wide, -1,
-         f"a spring {WIDE[-1]:g} times as wide as its leaves within 0.5 % of plane strain"),
+        (spring.k_narrow, 0,
+         "width factor of the narrowest spring within 0.5 % of the factor in plane stress"),
+        (spring.k_wide, -1, f"width factor of a spring with h/l = {WIDE[-1]:g} within 0.5 % of the "
+         "factor in plane strain"),
     ):  # fmt: skip
         pair = claims.at_end(which)
         yield Comparison(quantity=q, check=_agrees(name, pair, claims.LIMIT, HALF))
@@ -245,24 +247,25 @@ def _limits() -> Iterator[Comparison]:
 def _accepted() -> Iterator[Comparison | Check]:
     """Rows with an accepted difference: other elements, widths, ends, factor of another case."""
     for name, what in zip(widths_of_both(WidthInputs()), LOOPS, strict=True):
-        yield _agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
-                      THEORY, by="solids")  # fmt: skip
+        yield _agrees(f"stiffness of a loop by shell and by solid elements, {what}",
+                      claims.solids(name), claims.SOLID, THEORY, by="solids")  # fmt: skip
     for name, pair, accepted, why in (
-        ("factor of one leaf within 0.1 % of that of the spring", claims.estimate,
+        ("width factors of one leaf and of the spring equal within 0.1 %", claims.estimate,
          claims.ESTIMATE, CURVE),
-        ("factor of one leaf within 0.5 % of that of the spring, over all widths",
+        ("width factors of one leaf and of the spring equal within 0.5 %, over all widths",
          claims.estimates, claims.SWEEP, HALF),
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
-    yield _agrees("the factor is the same for all end conditions", claims.ends, claims.HEAD,
+    yield _agrees("the width factor is the same for all end conditions", claims.ends, claims.HEAD,
                   "half of the tolerance of the factor of a leaf", by="lowest factor")  # fmt: skip
-    yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
-                  claims.UNIFORM, "one tenth of the tolerance of the ends",
+    yield _agrees("the width factor is the same for a uniform force on the head", claims.uniform,
+                  claims.UNIFORM, "one tenth of the tolerance for other end conditions",
                   by="a uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,
-        name="the factor that case spring-curve uses", symbol="f", unit="1", pair=claims.taken,
-        accepted=claims.TAKEN, source=suites("one fifth of the required sensitivity, 1 %"),
+        name="the width factor that case spring-curve uses", symbol="f", unit="1",
+        pair=claims.taken, accepted=claims.TAKEN,
+        source=suites("one fifth of the required sensitivity, 1 %"),
     )  # fmt: skip
 
 

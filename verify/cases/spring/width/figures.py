@@ -53,9 +53,9 @@ def _readings(context: Context) -> Table:
             )
         rows.append(row)
     note = (
-        "The arcs have the radius r + b/2. The paper does not state the clamp of the tail or the "
-        "guide of the head. The end conditions that give the stiffness of its shell model are "
-        "therefore chosen by this stiffness."
+        "The arcs have the radius r + b/2. The paper does not state how the tail is clamped or how "
+        "the head is guided. The end conditions are therefore chosen so that the stiffness of the "
+        "paper's shell model results (calibrated)."
     )
     return Table(
         title="Stiffness of the shell by end conditions", header=header, rows=tuple(rows),
@@ -68,7 +68,7 @@ def _widths(context: Context) -> Table:
     h, f = sweep(context).T
     leaf = leaf_factor(q, h)
     return Table(
-        title="Factor over the width, by a shell of the spring and by a plate model of a leaf",
+        title="Width factor over the width h: shell of the spring, and plate model of a leaf",
         header=("h [mm]", "h/b", "h/l", "spring, shell", "leaf, plate", "leaf against spring"),
         rows=tuple(
             (float(f"{w / mm:.4g}"), float(f"{w / q.b:.4g}"), float(f"{w / q.leaf:.3g}"),
@@ -115,7 +115,7 @@ def _elements(context: Context) -> Curves:
         for kind, what, colour in (("shell", "shell", 2), ("solid", "27-node solids", 3))
     ]  # fmt: skip
     return plot(
-        "Factors of spring and loop by shells, of the loop by solids", "h/b",
+        "Width factors of spring and loop by shells, and of the loop by solids", "h/b",
         "f",
         dashes("plane stress", ends, low, 4),
         dashes("plane strain", ends, high, 5),
@@ -124,8 +124,9 @@ def _elements(context: Context) -> Curves:
         loops,
         y_bottom=low - 0.05 * (high - low), x_names=tuple(
         (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
-        ), note="The loop consists of two half leaves and two quarter arcs. Its factor is "
-        "its stiffness relative to that in plane strain, times the factor of plane strain.",
+        ), note="The loop consists of two half leaves and two quarter arcs. The width factor "
+        "of the loop is its stiffness over its stiffness in plane strain, times the width factor "
+        "in plane strain.",
     )  # fmt: skip
 
 
@@ -138,7 +139,8 @@ def _lifted(context: Context) -> Curves:
         "Transverse curvature of a thin leaf: deflection of the edge relative to the middle",
         "position along the leaf / l", "deflection / displacement of head [%]", curves,
         y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
-        note="The ends are straight lines. The edges of wide leaves curl only within a distance l.",
+        note="The ends of the leaf remain straight lines, at the distance l of each other. Wide "
+        "leaves curve across the width only near their edges, over a distance of about l.",
     )  # fmt: skip
 
 

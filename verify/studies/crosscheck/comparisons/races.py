@@ -51,7 +51,7 @@ def race() -> Posed:
 RACES = (
     Cross(
         id="contact-ring", case="contact-ring", solver=CALCULIX,
-        what="a quarter of a roller in half of a race with a fixed rim, plane strain", pose=race,
+        what="a quarter of a roller in half a race with fixed rim, plane strain", pose=race,
         quantities=(
             Quantity(name=LOAD, row="approach of roller centre and rim", beside=True,
                      symbol="P(δ)", unit="N/mm", allowed=CONTACT, why=PENALTY),

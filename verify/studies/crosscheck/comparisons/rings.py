@@ -201,14 +201,15 @@ RINGS = (
     *(
         Cross(
             id=f"ring-lame, {a}", case="ring-lame", solver=CALCULIX,
-            what=f"quarter of a ring under both pressures, {a}", pose=partial(lame, a),
+            what=f"quarter of a ring under pressure in the bore and on the rim, {a}",
+            pose=partial(lame, a),
             quantities=lame_quantities(a),
         )
         for a in ("plane stress", "plane strain")
     ),
     Cross(
         id="ring-rotation", case="ring-rotation", solver=CALCULIX,
-        what="quarter of a race that turns, plane stress", pose=rotation,
+        what="quarter of a rotating race, plane stress", pose=rotation,
         quantities=(
             Quantity(name="bore", row="bore growth, plane stress", symbol="δ_ce", unit="µm", **K),
             Quantity(name="rim", row="rim growth, plane stress", symbol="u_r", unit="µm", **K),
@@ -227,7 +228,8 @@ RINGS = (
     ),
     Cross(
         id="polyhedral-ring", case="polyhedral-ring", solver=CALCULIX,
-        what="half a sector under pressure, plane stress", pose=partial(polyhedral, "plane stress"),
+        what="half a sector of the ring under pressure, plane stress",
+        pose=partial(polyhedral, "plane stress"),
         quantities=(
             Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
             Quantity(name="K_mean", row="K for the mean displacement of the outer surface",
@@ -241,7 +243,8 @@ RINGS = (
     ),
     Cross(
         id="polyhedral-ring, plane strain", case="polyhedral-ring", solver=CALCULIX,
-        what="half a sector under pressure, plane strain", pose=partial(polyhedral, "plane strain"),
+        what="half a sector of the ring under pressure, plane strain",
+        pose=partial(polyhedral, "plane strain"),
         quantities=(
             Quantity(name="K_mid", row="K in the middle of the flats, plane strain",
                      symbol="K_mid", **K),
@@ -250,7 +253,7 @@ RINGS = (
     *(
         Cross(
             id=f"polyhedral-ring, hub at {place}", case="polyhedral-ring", solver=CALCULIX,
-            what=f"half a sector under the hub's force at {place}, plane stress",
+            what=f"half a sector of the ring under the force of the hub at {place}, plane stress",
             pose=partial(hub, corner),
             quantities=(
                 Quantity(name="mid",

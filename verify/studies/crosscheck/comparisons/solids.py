@@ -17,8 +17,8 @@ WIDE = 20.0  # times the thickness, as in a row of the case
 ARC, LEAF = 12, 40  # cells of solids along an arc and half a leaf
 MOVED = 1e-3  # m, of the loop's head
 GRADED = 30.0  # cells over the width: the first over the last
-K = "stiffness of a loop whose strip is 20 times as wide as thick"
-ROW = "loop as a shell and as solids, 20 times as wide as thick"
+K = "stiffness of the loop with h/b = 20"
+ROW = "stiffness of a loop by shell and by solid elements, h/b = 20"
 BRICKS = "27-node elements of the project, 20-node elements of calculix, on the same mesh"
 
 
@@ -88,7 +88,7 @@ SOLIDS = (
     *(
         Cross(
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
-            what=f"half the width of a loop, solid elements, edge {words} in z",
+            what=f"half the width of a loop of the spring by solid elements, edge {words}",
             pose=partial(loop, held),
             quantities=(
                 Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
@@ -99,11 +99,10 @@ SOLIDS = (
     ),
     Cross(
         id="spring-width, shell", case="spring-width", solver=CALCULIX,
-        what="half the width of a loop, shell elements against solid elements of calculix",
-        pose=shell,
+        what="half the width of a loop of the spring: project shells, calculix solids", pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
-                     why="shell theory deviates from solids by the order of (b/R)² in arcs",
+                     why="shell and solid elements differ by (b/R)² in arcs",
                      beside=True, row=ROW),
         ),
     ),

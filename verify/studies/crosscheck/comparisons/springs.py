@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 FINE = 3.5  # cells over the root of length over thickness
 THIN = 0.1  # of the thickness, how wide a strip of plane stress is
 LEVEL = 8  # elements of an arc here, and cells there
-STRIP = "a strip of cells where the project has beams, which differ by (b/R)²/30 in their arcs"
+STRIP = "plane elements in place of the project's beams, which differ by (b/R)²/30 in arcs"
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
-TWO_SIDES = f"{STRIP}, tenfold in what is left of two sides"
-STEEP = "a share of the stiffness is 6.4 shares of the drift here, by the tangent stiffness"
+TWO_SIDES = f"{STRIP}; tenfold, because u_y is the small difference of opposite displacements"
+STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 % (tangent stiffness)"
 UNITS = 6  # of a spring whose tips are to touch
 PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch
-APART, TOUCHING = "force, tips apart", "force, tips touching"
+APART, TOUCHING = "force before the tips touch", "force after the tips touch"
 ASIDE = 1e-6  # m, that a head is moved aside
 # N, unit of force for a thin strip: calculix regards smaller residuals as zero
 # below a millionth of the unit, which is 0.7 % of a newton's load on so thin a strip
@@ -77,7 +77,7 @@ def continuum(assumption: Any) -> Posed:
 
 
 def accordion(tail: Any, head: Any) -> Posed:
-    """The frame of curved elements under 1 N, compared with a strip along the same line."""
+    """The frame of curved elements under 1 N, compared with plane elements along its line."""
     given: Any = ACCORDION.inputs()
     q = given.held(Ends("", "", head, tail))
     solved, seconds = timed(lambda: curved_frame(q, line_of(q, 2 * LEVEL)))
@@ -230,7 +230,7 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-continuum, {a}", case="spring-continuum", solver=CALCULIX,
-            what=f"the strip as a plane body under one newton, {a}", pose=partial(continuum, a),
+            what=f"the spring as a plane body under 1 N, {a}", pose=partial(continuum, a),
             quantities=(
                 Quantity(name="k", row=f"stiffness, thick curved frame, {a}", symbol="k",
                          unit="N/mm", allowed=LINEAR, why=MESH),
@@ -241,7 +241,7 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-accordion, {head}, {tail}", case="spring-accordion", solver=CALCULIX,
-            what=f"the strip under one newton, head {head}, tail at {tail}",
+            what=f"the spring under 1 N, head {head}, tail clamped at {tail}",
             pose=partial(accordion, tail, head),
             quantities=(
                 Quantity(name="k", symbol="k", unit="N/mm", **SLENDER,
@@ -252,7 +252,7 @@ SPRINGS = (
     ),
     Cross(
         id="spring-buckling, aside", case="spring-buckling", solver=CALCULIX,
-        what="the strip's guided head moved aside", pose=aside,
+        what="the guided head of the spring, displaced laterally", pose=aside,
         quantities=(
             Quantity(name="k_y", symbol="k_y", unit="N/mm", **SLENDER, row="lateral stiffness of "
                      "the guided head, unloaded, tail clamped at its arc"),
@@ -261,7 +261,7 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, linear, {tail}", case="spring-buckling", solver=CALCULIX,
-            what=f"the strip's linear buckling load, head free, tail clamped at {words}",
+            what=f"linear buckling load of the spring, head free, tail clamped at {words}",
             pose=partial(buckled, tail),
             quantities=(
                 Quantity(name="F", symbol="F_lin", unit="N", **SLENDER, row="linear buckling load "
@@ -273,24 +273,25 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
-            what=f"the strip's free head under the dead force {share:g} P, large displacement",
+            what=f"free head of the spring under the dead load {share:g} P, large displacement",
             pose=partial(drift, share),
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
                 Quantity(name="u_y", symbol="u_y", unit="mm", allowed=5e-3, why=why,
-                         row=f"drift of a free head under {share:g} P, tail clamped at its arc"),
+                         row=f"lateral displacement of a free head under {share:g} P, tail clamped "
+                         "at its arc"),
             ),
         )
         for share, near, why in ((0.5, "", TWO_SIDES), (0.9, " near P", f"{TWO_SIDES}; {STEEP}"))
     ),
     Cross(
         id="spring-curve", case="spring-curve", solver=CALCULIX,
-        what="the strip compressed until its tips touch and beyond, plane strain", pose=curve,
+        what="a spring of six segments, compressed until its tips touch, plane strain", pose=curve,
         quantities=(
             Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
                      beside=True, row="stiffness at rest"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
-                     why=f"{STRIP}; tips press by a penalty",
+                     why=f"{STRIP}; penalty contact of the tips",
                      beside=True, row="no interpenetration of leaves"),
         ),
     ),

@@ -19,7 +19,7 @@ TABLE = 200  # points of the law, straight in between
 WIDE = 0.9  # of the shortening under T, up to which the law is tabulated on either side
 BACK = -4e-3  # rad, the twist of the last step: a tenth of the torque less
 CENTRE, TURN = 1, 2  # nodes of the inner hub: its position, and its rotation
-LAW = "one law, given as a table; six printed digits, and Newton's last steps"
+LAW = "same force law, in calculix a table; six printed digits; Newton residuals"
 ALIKE = 1e-5
 
 
@@ -114,8 +114,8 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 STRUTS = (
     Cross(
         id="rotor-clutch", case="rotor-clutch", solver=CALCULIX,
-        what="springs pinned to two rigid hubs; the inner hub is displaced and tilted, then "
-        "rotated back by 0.004 rad",
+        what="struts between two rigid hubs, both ends held; the inner hub is displaced and "
+        "tilted, then rotated back",
         pose=struts,
         quantities=(
             quantity("F_x", "F_x", "N", "stiffness along x, sprags pinned to both races"),
