@@ -31,8 +31,8 @@ READINGS = [
                  f"force at which {FREE}", id="a wide strip"),
     pytest.param(STAGES, stages, "response", lambda f: lambda A, held, tips: f(A, held, tips[:1]),
                  f"stiffness k_2, {GUIDED}", id="one tip for two"),
-    pytest.param(STAGES, stages, "line", given(normal=lambda _: "leaf"), f"force at A, {GUIDED}",
-                 id="the unloaded leaf's normal"),
+    pytest.param(STAGES, stages, "line", given(normal=lambda _: "leaf"),
+                 f"force at point A, {GUIDED}", id="the unloaded leaf's normal"),
     pytest.param(STAGES, stages, "HELD", lambda held: held | {"hinged": []},
                  "stiffness k_1, head hinged, tail clamped at mid-leaf",
                  id="a hinge without side force"),
@@ -64,7 +64,7 @@ def test_one_of_sixteen_readings_meets_the_printed_stiffness():
 def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_figure(
     monkeypatch,
 ):
-    name = "displacement at A against Eq. 10, reading whose k_1 is nearest to Eq. 10"
+    name = "displacement at point A against Eq. 10, reading whose k_1 is nearest to Eq. 10"
     assert [row.status for row in rows(STAGES, name)] == [Status.CALIBRATED]
     guided = [
         x for x in readings(StageSpring(width_factor=1.09))

@@ -18,7 +18,7 @@ MOST = 200  # loads, likewise
 
 
 class LoadsInputs(Case):
-    """Inputs of a ring under n sprags of the same material; Hertz's contact in plane strain."""
+    """Inputs of a ring and n sprags of the same material; Hertz's contact is in plane strain."""
 
     loaded: ClassVar[Wall] = "bore"
     names: ClassVar[tuple[str, str]] = ("r_i", "r_o")  # in the paper
@@ -83,8 +83,8 @@ class LoadsInputs(Case):
         if a > WIDEST * least:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
-                f"{a * 1e3:.3g} mm, must not exceed {WIDEST:g} of wall or radius R (wall "
-                f"{wall * 1e3:g} mm, R = {self.R * 1e3:g} mm): reduce F or increase L"
+                f"{a * 1e3:.3g} mm, must not exceed {WIDEST:g} times the wall or the radius R "
+                f"(wall {wall * 1e3:g} mm, R = {self.R * 1e3:g} mm): reduce F or increase L"
             )
         pitch = math.pi * self.radius / self.n
         if a > CLOSEST * pitch:

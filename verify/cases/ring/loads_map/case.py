@@ -63,7 +63,8 @@ class LoadsMap(Case):
     levels: ClassVar = (2, 3, 5)
     scans: ClassVar = (Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),)
     readings: ClassVar = (
-        "thin rings (plane stress), as in Eq. 6; in the rows, the loads act on the bore",
+        "thin rings (plane stress), as in Eq. 6; in the rows, the loads act on the bore, and δ_6 "
+        "is the displacement by Eq. 6",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain, radial forces, no friction",
@@ -85,12 +86,13 @@ class LoadsMap(Case):
             )
         return self
 
-    @Quantity("δ(0; {0.n}, {0.ratio:g})/δ_6", "1", "displacement at a load, {0.words}",
+    @Quantity("δ(0; {0.n}, {0.ratio:g})/δ_6", "1", "displacement at a load over δ_6, {0.words}",
               source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
     def load(self, at: Point) -> float:
         return float(self._over_eq_6[at][0])
 
-    @Quantity("δ(π/n; {0.n}, {0.ratio:g})/δ_6", "1", "displacement between loads, {0.words}",
+    @Quantity("δ(π/n; {0.n}, {0.ratio:g})/δ_6", "1",
+              "displacement between loads over δ_6, {0.words}",
               source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
     def between(self, at: Point) -> float:
         return float(self._over_eq_6[at][1])
@@ -139,7 +141,7 @@ class LoadsMap(Case):
     def comparisons(self) -> Iterator[Comparison]:
         """Rows: Fourier ring against finite elements at every checked point."""
         for at in CHECKED:
-            scale = {f"displacement at a load, {at.words}": self.load(at)}
+            scale = {f"displacement at a load over δ_6, {at.words}": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):
                 yield identity(q, symbol="δ/δ_6", scale=scale, order=order, sensitivity=SHARP,
                                shares=PATCHES)  # fmt: skip

@@ -134,7 +134,7 @@ class RotatingRace(Case):
         return float(race_deflection(P=self.F / self.L, n=self.n, r_i=self.r_i, r_o=self.r_o,
                                      E=self.E, nu=self.nu, loaded="bore"))  # fmt: skip
 
-    @Quantity("δ_ce/δ_BE", "1", "growth of the bore at speed over its deflection δ_BE",
+    @Quantity("δ_ce/δ_BE", "1", "growth of the bore at the speed n over its deflection δ_BE",
               source="Eq. 8 over Eq. 6",
               tex=r"\frac{\delta_{ce}}{\delta_{BE}}", role="step")  # fmt: skip
     def ratio(self) -> float:

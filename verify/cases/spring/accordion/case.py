@@ -217,8 +217,8 @@ class AccordionSpring(FreeStage):
                     name=f"stiffness, {ends.words}: {elements} elements", sensitivity=EXACT,
                     shares=SHARED,
                 )  # fmt: skip
-        yield Order(name="order of convergence of straight elements", symbol="p", unit="1", order=2,
-                    errors=errors_of(spring.k_N))  # fmt: skip
+        yield Order(name="order of convergence of the stiffness by straight elements", symbol="p",
+                    unit="1", order=2, errors=errors_of(spring.k_N))  # fmt: skip
 
     def _odd(self) -> Iterator[Comparison]:
         """Rows on Eqs. 1-9 for an odd number of segments, for which the printed Eq. 5 is wrong."""

@@ -63,7 +63,8 @@ class CurveSpring(CurveInputs, Case):
         return self.width_factor * self.E * self.h * self.b**3 / 12
 
     k1 = Quantity(
-        "k_1", "N/mm", "stiffness at rest", source="geometrically exact beam",
+        "k_1", "N/mm", "initial stiffness of the unloaded spring",
+        source="geometrically exact beam",
         tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
         r"\gamma=n\cdot r', \quad \kappa=\varphi')",
     ).reads(lambda q: q.linear.k1)  # fmt: skip

@@ -75,9 +75,9 @@ class StageSpring(StageFormulas):
         The best reading is that with the k_1 nearest to Eq. 10.
         """
         spring = StageSpring
-        first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at A"),
-                 (spring.U_A, "displacement at A"), (spring.k2, "stiffness k_2"))  # fmt: skip
-        second = ((spring.U_B, "displacement where the second tip touches"),
+        first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at point A"),
+                 (spring.U_A, "displacement at point A"), (spring.k2, "stiffness k_2"))  # fmt: skip
+        second = ((spring.U_B, "displacement at which the second tip touches"),
                   (spring.k3, "stiffness k_3 with both tips in contact"))  # fmt: skip
         for quantities, conditions in ((first, ENDS), (second, LATER)):
             for ends in conditions:
@@ -89,10 +89,10 @@ class StageSpring(StageFormulas):
         for ends in ENDS:
             F_A = {f"F_A, {ends.words}": self._spring(ends).F_A}
             yield balance(
-                f"push_{ends.key}", f"force in the closing link at point A, {ends.words}", "C", "N",
-                of=F_A, bound=1e-9, because="both lines intersect at A within round-off",
+                f"push_{ends.key}", f"force of the link that closes at point A, {ends.words}", "C",
+                "N", of=F_A, bound=1e-9, because="both lines intersect at A within round-off",
             )  # fmt: skip
-        yield Order(name="order of convergence of straight elements in k_2", symbol="p", unit="1",
+        yield Order(name="order of convergence of k_2 by straight elements", symbol="p", unit="1",
                     order=2, errors=errors_of(spring.k2, state=self._held(ENDS[0])))  # fmt: skip
         yield from self._calibrated()
         yield from self._beside_prints()
@@ -118,8 +118,8 @@ class StageSpring(StageFormulas):
         for q, key, figure, words, printed in (
             (spring.k1, "k1", paper.MET, "k_1", ("wang2023:k1-fea",)),
             (spring.k2, "k2", paper.ACCEPTED, "k_2", ("wang2023:k2-fea",)),
-            (spring.U_A, "U", paper.ACCEPTED, "displacement at A", ()),
-            (spring.F_A, "F", paper.ACCEPTED, "force at A", ()),
+            (spring.U_A, "U", paper.ACCEPTED, "displacement at point A", ()),
+            (spring.F_A, "F", paper.ACCEPTED, "force at point A", ()),
         ):
             yield Comparison(quantity=q, state=self._reading, check=Accepted(
                 name=f"{words} against Eq. 10, reading whose k_1 is nearest to Eq. 10",
@@ -132,7 +132,8 @@ class StageSpring(StageFormulas):
         test = "paper's test"
         for q, words, what, printed in (
             (spring.k1, "k_1", test, "k1-test"), (spring.k2, "k_2", test, "k2-test"),
-            (spring.intercept, "constant of the second line", "paper's line", "eq10-ab-intercept"),
+            (spring.intercept, "force of the second line at U = 0", "constant of Eq. 10",
+             "eq10-ab-intercept"),
         ):  # fmt: skip
             name = f"{words} against the {what}, reading whose k_1 is nearest to Eq. 10"
             yield _beside(q, self._reading, name, printed)

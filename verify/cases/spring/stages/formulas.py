@@ -88,12 +88,12 @@ class StageFormulas(StagesInputs, Case):
     def L0(self) -> float:
         return frame.free_length(n=self.n, b=self.b, r=self.r, L1=self.L1, alpha=self.alpha)
 
-    @Quantity("U_A/L_0", "1", "displacement at A over the free length", role="step")
+    @Quantity("U_A/L_0", "1", "displacement at point A over the free length", role="step")
     def share(self) -> float:
         return self.U_A / self.L0
 
-    @Quantity("σ_A", "MPa", "bending stress at A, inside of the apex of a loop", safe="too high",
-              source="Golovin")  # fmt: skip
+    @Quantity("σ_A", "MPa", "bending stress at point A, inside of the apex of a loop",
+              safe="too high", source="Golovin")  # fmt: skip
     def stress_at_A(self) -> float:
         bend = 6 * float(energy.curvature_factor(b=self.b, r=self.r)) / (self.h * self.b**2)
         return bend * float(self._bent.top_couple)

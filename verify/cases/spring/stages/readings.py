@@ -105,7 +105,8 @@ def chosen(q: StagesInputs) -> Reading:
 def keeps(key: str, figure: float) -> Margin:
     """Function that returns a positive margin if a value differs from Eq. 10 by less than `figure`.
 
-    The difference is that of k1, k2, U or F (`key`) of the reading with the nearest k_1.
+    The difference is that of k1, k2, U or F (`key`) of the reading whose k_1 is
+    nearest to Eq. 10.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:

@@ -289,7 +289,7 @@ SPRINGS = (
         what="a spring of six segments, compressed until its tips touch, plane strain", pose=curve,
         quantities=(
             Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
-                     beside=True, row="stiffness at rest"),
+                     beside=True, row="initial stiffness of the unloaded spring"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
                      why=f"{STRIP}; penalty contact of the tips",
                      beside=True, row="no interpenetration of leaves"),
