@@ -91,8 +91,8 @@ class FreeStage(AccordionInputs, Case):
         """Warnings if geometry or force is outside the range of Eqs. 1-9."""
         if self.L0 / self.b > L0_OVER_B:
             yield (
-                f"L_0/b = {self.L0 / self.b:.4g} is above the limit {L0_OVER_B} of Eq. 13: beyond "
-                "it, by the paper, the head moves sideways and the formula loses accuracy"
+                f"L_0/b = {self.L0 / self.b:.4g} exceeds {L0_OVER_B}, the limit of Eq. 13: as the "
+                "paper states, the head then moves sideways, and the formula loses accuracy"
             )
         if abs(self.k1 / self.k - 1) > 0.01:
             yield (

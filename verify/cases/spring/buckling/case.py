@@ -51,8 +51,7 @@ class BucklingSpring(BucklingFormulas):
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
         "free head: the force has a constant direction and acts at O, which moves and rotates "
-        "with the head; its unit P is the Euler load of a column that bends like the unfolded "
-        "strip",
+        "with the head; P is the Euler load of a column that bends like the unfolded strip",
         "buckling: the spring is compressed with a guided head, and the guide is then replaced by "
         "its reactions as dead loads; the spring buckles at the compression at which the head can "
         "then move without a change of these loads",

@@ -75,7 +75,7 @@ def _slender(context: Context, found: Array | None) -> Curves:
             dots("FE, head free, leaves of 0.5 to 2 L_1", at[on], 100 * found[on])
         )  # fmt: skip
     return plot(
-        "Compression at which springs buckle, over their length", "L_0/L_1", "U_cr/L_0 [%]", curves,
+        "Relative compression at which springs buckle", "L_0/L_1", "U_cr/L_0 [%]", curves,
         y_bottom=0.0, y_top=60.0,
         note="Springs with a smaller L_0/L_1 than the left end of a line do not buckle with this "
         "support of the head. The lines apply to all thicknesses.",

@@ -57,7 +57,7 @@ def _curve(context: Context) -> Curves:
         "At the kink (A), the leaves of head and tail touch the adjacent leaves."
         if np.isfinite(lines(context).U_A) else "No leaves touch within the stroke."
     )  # fmt: skip
-    tests = " The paper prints only the slopes of its tests; these lines begin at the origin."
+    tests = " The paper prints only the slopes of its test lines; they are drawn from the origin."
     return plot(
         "Force over displacement until the loops touch", "U [mm]", "F [N]", curves,
         note=kink + tests * context.is_paper,

@@ -53,8 +53,8 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
     name = f"tail clamped at {q.tail}, head {q.head}, r + b/2, {strip}"
     found.append((name, q.held().force(U), "dashes", 4))
     note = (
-        "The tests end at 11 N. The paper prints only the slopes of its test lines. They are drawn "
-        "from the origin, and the slope changes at point A of Eq. 10."
+        "The tests end at 11 N. The paper prints only the slopes of its test lines. These lines "
+        "are drawn from the origin, with the change of slope at point A of Eq. 10."
     )
     yield plot(
         "Closed form and Eq. 10, for readings with the printed k_1", "U [mm]",

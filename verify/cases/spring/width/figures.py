@@ -139,7 +139,7 @@ def _lifted(context: Context) -> Curves:
         "Transverse curvature of a thin leaf: deflection of the edge relative to the middle",
         "position along the leaf / l", "deflection / displacement of head [%]", curves,
         y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
-        note="The ends of the leaf remain straight lines, at the distance l of each other. Wide "
+        note="The ends of the leaf remain straight lines, at the distance l from each other. Wide "
         "leaves curve across the width only near their edges, over a distance of about l.",
     )  # fmt: skip
 
