@@ -89,7 +89,7 @@ class SpragLoads(LoadsInputs):
     def windup(self) -> float:
         return self.with_dent / self.load
 
-    @Quantity("Δδ/δ", "1", "ripple of the deflection over its mean")
+    @Quantity("Δδ/δ", "1", "ripple of the deflection over the mean deflection")
     def ripple(self) -> float:
         return (self.load - self.between) / self.smeared
 
