@@ -38,7 +38,7 @@ WARNED = [
     ("polyhedral-wedge", {"alpha": "12 deg"}, "expelled from the wedge"),
     ("polyhedral-wedge", {"p_lim": "500 MPa"}, "exceeds p_lim = 500 MPa"),
     ("freewheel-torque", {"X": flats(6)}, "that oiled steel hardly exceeds: the clutch slips"),
-    ("freewheel-cup", {"R_a": "17 mm", "T": "5 N m"}, "at its corners bends, so that"),
+    ("freewheel-cup", {"R_a": "17 mm", "T": "5 N m"}, "at its corners and bends, so that"),
     ("freewheel-friction", {"F_ax": "1.1 kN"}, "slips along its axis; the limit is F_ax"),
     ("freewheel-friction", {"F_ax": "16 kN", "mu": 1}, "one end lifts off"),
     ("freewheel-friction", {"X": flats(5)}, "the torque alone releases the rollers"),

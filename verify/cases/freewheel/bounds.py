@@ -11,10 +11,10 @@ from verify.cases.freewheel.star import Star
 WIDEST = 8e-3  # interval with which a row of a user's star is sharp enough
 
 BRACKET = (
-    "α of a layer and of two discs that enclose the star; wind-up of the star; terms (a/r)² of "
-    "Hertz's theory"
+    "compliance of the star between those of a layer and of two discs; wind-up of the star; terms "
+    "of the order (a/r)² in Hertz's theory"
 )
-TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
+TANGENTIAL = f"{BRACKET}; rotation by tangential forces, 0.5 tan²α to tan²α of the wind-up"
 
 
 def parts(q: OneClutch) -> FreewheelParts:
@@ -36,9 +36,9 @@ def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
 
 
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
-    """Expected error of a row: it lies within `interval`, which was derived as `source` states.
+    """Expected error of a row: within `interval`, which was derived as `source` states.
 
-    For inputs of a user, it is not sharp if it is wider than `WIDEST`.
+    At user inputs, an interval wider than `WIDEST` is not sharp.
     """
     low, high = interval
     return Expected(low, high, source, sharp=q.is_default or high - low <= WIDEST)

@@ -18,7 +18,7 @@ LIGHTER, THICKER = 4, 4
 
 
 def light(q: Any) -> Any:
-    """Inputs with a quarter of all loads (torque, any axial load): contact widths are halved."""
+    """Inputs with a quarter of the torque and of any axial load: contact widths are halved."""
     more = {"T": q.T / LIGHTER}
     if hasattr(q, "F_ax"):
         more["F_ax"] = q.F_ax / LIGHTER
@@ -47,12 +47,15 @@ BOTH = Without(Cause.PLANE, "plane strain in both formula and reference")
 ALONG = Without(Cause.PLANE, "plane strain and axial displacement")
 
 ROLLED = ("wind-up by exact rolling*",)
-UNTURNED = "neither the load nor the wall changes this difference; no other cause was varied"
+UNTURNED = (
+    "a lower load and a thicker wall of the ring do not change this difference; no other cause was "
+    "varied"
+)
 TURNED = Left(ROLLED, UNTURNED)
 THIN = Left(
     (*ROLLED, "travel of the rollers*", "approach of roller and cup*",
-     "normal force at a given angle", "largest torque*"),
-    "for cups, only a wall twice as thick was tried"
+     "normal force at a given wedge angle ψ", "largest torque*"),
+    "only the load and the wall thickness of the cup were varied"
 )  # fmt: skip
 
 STAR = Left(("approach of roller and star*",), "the size of the star was not varied")  # fmt: skip
@@ -71,7 +74,7 @@ STATEMENTS: Mapping[str, Statement] = {
             ),
             Corrected("clamping angle under torque, Eq. 4 as printed", "alpha"),
             Corrected("clamping angle under torque, Eq. 5 as printed", "alpha"),
-            Corrected("wind-up, Eq. 7 as printed, against ∫dU/T", "phi"),
+            Corrected("wind-up, Eq. 7 as printed, compared with ∫dU/T", "phi"),
             Corrected(
                 "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)",
                 "torque_rigid",
@@ -91,14 +94,16 @@ STATEMENTS: Mapping[str, Statement] = {
                 "alpha",
                 "it is the clamping angle without load, but compared with the angle under torque",
             ),
-            Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),
+            Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, compared with ∫dU/T", "phi"),
         ),
     ),
     "freewheel-friction": Statement(
         reruns=(LIGHT, WALL),
         without=(ALONG,),
         corrected=(
-            Corrected("required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)", "mu_req"),
+            Corrected(
+                "required friction, Eq. 8 as printed, with F_ax of the whole clutch", "mu_req"
+            ),
             Corrected("tan α, Eq. 8 as printed", "mu_T"),
         ),
     ),

@@ -1,4 +1,4 @@
-"""Curves over the torque, common to star and cup."""
+"""Figures of results over the torque, common to star and cup."""
 
 import math
 from typing import Any
@@ -50,12 +50,12 @@ def torsion(context: Context, *, printed: str, note: str) -> Curves:
 
 
 def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves:
-    """Figure over `x` (T or F_n): deviation of both contact forces from the bisector."""
+    """Figure over `x` (T or F_n): deviation of F_t/F_n at both contacts from tan(psi/2)."""
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
     return plot(
-        "Deviation of the contact forces from the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
+        "Deviation of F_t/F_n from tan(ψ/2) at both contacts", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
         dots(f"FE, on the {cam}", load, on_cam),
         dots(f"FE, on the {race}", load, on_race, 2),
         line("rigid surfaces", [0.0, load[-1]], np.zeros(2)),
@@ -64,12 +64,12 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 
 
 def pressure(where: str) -> AlongLine:
-    """Figure of the pressure on a part divided by its maximum, in the state of largest load."""
+    """Figure of the pressure on a part over Hertz's peak pressure, in the most loaded state."""
     return AlongLine(
-        title=f"Pressure on the {where}, in the state of largest load",
+        title=f"Pressure on the {where}, at the largest computed normal force",
         x=("x/a", "1"), y=("p/p_0", "1"),
         curve=lambda x: np.sqrt(1 - x**2), reference=f"p_on_{where}", at=ACROSS, points=WIDTH,
         order=1, scale=1.0, neglects=True,
-        note="a follows from the moments of the pressure, and p_0 = 2P/(πa): only the shape is "
-             "compared.",
+        note="Only the shape of the pressure is compared: the half-width a follows from the "
+             "moments of the computed pressure, and p_0 = 2P/(πa) from the line load P.",
     )  # fmt: skip

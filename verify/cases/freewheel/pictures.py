@@ -17,12 +17,12 @@ def around_roller(q: Any) -> tuple[float, float, float, float]:
 def heaviest(q: Any) -> Iterator[Picture]:
     """Pictures of the von Mises stress in the pitch and around the roller."""
     yield picture("sector", "log_mises", displacement="",
-                  caption="One pitch in the state of largest load of the sweep, von Mises stress"
+                  caption="von Mises stress in one pitch, at the largest computed normal force"
                   )  # fmt: skip
     yield picture(
         "sector", "log_mises", displacement="", window=around_roller(q),
-        caption="The roller between both races: the force flow connects both contacts; stresses "
-                "below 10 MPa have one colour",
+        caption="von Mises stress in the roller and around both contacts; stresses below 10 MPa "
+                "have one colour",
     )  # fmt: skip
 
 

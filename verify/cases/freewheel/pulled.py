@@ -8,7 +8,7 @@ from verify.cases.freewheel.star import Star
 
 
 class Pulled(Star):
-    """The clutch of `Star` under torque, with an axial load while it is locked."""
+    """The clutch of `Star` under torque and axial load."""
 
     F_ax: float = given("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
     mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=0.01,
@@ -32,7 +32,7 @@ class Pulled(Star):
         return self.F_ax / self.z
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
-              source="a separate symbol, as it is not the tangent of α; Eq. 8 with forces",
+              source="Eq. 8 with the forces of one roller; μ_req in place of the printed tan α",
               tex=r"\frac{\sqrt{F_t^2 + F_a^2}}{F_n} = "
               r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:

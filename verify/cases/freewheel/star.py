@@ -218,27 +218,27 @@ class Star(Rollers):
 
         Displacements under N_0 must be small.
         """
-        same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
+        same, under = self.loaded_by("N_0"), "under N = T/(z R tan α_0)"
         for one in (self, same, self.loaded_by("ψ")):
             _ = one.state  # ValueError if it has none
         wide = max(same.a_i, same.a_o) / self.r
         if wide > WIDE:
             return (
-                f"contacts are {wide:.3g} r wide {under}, more than {WIDE:g} r: displacements are "
-                "not small; check it without --fem"
+                f"the half-width of a contact is {wide:.3g} r {under}, more than {WIDE:g} r: "
+                "displacements are not small; run check without --fem"
             )
         wall = self.R_a - self.R
         if same.d_o > BENT * wall:
             return (
                 f"the ring deflects by {same.d_o * 1e6:.4g} µm {under}, more than {BENT:g} of its "
-                f"wall thickness of {wall * 1e3:.4g} mm: displacements are not small; check it "
+                f"wall thickness of {wall * 1e3:.4g} mm: displacements are not small; run check "
                 "without --fem"
             )
         x = float(self.cam.centre(d_i=BEYOND * same.d_i, d_o=BEYOND * same.d_o)[0])
         left = float(self.cam.corner) - x
         if left < EDGE * same.a_i:
             return (
-                f"{under} the rollers come within {left * 1e3:.3g} mm of the ends of the flats; "
-                "check it without --fem"
+                f"{under}, the rollers come within {left * 1e3:.3g} mm of the ends of the flats; "
+                "run check without --fem"
             )
         return ""

@@ -38,9 +38,9 @@ def sketch(q: Any) -> Sketch:
     low, top = q.r_b * math.cos(half), q.R_a
     tall, wide = top - low, max(q.R_a * math.sin(half + psi), q.R * math.sin(half))
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale, with the axis below the drawing: T on the ring draws the "
-        "roller into the gap that narrows to the right; both section planes of star and ring "
-        "deform equally",
+        f"one of {q.z} pitches, to scale; the axis is below the drawing. The torque T on the ring "
+        "draws the roller to the right, where the gap is narrower. Both cut faces of the pitch "
+        "have equal displacements (cyclic symmetry)",
         shape("modelled",
               np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
         shape("modelled",

@@ -11,9 +11,9 @@ from verify.cases.freewheel.bodies import OneClutch
 from verify.core.case import Context
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
 
-TORQUE = suites("the tolerance of the torque")
-BOTH = suites("twice the tolerance 2e-3 of one contact")
-OTHER = suites("the tolerance of the torque of the other contact")
+TORQUE = suites("the same tolerance as for the torque")
+BOTH = suites("twice the tolerance of 2e-3 for F_t/F_n at one contact")
+OTHER = suites("the same tolerance as for the torque on the race")
 NOISE = 5e-6  # least difference of F_t/N between meshes
 
 Points = tuple[list[float], list[float], list[float]]
@@ -41,7 +41,7 @@ def accepted(
 
 @dataclass(frozen=True, kw_only=True)
 class Named:
-    """Names of parts and reasons in the rows of a kind of clutch."""
+    """Names of parts, and reasons of differences, in the rows of one kind of clutch."""
 
     cam: str
     race: str
@@ -51,7 +51,7 @@ class Named:
     cam_tilt: str  # why the forces on the cam differ from the formula
     race_tilt: str  # likewise on the race
     unlike_forces: str  # why the tangential forces of both contacts differ
-    rolling: str  # reason why the angle differs from the rolling angle
+    rolling: str  # what tangential forces deform: why the angle differs from the rolling angle
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
@@ -61,24 +61,28 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     """
     n = words
     for part, share, tilts in (n.cam, "flat", n.cam_tilt), (n.race, "race", n.race_tilt):
-        yield accepted(clutch.mu_T, f"F_t/F_n on the {part} against tan(ψ/2)", f"share_{share}",
-                       tilts, symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
+        yield accepted(
+            clutch.mu_T, f"F_t/F_n on the {part} compared with tan(ψ/2)", f"share_{share}", tilts,
+            symbol="F_t/F_n", within=2e-3, inverse=True,
+        )  # fmt: skip
     on_race = f"z {n.race_radius} F_t of the {n.race} ({n.form})"
     on_cam = f"z (F_n x − F_t {n.flat_distance}) of the {n.cam} ({n.form})"
-    yield accepted(clutch.torque, f"torque against {on_race}", "torque_race", "off by",
+    yield accepted(clutch.torque, f"torque compared with {on_race}", "torque_race", "error",
                    within=1e-3)  # fmt: skip
-    yield accepted(of_cam, f"torque against {on_cam}", "torque_cam", "off by", within=1e-3,
+    yield accepted(of_cam, f"torque compared with {on_cam}", "torque_cam", "error", within=1e-3,
                    source=OTHER)  # fmt: skip
     yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N",
                    "difference", within=1e-3, source=TORQUE, by="value on the flat")  # fmt: skip
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
-                   f"{n.unlike_forces} to either side of the bisector: difference", within=4e-3,
+                   f"{n.unlike_forces}: difference", within=4e-3,
                    source=BOTH, by="value on the flat")  # fmt: skip
-    yield accepted(clutch.phi, "wind-up ∫dU/T against exact rolling", "rolling", within=5e-3,
-                   words=f"tangential forces deform {n.rolling}; error of rolling")  # fmt: skip
+    yield accepted(clutch.phi, "wind-up ∫dU/T compared with exact rolling, both by finite elements",
+                   "rolling", within=5e-3,
+                   words=f"exact rolling neglects that tangential forces deform {n.rolling}: error"
+                   )  # fmt: skip
     yield balance("forces", "balance of both contact forces on a roller", "ΣF", "1",
                   of={"one": 1.0}, bound=1e-9,
-                  because="equilibrium of a free body by the solver")  # fmt: skip
+                  because="equilibrium of a free body, iterated by the solver")  # fmt: skip
 
 
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
+    "freewheel-clutch": "the study of freewheel-torque measures the same formulas",
     "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
     "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
     "crowns",

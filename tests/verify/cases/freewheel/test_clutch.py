@@ -52,12 +52,12 @@ def test_the_verdict_comes_first(changes, verdict):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({}, "rollers' ends): first the contacts slip (110.5 N m, 4.25 T)"),
+        ({}, "are not included): first the contacts slip (110.5 N m, 4.25 times T)"),
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
         ({"F_ax": 1100.0}, "friction transmits F_ax = 1100 N at torques from 29.35 to 102.7 N m"),
-        (CUP | {"T": 40.0}, "R_a is that of the housing that stiffens a drawn cup"),
+        (CUP | {"T": 40.0}, "R_a is the outer radius of the housing of a drawn cup"),
         (
             {"T": 1e9},
             "no R_a, X or L near the given values is sufficient for this torque",

@@ -18,8 +18,8 @@ from verify.core.case import Values
 from verify.form.adapter import adapted
 
 PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
-BELOW = "exceeded by all but {0} % of the clutches with a wedge"
-WITHIN = "share of clutches within tolerance that"
+BELOW = "that {0} % of the random clutches with a wedge do not exceed"
+WITHIN = "share of the random clutches that"
 
 
 class FreewheelClutch(ClutchInputs):
@@ -36,29 +36,31 @@ class FreewheelClutch(ClutchInputs):
     place = "Eqs. 1-10, Sec. 7"
     levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
     readings: ClassVar = (
-        "T and F_ax act on the whole clutch: F_a = F_ax/z on a roller, F_t = T/(zR)",
+        "T and F_ax are loads of the whole clutch. F_a = F_ax/z and F_t = T/(z R) are forces at "
+        "one contact of one roller",
         "R and r are radii, and X is the distance of a flat from the axis",
         "± is the tolerance of a dimension: three standard deviations of a normal distribution, or "
-        "half of the range of a uniform one. s_μ is the standard deviation of the friction "
-        "coefficient, which has a normal distribution",
-        "rollers are long: plane strain",
+        "half of the range of a uniform distribution. s_μ is the standard deviation of the "
+        "friction coefficient, which has a normal distribution",
+        "the rollers are long, so that the state is plane strain",
     )
     assumptions: ClassVar = (
         "the paper prints no dimensions, friction coefficients or tolerances of its clutches: the "
-        "default inputs describe a synthetic clutch. Axial load and tolerances are user inputs",
+        "default inputs describe a synthetic clutch",
         "the classes green, yellow and red by μ/μ_req follow the paper's observations on its test "
         "rig (Sec. 7). A clutch whose tan α_0 exceeds μ is red at any μ/μ_req",
         "all rollers of a clutch are identical and carry equal loads. Unloading, wear, crowned "
         "rollers, centrifugal forces and springs are neglected",
-        "P(slip) is the share of clutches that slip, with identical rollers in each clutch. "
-        "If r and X differ from roller to roller, at least one roller slips in 1.5 to 2 times as "
-        "many clutches (computed for this synthetic clutch). The share of clutches in which "
-        "all rollers together cannot carry the load is about P(slip)",
+        "P(slip) is the share of clutches that slip, if all rollers of a clutch are identical. "
+        "If r and X differ from roller to roller, the share of clutches in which at least one "
+        "roller slips is 1.5 to 2 times P(slip) (computed for this synthetic clutch). The share of "
+        "clutches in which all rollers together cannot carry the load is about P(slip)",
         "limits of the torque are computed at constant F_ax, and limits of the axial load at "
         "constant T. The couple of the axial forces makes the line load vary linearly along the "
         "roller",
-        "a star (inner cam) is clamped in its bore. A shaft (outer cam) and the rims of all outer "
-        "parts are free. Finite elements cover only inner cams with one material for all parts",
+        "the star of an inner cam is clamped in its bore. The bore of the shaft in an outer cam "
+        "and the rim of the outer part are free. Finite elements cover only inner cams with one "
+        "material for all parts",
     )
 
     @Quantity("σ", "1", "sign of the cam: +1 for an inner cam, −1 for an outer cam", role="step")
@@ -110,7 +112,7 @@ class FreewheelClutch(ClutchInputs):
     ).reads(lambda q: q._of_state("phi_printed"))  # fmt: skip
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
-              source="F_ax on the whole clutch; μ_req is a separate symbol",
+              source="with F_ax of the whole clutch",
               tex=r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:
         if (now := self.duty.under) is None:
@@ -200,18 +202,18 @@ class FreewheelClutch(ClutchInputs):
         return deviation(self.cam, self.sigma)
 
     P_slip = Quantity(
-        "P(slip)", "%", "share of clutches within tolerance that slip",
+        "P(slip)", "%", "share of the random clutches that slip",
     ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
     P_no_wedge = Quantity(
-        "P(gap)", "%", "share of clutches within tolerance that have no wedge",
+        "P(gap)", "%", "share of the random clutches that have no wedge",
     ).reads(lambda q: q._scattered.get("P_no_wedge", math.nan))  # fmt: skip
     P_no_state = Quantity(
         "P(through)", "%", f"{WITHIN} have no equilibrium: pop-through, or contacts too wide for "
                            "the formulas",
     ).reads(lambda q: q._scattered.get("P_no_state", math.nan))  # fmt: skip
     P_corner = Quantity(
-        "P(corner)", "%", "share of clutches within tolerance that have rollers beyond the "
-                          "ends of the flats",
+        "P(corner)", "%", "share of the random clutches that have rollers beyond the ends of the "
+                          "flats",
     ).reads(lambda q: q._scattered.get("P_corner", math.nan))  # fmt: skip
 
     @Quantity("{0}", "%", f"{WITHIN} are in class {{0}} by μ/μ_req").over(

@@ -18,7 +18,7 @@ from verify.judging.checks import Fact
 
 SHARED = "plane strain, small strain, the star clamped in its bore"
 COULOMB = "Coulomb's law of friction"
-SHARP = "acceptance criterion of the subject"
+SHARP = "acceptance figure for this quantity"
 
 
 def expected(q: ClutchInputs) -> StarBounds:
@@ -67,9 +67,10 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
          lambda: expected(q).angle(), BRACKET),
         (case.N, "normal force under torque (Eqs. 2, 3)", "F_n(T)", lambda: expected(q).force(),
          BRACKET),
-        (case.phi, "wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ",
+        (case.phi, "wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T", "φ",
          lambda: expected(q).torsion(), TANGENTIAL),
-        (case.dalpha_dX, "change of the loaded angle with X", "dα(T)/dX", lambda: turn(q), BRACKET),
+        (case.dalpha_dX, "derivative of the clamping angle under torque with respect to X",
+         "dα(T)/dX", lambda: turn(q), BRACKET),
     )  # fmt: skip
     for quantity, name, symbol, of, source in judged:
         more: Any = {"sensitivity": (0.002, SHARP)} if quantity is case.alpha else {}

@@ -27,13 +27,13 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
     if ahead:
         listed = _listed(ahead, q.T, "T")
         found.append(
-            "next limits as the torque grows (without stresses of the rings and of the rollers' "
-            f"ends): {listed}"
+            "next limits as the torque grows (stresses in the rings and at the rollers' ends are "
+            f"not included): {listed}"
         )
     if (least := v.get("T_bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
-            f"limit as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) the "
-            f"clutch slips axially under F_ax = {newton(q.F_ax)}"
+            f"limit as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} times T) "
+            f"the clutch slips axially under F_ax = {newton(q.F_ax)}"
         )
     return found
 
@@ -81,6 +81,6 @@ def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
     for k, limit in enumerate(limits[:2]):
         if limit.at > FAR * max(limits[0].at, now):
             break
-        margin = f", {limit.at / now:.3g} {symbol}" if now > 0 else ""
+        margin = f", {limit.at / now:.3g} times {symbol}" if now > 0 else ""
         parts.append(f"{'first ' if k == 0 else ''}{limit.words} ({written(limit.at)}{margin})")
     return ", then ".join(parts)

@@ -37,10 +37,10 @@ def figures(context: Context) -> Sequence[Figure]:
         found.append(flats(q, context))
     if (ensemble := q.scatter) is not None:
         found += [
-            cumulated("Clamping angle without load of clutches within tolerance", "α_0 [°]",
+            cumulated("Distribution of the clamping angle without load, random clutches", "α_0 [°]",
                       ensemble.drawn.alpha0 * DEGREE, float(q.cam.alpha0) * DEGREE),
-            cumulated("Ratio μ/μ_req of clutches within tolerance", "μ/μ_req", ensemble.safety,
-                      context.analytic["safety"], limits=True),
+            cumulated("Distribution of the ratio μ/μ_req, random clutches", "μ/μ_req",
+                      ensemble.safety, context.analytic["safety"], limits=True),
         ]  # fmt: skip
     if any(s.share for s in q.slopes):
         found.append(sensitivity(q))
@@ -83,8 +83,8 @@ def lights(q: ClutchInputs) -> Zones:
         y_label="F_ax [kN]", x=T, y_top=top, zones=_zones(q, T, F, top),
         curves=tuple(curves), point=(q.T, q.F_ax / 1e3, "this clutch"),
         note="Green: μ ≥ μ_req (Coulomb's law), with pressure and tilt within their limits. "
-             "Yellow: μ ≥ 0.8 μ_req; the clutch slips by Coulomb's law, and slipped in some of the "
-             "paper's tests.",
+             "Yellow: 0.8 μ_req ≤ μ < μ_req; by Coulomb's law the clutch slips, but it slipped "
+             "only in some of the paper's tests.",
     )  # fmt: skip
 
 
@@ -115,7 +115,7 @@ def angles(q: ClutchInputs) -> Curves:
     tan = math.atan(q.mu) * DEGREE
     asked = np.arctan(q.duty.required(T, now.alpha))
     return plot(
-        "Clamping angle and angle of the required friction", "T [N m]", "angle [°]",
+        "Clamping angle and required friction angle", "T [N m]", "angle [°]",
         line("α", T, now.alpha * DEGREE),
         line("arctan μ_req, with F_ax", T, asked * DEGREE, 2),
         dashes("arctan μ", T[[0, -1]], tan, 1),
@@ -132,14 +132,14 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
     moved = [q.moved(dX) for dX in X]
     low, own, high = context.fem[-1].arrays["moved"] * DEGREE
     return plot(
-        "Sensitivity to X", "deviation of X [µm]", "α [°]",
+        "Sensitivity of the clamping angle to X", "deviation of X [µm]", "α [°]",
         line("α under T", X * 1e6,
              np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
         dashes("α_0", X * 1e6, np.array([float(c.cam.alpha0) for c in moved]) * DEGREE, 4),
         dots("FE under T", np.array([-q.off, 0.0, q.off]) * 1e6, [low, own, high], 1),
         y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
-        note="The load partly compensates the deviation: the angle under torque changes less than "
-             "α_0.",
+        note="The angle under torque changes less than α_0, because the elastic approaches partly "
+             "compensate the deviation of X.",
     )  # fmt: skip
 
 
@@ -150,17 +150,18 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
     )  # fmt: skip
     assert q.duty.under is not None
     return plot(
-        "Wind-up", "T [N m]", "φ [°]",
+        "Wind-up over torque", "T [N m]", "φ [°]",
         line("exact rolling (Eq. 7, corrected)", T, now.phi * DEGREE),
         dashes("Eq. 7 as printed, s/R + s/X", T, now.phi_printed * DEGREE, 2),
         dashes("2s/R", T, now.phi_small * DEGREE, 4),
         measured,
-        note=f"Under the given torque, the travel is s = {float(q.duty.under.s) * 1e6:.4g} µm.",
+        note="Under the given torque, the travel of the rollers is s = "
+             f"{float(q.duty.under.s) * 1e6:.4g} µm.",
     )  # fmt: skip
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Figure of the cumulative distribution of `x` over random clutches, and the value `drawn`."""
+    """Figure of the cumulative distribution of `x` over random clutches; `drawn` is nominal."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
     lines = [(drawn, "nominal", 5)]
@@ -170,8 +171,8 @@ def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = 
         title, label, "clutches below [%]",
         line("clutches", ends, DRAWN),
         (dashes(name, at, full, k) for at, name, k in lines),
-        note=f"{DRAWS:,} random samples within tolerance, from a fixed seed. All rollers of a "
-             "clutch are identical.",
+        note=f"{DRAWS:,} random clutches with the given tolerances, from a fixed seed. All rollers "
+             "of a clutch are identical.",
     )  # fmt: skip
 
 
@@ -185,5 +186,5 @@ def sensitivity(q: ClutchInputs) -> Bars:
              f"{100 * s.share:.0f} %, {s.slope * 1e-6 * DEGREE:+.3f}°/µm".replace("-", "−"))
             for s in by
         ),
-        note="The variance is a first-order approximation.",
+        note="The contributions are a first-order approximation.",
     )  # fmt: skip

@@ -48,14 +48,15 @@ class ClutchInputs(Case):
     """z rollers between flats and a circular race, under a torque and an axial load."""
 
     instead: ClassVar[tuple[str, Mapping[str, str]]] = (
-        "for an outer cam, replace the lines above with these names by",
+        "for an outer cam, replace the lines above that have the same names by these lines",
         {"kind": '"outer cam"', "R": '"10 mm"', "r": '"2 mm"', "X": '"13.88322 mm"',
          "R_a": '"17.5 mm"', "r_b": '"0 mm"', "L": '"10 mm"', "T": '"20 N m"'},
     )  # fmt: skip
 
     kind: Kind = word(
         "inner cam",
-        "inner cam: flats on a star, in a ring of bore R; outer cam: flats in a cup, on a shaft R",
+        "inner cam: star with flats, in a ring with the bore radius R; outer cam: cup with flats, "
+        "on a shaft with the radius R",
     )
     R: float = given("16.5 mm", "mm", "R", "radius of the circular race: bore of the "
                         "outer ring (inner cam) or shaft (outer cam)", gt=0.1, le=1e5)  # fmt: skip
@@ -86,8 +87,8 @@ class ClutchInputs(Case):
         "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
     )  # fmt: skip
     e_lim: float | None = given(
-        None, "1", "(e/L)_lim", "permissible shift of the contact forces along the rollers, over "
-                                "L; default 1/6, at which one end lifts off",
+        None, "1", "(e/L)_lim", "permissible ratio of the shift e of the contact forces along the "
+                                "rollers to L; default 1/6, at which one end lifts off",
                                 omitted=None, gt=0, lt=0.5,
         example="0.1",
     )  # fmt: skip
@@ -179,7 +180,7 @@ class ClutchInputs(Case):
 
     @shared
     def scatter(self) -> Scatter | None:
-        """Random clutches within tolerance under the loads of this one; None without tolerances."""
+        """Random clutches under the loads of this clutch; None without tolerances."""
         return scatter(self.duty, self.deviations, self.spread)
 
     @property

@@ -73,7 +73,7 @@ def beyond(q: ClutchInputs, v: Values) -> str:
             "one end of the rollers carries the whole load"  # fmt: skip
         found.append(f"contacts are overloaded: {most}, p_lim is {pascal(q.p_lim)}")
     if v["e_L"] > q.duty.allowed_shift:
-        found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} is beyond {q.duty.allowed_shift:.3g}")
+        found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} exceeds {q.duty.allowed_shift:.3g}")
     return " and ".join(found)
 
 
@@ -83,7 +83,7 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
     given = [
         f"±{t * 1e6:.3g} µm on {name}"
         for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
-    ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
+    ] + ([f"μ = {q.mu:g} (standard deviation {q.s_mu:g})"] if q.s_mu > 0 else [])  # fmt: skip
     shares = ", ".join(f"{share(v[f'share_{c}'])} {c}" for c in ("green", "yellow", "red"))
     through = "pop through" if not q.is_star else "have contacts too wide for the formulas"
     lost = [
@@ -101,8 +101,8 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         )
     slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
-        f"random sample of {DRAWS:,} clutches with {', '.join(given)}, all rollers of a clutch "
-        f"identical: {slips} (classes by μ/μ_req: {shares}){spread}"
+        f"random sample of {DRAWS:,} clutches with {', '.join(given)}; all rollers of a clutch "
+        f"are identical: {slips} (classes by μ/μ_req: {shares}){spread}"
     ]
 
 
@@ -115,7 +115,7 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
         )
     if v.get("e_L", 0.0) > q.duty.allowed_shift:
         found.append(
-            f"e/L = {v['e_L']:.3g} exceeds its limit {q.duty.allowed_shift:.3g}: the rollers tilt"
+            f"the rollers tilt: e/L = {v['e_L']:.3g} exceeds its limit {q.duty.allowed_shift:.3g}"
         )
     return found
 

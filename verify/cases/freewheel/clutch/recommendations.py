@@ -31,7 +31,7 @@ def advice(q: ClutchInputs, v: Values) -> list[str]:
         return []
     return [
         flats(q),
-        f"or, for μ/μ_req of {_each([f'μ = {friction_for(q.duty, g):.4g}' for g in GOALS])}",
+        f"or, at this X: {_each([f'μ = {friction_for(q.duty, g):.4g}' for g in GOALS])}",
     ]
 
 
@@ -39,7 +39,7 @@ def flats(q: ClutchInputs) -> str:
     """Recommended distance X of the flats for each target ratio mu/mu_req."""
     needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
-        return "no X is sufficient to hold at this T and F_ax"
+        return "with no X, the clutch holds at this T and F_ax"
     parts = []
     for dX in needed:
         if math.isnan(dX):
@@ -47,11 +47,13 @@ def flats(q: ClutchInputs) -> str:
             continue
         angle = float(q.moved(dX).cam.alpha0) * DEGREE
         parts.append(f"X = {(q.X + dX) * 1e3:.7g} mm ({dX * 1e6:+.3g} µm, α_0 = {angle:.3f}°)")
-    return f"to hold at this T and F_ax with μ/μ_req of {_each(parts)}"
+    return f"recommended at this T and F_ax: {_each(parts)}"
 
 
 def _each(parts: list[str]) -> str:
-    return ", ".join(f"{goal:.1f}: {text}" for goal, text in zip(GOALS, parts, strict=True))
+    return ", ".join(
+        f"μ/μ_req = {goal:.1f} with {text}" for goal, text in zip(GOALS, parts, strict=True)
+    )
 
 
 def stiffer(q: ClutchInputs) -> str:
@@ -64,7 +66,7 @@ def stiffer(q: ClutchInputs) -> str:
             "no R_a, X or L near the given values is sufficient for this torque: the clutch is too "
             "small"
         )
-    housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
+    housing = "" if q.is_star else "; R_a is the outer radius of the housing of a drawn cup"
     return f"sufficient for this torque: {', or '.join(found)}, or more rollers{housing}"
 
 

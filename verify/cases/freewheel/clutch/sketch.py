@@ -28,8 +28,8 @@ def cup(q: ClutchInputs) -> Sketch:
     roller = centre + q.r * unit * np.column_stack([np.cos(around), np.sin(around)])
     at_shaft, at_flat = centre - q.r * unit * out, centre + q.r * unit * up
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale: load draws the roller towards the middle of the flat, "
-        "where the gap is narrowest and the roller pops through",
+        f"one of {q.z} pitches, to scale. Load draws the roller towards the middle of the flat, "
+        "where the gap is narrowest, and where the roller can pop through",
         shape("modelled", shaft), shape("modelled", outer),
         shape("body", roller),
         arrow((0.0, 0.4 * q.R * unit), (0.0, 1.07), style="axis"),

@@ -40,19 +40,24 @@ COURSE = 3e-5  # relative error of splines between states
 BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
 BRACKET = (
-    "rings that enclose the cup, with a column below the flat; wind-up of shaft and cup; terms "
-    "(a/r)² of Hertz's theory"
+    "compliance of the cup between the compliances of two rings, with a column below the flat in "
+    "the larger ring; wind-up of shaft and cup; terms of the order (a/r)² in Hertz's theory"
 )
-TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
-NOT_LOADED = f"α_0/α with α by the formula under load; {BRACKET}"
-ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
-ENCLOSED = "rings enclose a cup to a few per cent; near the largest torque this error is multiplied"
+TANGENTIAL = f"{BRACKET}; rotation by tangential forces, 0.5 tan²α to tan²α of the wind-up"
+NOT_LOADED = f"ratio α_0/α, with α under load by Eq. 5 for a cup; {BRACKET}"
+ON_FLAT = "factor (R_s + X_o)/(2X_o): Eq. 7 assumes rolling on a circle instead of on a flat"
+ENCLOSED = (
+    "the compliance of a cup is known to a few per cent from two rings; near the largest torque, "
+    "its error causes larger errors of the results"
+)
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
 WIDE = 0.12  # largest a/r at which finite elements (small displacements) are judged at the summit
 NAMED = statics.Named(
     cam="cup", race="shaft", race_radius="R_s", flat_distance="X_o", form="Eq. 3 for a cup",
-    cam_tilt="the flat tilts under load:", race_tilt="the shaft's surface tilts under load:",
-    unlike_forces="surfaces tilt", rolling="contacts and wind up shaft and cup",
+    cam_tilt="the flat tilts under load: error",
+    race_tilt="the surface of the shaft tilts under load: error",
+    unlike_forces="the surfaces tilt, and the contact forces deviate from the bisector",
+    rolling="the contacts and wind up shaft and cup",
 )  # fmt: skip
 SHARED = "plane strain, small strain, cup and housing as one body, shaft and cup free"
 
@@ -61,8 +66,9 @@ class FreewheelCup(Cup):
     """Drawn-cup roller clutch with flats in the cup: load reduces the wedge angle ψ towards 0.
 
     The torque has a maximum before the rollers pop through between shaft and cup. Finite elements
-    of one pitch of shaft, roller and cup, with friction at both races, follow the torque beyond its
-    maximum. The wind-up follows from their strain energy.
+    of one pitch of shaft, roller and cup, with friction at both contacts of the roller, give the
+    torque up to this maximum and beyond. The wind-up follows from the strain energy of the finite
+    elements.
     """
 
     id = "freewheel-cup"
@@ -77,26 +83,30 @@ class FreewheelCup(Cup):
     readings: ClassVar = (
         "ψ is the angle at the roller between the normals of flat and shaft, and α is half of it; "
         "load reduces ψ",
-        "the race is the shaft: R_s is the lever of F_t and replaces R in the formulas of a star",
+        "the round race is the shaft. Its radius R_s is the lever arm of F_t and replaces R in the "
+        "formulas of a star",
         "T is the torque of the whole clutch, N the normal force of one roller",
-        "rollers are long: plane strain",
+        "the rollers are long, so that the state is plane strain",
     )
     assumptions: ClassVar = (
-        "the paper treats only inner cams: this cup is synthetic, with α_0 = 3.5° by choice; its "
-        "formulas are those of the paper for an inverted wedge",
-        "real drawn cups are thin and are supported by a housing: here cup and housing are one "
-        "body of outer radius R_a, without the fit between cup and housing",
-        "shaft and cup are free except for the torque. All parts are of one steel, elastic at any "
-        "pressure: the largest torque is a geometric limit, at which pressures exceed the limit of "
-        "steel",
-        "finite elements: one pitch, with small displacements about the position of the roller. "
-        "The roller neither creeps nor rotates there; friction is twice the required friction",
-        "roller travel and energy between the states are interpolated by splines over the normal "
-        "force",
-        "the formula replaces the cup by a ring whose bore has the same area as the flats. "
-        "Expected errors: the cup lies between rings with the bores X_o and X_o/cos(π/z), with a "
-        "column below the flat; Hertz's theory omits terms (a/r)²; tangential forces add 0.5 to 1 "
-        "tan²α to the rotation of the shaft",
+        "the paper treats only inner cams. This cup is synthetic, with α_0 chosen as 3.5°. The "
+        "formulas of the paper are changed for an outer cam: flats outside, round race inside",
+        "real drawn cups are thin and are supported by a housing. In the model, cup and housing "
+        "are one body with the outer radius R_a; the fit between cup and housing is neglected",
+        "no load except the torque acts on shaft and cup. All parts are of one steel, which is "
+        "assumed elastic at any pressure: at the largest torque, the pressures exceed the "
+        "permissible pressure of steel",
+        "the finite elements model one pitch, with small displacements from a prescribed position "
+        "of the roller. At this position, the roller neither creeps nor rotates. The friction "
+        "coefficient is twice the required friction coefficient",
+        "roller travel and strain energy between the computed states are interpolated by splines "
+        "over the normal force",
+        "in the formula, a ring replaces the cup; the area of its bore is the area enclosed by the "
+        "flats. The expected errors have three causes. The compliance of the cup is only known to "
+        "lie between those of two rings: one with the bore radius X_o, the other with the bore "
+        "radius X_o/cos(π/z) and a column below the flat. Hertz's theory omits terms of the order "
+        "(a/r)². Tangential forces increase the rotation of the shaft by the fraction 0.5 tan²α to "
+        "tan²α",
     )
 
     alpha_0 = Quantity(
@@ -133,12 +143,13 @@ class FreewheelCup(Cup):
         r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})",
     ).reads(lambda q: q.state.d_i)  # fmt: skip
     d_o = Quantity(
-        "d_o", "µm", "approach of roller and cup", source="for the ring that replaces the cup",
+        "d_o", "µm", "approach of roller and cup", source="with the ring that replaces the cup",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
         r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})",
     ).reads(lambda q: q.state.d_o)  # fmt: skip
     alpha = Quantity(
-        "α", "deg", "clamping angle under torque, Eq. 5 for a cup", source="load reduces the angle",
+        "α", "deg", "clamping angle under torque, Eq. 5 for a cup",
+        source="signs for a cup, not as printed: load reduces the angle",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(
@@ -186,7 +197,7 @@ class FreewheelCup(Cup):
     p_o = Quantity("p_o", "MPa", "peak pressure on the cup", source="Hertz", safe="too high",
                    tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
     T_max = Quantity(
-        "T_max", "N m", "largest torque, at pop-through of the rollers", safe="too low",
+        "T_max", "N m", "largest torque before the rollers pop through", safe="too low",
         tex=r"\max_{F_n} z R_s F_n \tan\alpha(F_n) = "
         r"z R_s F_{max} \tan\left(\alpha_{max}\right)",
     ).reads(lambda q: q.at_summit.T)  # fmt: skip
@@ -243,11 +254,14 @@ class FreewheelCup(Cup):
         force = self.within(rigid.state)
         yield from self._at_torque()
         yield from self._at_force(State(rigid, "rigid", "at N = T/(z R_s tan α_0)"), force)
-        angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
-        yield self._judged(cup.N, force.force_at_angle(self.given_angle), MEDIUM, state=angle,
-                           name="normal force at a given angle", symbol="F_n(ψ)")  # fmt: skip
+        angle = State(self.loaded_by("ψ"), "angle", "at a given wedge angle ψ")
+        yield self._judged(
+            cup.N, force.force_at_angle(self.given_angle), MEDIUM, state=angle,
+            name="normal force at a given wedge angle ψ", symbol="F_n(ψ)",
+        )  # fmt: skip
         yield self._summit()
-        yield limit(cup.alpha_0, "F_t/F_n becomes tan α_0 without load (Eq. 4 for a cup)", "α_0",
+        yield limit(cup.alpha_0, "F_t/F_n tends to tan α_0 as the load tends to zero (Eq. 4 for a "
+                                 "cup)", "α_0",
                     points=partial(statics.no_load, self, self.alpha_0), exponent=1.0)  # fmt: skip
         yield fact("the clamping angle decreases with load", "α", margin("falls"))
         yield fact("the torque falls beyond its maximum while the normal force grows", "T",
@@ -298,19 +312,20 @@ class FreewheelCup(Cup):
         torsion = bounds.torsion()
         yield self._judged(
             cup.phi, torsion, COARSE, TANGENTIAL, symbol="φ(T)",
-            name="wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+            name="wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T",
         )  # fmt: skip
         on_flat = times(torsion, (self.R_s + self.X_o) / (2 * self.X_o), STRAIGHT)
         yield self._judged(
             cup.phi_printed, on_flat, COARSE, ON_FLAT, symbol="φ(T)",
-            name="wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T",
+            name="wind-up, Eq. 7 as printed, with R_s and X_o, compared with ∫dU/T",
         )  # fmt: skip
 
     def _at_force(self, rigid: State, bounds: CupBounds) -> Iterator[Comparison]:
         cup, hertz, where = FreewheelCup, bounds.contact(), rigid.words
         yield self._judged(cup.d_i, bounds.approach("d_i"), FINE, state=rigid, symbol="d_i(N)")
         yield self._judged(cup.d_o, bounds.approach("d_o"), COARSE, state=rigid, symbol="d_o(N)")
-        for q, what in ((cup.a_i, "half-width on the shaft"), (cup.a_o, "half-width on the cup")):
+        for q, what in ((cup.a_i, "half-width of the contact on the shaft"),
+                        (cup.a_o, "half-width of the contact on the cup")):  # fmt: skip
             yield self._judged(q, hertz, FINE, state=rigid, name=f"{what}, {where}")
         for q in (cup.p_i, cup.p_o):
             yield self._judged(q, hertz, FINE, state=rigid)
@@ -323,26 +338,26 @@ class FreewheelCup(Cup):
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
         interval = (-math.inf, math.inf) if wide else self.within(top).summit()
         return self._judged(FreewheelCup.T_max, interval, COARSE,
-                            name="largest torque, at pop-through of the rollers")  # fmt: skip
+                            name="largest torque before the rollers pop through")  # fmt: skip
 
     figures = drawn.figures
     pictures = pictures.heaviest
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if friction or hardness is exceeded, or if the cup is thin."""
+        """Warnings if friction or pressure exceeds the values of steel, or if the cup is thin."""
         if np.tan(self.alpha_0) > FRICTION:
             yield (
-                f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction {FRICTION:g} that "
-                "oiled steel hardly exceeds: the rollers do not grip"
+                f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction coefficient "
+                f"{FRICTION:g} that oiled steel hardly exceeds: the rollers do not grip"
             )
         yield from pressed(self.p_i, self.p_o)
         wall = self.R_a - self.corner
         if wall < THIN * self.X_o:
             yield (
-                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends, so that the error "
-                "bounds by enclosing rings are wide: give as R_a the radius of the housing that "
-                "supports the cup"
+                f"the wall of the cup is only {wall * 1e3:.3g} mm thick at its corners and bends, "
+                "so that the expected errors are large: give as R_a the outer radius of the "
+                "housing that supports the cup"
             )
 
     def refusal(self) -> str:
@@ -360,8 +375,8 @@ class FreewheelCup(Cup):
         wide = max(float(top.a_i), float(top.a_o)) / self.r
         if wide > WIDEST:
             return (
-                f"contacts are {wide:.3g} r wide at the largest torque; finite elements require at "
-                f"most {WIDEST:g} r; run check without --fem"
+                f"at the largest torque, the half-width of a contact is {wide:.3g} r; finite "
+                f"elements require at most {WIDEST:g} r; run check without --fem"
             )
         return ""
 

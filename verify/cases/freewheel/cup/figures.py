@@ -20,8 +20,8 @@ from verify.form.sketches import arrow, leader, shape, text
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # over the largest normal force of the states
 
-TILTS = "Flat and shaft tilt under the normal force, while the angle decreases."
-ROLLED = "The wind-up grows faster than the torque: the stiffness is zero at the largest torque."
+TILTS = "F_t/F_n deviates from tan(ψ/2), because the normal force tilts the flat and the shaft."
+ROLLED = "The stiffness decreases with the torque, and is zero at the largest torque."
 
 
 def sketch(q: Cup) -> Sketch:
@@ -44,9 +44,9 @@ def sketch(q: Cup) -> Sketch:
     top, low, force = q.R_a * unit, q.r_b * unit, 0.55 * min(q.R_s - q.r_b, q.R_a - q.X_o) * unit
     side = 1.12 * q.corner * unit * math.sin(half)
     return sketches.sketch(
-        f"one of {q.z} pitches, to scale: anticlockwise rotation of the shaft draws the roller to "
-        "the left, where the gap narrows to the middle of the flat; both section planes of shaft "
-        "and cup deform equally",
+        f"one of {q.z} pitches, to scale. Anticlockwise rotation of the shaft draws the roller to "
+        "the left, towards the middle of the flat, where the gap is narrowest. Both cut faces of "
+        "the pitch have equal displacements (cyclic symmetry)",
         shape("modelled", cup), shape("modelled", shaft),
         shape("body", roller),
         arrow((0.0, 0.9 * low), (0.0, 1.05 * top), style="axis"),
@@ -64,7 +64,7 @@ def figures(q: Cup) -> Iterator[Drawing]:
     """Figures: torque and angle over the normal force; values over torque; pressures."""
     yield converged(_torques)
     yield converged(_angles)
-    yield over_torque.angle(q, ends="; it decreases.")
+    yield over_torque.angle(q, ends="; load reduces the angle.")
     yield converged(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
     yield over_torque.travel(q)
     yield converged(
@@ -83,14 +83,14 @@ def _torques(context: Context) -> Curves:
     states, q = _course(context), context.inputs
     below = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
     return plot(
-        "Torque over normal force, up to its maximum and beyond", "F_n [kN]", "T [N m]",
+        "Torque over normal force, up to the largest torque and beyond", "F_n [kN]", "T [N m]",
         line("z R_s F_n tan α", states.N / 1e3, states.T),
         dashes("constant angle α_0", below / 1e3,
                q.z * q.R_s * below * math.tan(float(q.cam.alpha0)), 1),
         dots("FE", N / 1e3, T),
-        note="Finite elements prescribe the approach of the contacts, so that they pass the "
-             "maximum. Beyond it a larger normal force transmits less torque: under constant "
-             "torque the rollers pop through.",
+        note="In the finite elements, the approach of the contacts is prescribed, so that states "
+             "beyond the largest torque are found. In these states, the torque decreases as the "
+             "normal force increases: under a constant torque, the rollers pop through.",
     )  # fmt: skip
 
 
@@ -98,9 +98,10 @@ def _angles(context: Context) -> Curves:
     _, N, psi, *_ = context.fem[-1].arrays["loads"]
     states = _course(context)
     return plot(
-        "Decrease of the clamping angle", "F_n [kN]", "α [°]",
+        "Clamping angle over normal force", "F_n [kN]", "α [°]",
         line("Eq. 5 for a cup", states.N / 1e3, states.alpha * DEGREE),
         dots("FE", N / 1e3, psi / 2 * DEGREE),
         y_bottom=0.0,
-        note="At α = 0 the roller is between the flat's middle and the shaft and pops through.",
+        note="Load reduces the angle. At α = 0 the roller is at the middle of the flat and pops "
+             "through.",
     )  # fmt: skip

@@ -67,8 +67,8 @@ def under_torque(q: OneClutch) -> Start:
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
     raise NotFoundError(
-        f"no state with T = {q.T:g} N m was found (T differs by {miss:.1%} from the last "
-        "iterate's torque): T is too close to the maximum torque; reduce T"
+        f"no state with T = {q.T:g} N m was found (the torque of the last iteration differs from T "
+        f"by {miss:.1%}): T is too close to the largest torque; reduce T"
     )
 
 

@@ -30,23 +30,24 @@ from verify.form.comparisons import Options
 
 CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
 ANGLE = (
-    "α of two bodies that enclose the star; Coulomb friction by the resultant along the surfaces"
+    "compliance of the star between those of a layer and of two discs; effect of the friction "
+    "forces on α"
 )
-TILTED = f"{ANGLE}; tilt of the surfaces under N"
-HEAVY: Any = Options(own=(0.03, "the tilt of the surfaces grows with the load"))
-LIMITED = "proportional to √((μ/tan α)² − 1)"
-CREEPS = "proportional to 1/√((μ/tan α)² − 1)"
+TILTED = f"{ANGLE}; tilt of the surfaces under the normal force"
+HEAVY: Any = Options(own=(0.03, "the tilt of the surfaces increases with the load"))
+LIMITED = "an error of tan α causes a larger error of the limit, which contains √((μ/tan α)² − 1)"
+CREEPS = "an error of tan α causes a larger error of the ratio, which contains 1/√((μ/tan α)² − 1)"
 ROOT = 0.015, 0.05  # required of a root of a small difference, by default and for user inputs
-STATICS: Any = {"sensitivity": (1e-6, "equilibrium of forces, on any mesh")}
+STATICS: Any = {"sensitivity": (1e-6, "equilibrium of forces is satisfied on any mesh")}
 SHARED = "Coulomb's law of friction, plane strain, load uniform along the rollers"
 
 
 class FreewheelFriction(Pulled):
-    """Friction criterion: torque alone requires tan α, and an axial load requires more friction.
+    """Friction criterion: torque alone requires μ = tan α, and an axial load requires a larger μ.
 
-    Finite elements of the elastic clutch slip at the limit of this criterion, under torque alone
-    and with an axial load. Beyond the limit, the ring also rotates, because the slip has the
-    direction of the resultant friction force.
+    In finite elements of the elastic clutch, slip begins at the limit of this criterion, under
+    torque alone and with an axial load. Beyond the limit, the ring also rotates, because the slip
+    has the direction of the resultant friction force.
     """
 
     id = "freewheel-friction"
@@ -58,34 +59,35 @@ class FreewheelFriction(Pulled):
         Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N", "mu=0.07,0.08,0.1"), star=True),
     )
     readings: ClassVar = (
-        "T and F_ax are loads of the whole clutch. F_n, F_t and F_a are forces of one contact of "
-        "one roller: Eq. 8 contains F_a = F_ax/z where Eq. 9 contains F_ax",
+        "T and F_ax are loads of the whole clutch. F_n, F_t and F_a are forces at one contact of "
+        "one roller. Therefore, Eq. 8 contains F_a = F_ax/z, and Eq. 9 contains F_ax",
         "α is half of the angle at the roller between the normals of flat and ring, under load",
-        "the lever of F_t is the ring's bore radius R",
-        "μ_req is a separate symbol: Eq. 8 writes tan α for it, but tan α is F_t/F_n (Eq. 1)",
+        "the lever arm of F_t is the bore radius R of the ring",
+        "the required friction coefficient has the symbol μ_req. Eq. 8 as printed contains tan α "
+        "instead, but tan α is F_t/F_n (Eq. 1)",
         "at μ = μ_req the clutch holds by Eqs. 1 and 8 and by the classes of Sec. 7, but not by "
         "Eqs. 9 and 10",
     )
     assumptions: ClassVar = (
         "dimensions, μ and F_ax are user inputs, because the paper prints none for its clutches. "
         "The default clutch is synthetic and carries the largest torque of the test rig",
-        "the finite elements combine plane strain with an axial displacement u_z(x, y), as for "
-        "long rollers. The axial load is uniform on the ring's rim, the rollers are free along the "
-        "axis, and the star is clamped on its shaft",
-        "the axial forces of a roller form a couple 2 r cos α F_a that tilts it: F_n shifts by e "
-        "along the roller, in opposite directions at star and ring. Neither the criterion nor "
-        "finite elements that are uniform along the axis include this shift: e and the maximum "
-        "line load follow from a line load that varies linearly, and are not judged",
-        "contacts have fixed positions and normals: displacements are small compared with the "
-        "radii. Where friction is computed, the position of the roller is prescribed",
-        "beyond the limit, the ring is either driven at constant torque or held against rotation: "
-        "both results are reported",
+        "the finite elements combine plane strain with an axial displacement u_z(x, y) that is "
+        "uniform along the axis (long rollers). The axial load is uniform on the rim of the ring, "
+        "only friction acts on the rollers along the axis, and the star is clamped in its bore",
+        "the axial forces on a roller form a couple 2 r cos α F_a, which tilts the roller: F_n "
+        "shifts by e along the roller, in opposite directions at star and ring. The criterion and "
+        "the finite elements do not include this shift. The printed values of e and of the "
+        "maximum line load follow from a line load that varies linearly; they are not judged",
+        "positions and normals of the contacts are fixed, because displacements are small compared "
+        "with the radii. In computations of slip, the position of the roller is prescribed",
+        "beyond the limit, the ring is driven along its axis, either under constant torque or held "
+        "against rotation. Both results are reported",
         "the friction coefficient is equal at all contacts and independent of the sliding speed. "
-        "Oil films are neglected. The couples of all rollers cancel on star and ring",
+        "Oil films are neglected. On star and ring, the tilting couples of all rollers cancel",
     )
 
-    @Quantity("μ_req", "1", "required friction coefficient with the F_ax of Eq. 9", equation="8",
-              form="as printed", form_of="mu_req", safe="too high",
+    @Quantity("μ_req", "1", "required friction coefficient with F_ax of the whole clutch",
+              equation="8", form="as printed", form_of="mu_req", safe="too high",
               tex=r"\frac{\sqrt{F_t^2 + F_{ax}^2}}{F_n}")  # fmt: skip
     def mu_req_printed(self) -> float:
         found = criterion.required_friction_of_contact(
@@ -101,7 +103,7 @@ class FreewheelFriction(Pulled):
 
     @Quantity("R dφ/du_z", "1", "ratio of the circumferential creep of the ring's bore to its "
                                 "axial slip at the limit, F_t/F_a",
-              source="slip beyond the limit is along the resultant", tex=r"\frac{T}{R F_{lim}}",
+              source="slip in the direction of the friction force", tex=r"\frac{T}{R F_{lim}}",
               when=lambda q: q.bears_axial_load)  # fmt: skip
     def creep(self) -> float:
         return self.T / (self.R * self.F_lim)
@@ -113,8 +115,7 @@ class FreewheelFriction(Pulled):
     ).reads(lambda q: q.slipped()[0][0])  # fmt: skip
 
     @Quantity("e", "mm", "axial shift of F_n along the roller due to the tilting couple",
-              source="tilt of the roller; neither the criterion nor these finite elements include "
-                     "it",
+              source="tilt of the roller, which criterion and finite elements neglect",
               role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
     def e(self) -> float:
@@ -122,7 +123,7 @@ class FreewheelFriction(Pulled):
         return float(tilt.offset(F_a=self.F_a, F_n=state.N, r=self.r, alpha=state.alpha))
 
     @Quantity("q/q_m", "1", "ratio of maximum to mean line load due to the shift e", role="step",
-              source="one end lifts off from e = L/6 on", tex=r"1 + \frac{6 e}{L}")  # fmt: skip
+              source="one end lifts off if e exceeds L/6", tex=r"1 + \frac{6 e}{L}")  # fmt: skip
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
@@ -163,13 +164,13 @@ class FreewheelFriction(Pulled):
                             expected=expected(bounds.one_contact()), **HEAVY, **more)  # fmt: skip
         whole = expected(
             bounds.whole_load(),
-            f"{TILTED}; factor z, as F_ax is z times the axial force of a roller",
+            f"{TILTED}; axial force z times too large, because F_ax acts on the whole clutch",
         )
         yield approximation(
             law.mu_req_printed, expected=whole, **HEAVY, **more,
-            name="required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)",
+            name="required friction, Eq. 8 as printed, with F_ax of the whole clutch",
         )  # fmt: skip
-        tangent = f"{ANGLE}; factor √(1 + (F_ax R/T)²), as Eq. 8 does not give a tangent of α"
+        tangent = f"{ANGLE}; factor √(1 + (F_ax R/T)²), because Eq. 8 gives μ_req, not tan α"
         yield approximation(law.mu_req, "mu_T", name="tan α, Eq. 8 as printed", symbol="tan α",
                             expected=expected(bounds.two_tangents(), tangent), **more)  # fmt: skip
         least, own = ROOT
@@ -178,25 +179,25 @@ class FreewheelFriction(Pulled):
             expected=expected(bounds.limit_load()), sensitivity=(least, LIMITED),
             own=(own, LIMITED), **more,
         )  # fmt: skip
-        along = f"Coulomb's law: slip is along the resultant; {TILTED}"
+        along = f"Coulomb's law: slip has the direction of the friction force; {TILTED}"
         yield approximation(
-            law.creep, name="creep of the ring over its axial slip, F_t/F_a",
+            law.creep, name="ratio of circumferential creep of the ring to its axial slip, F_t/F_a",
             expected=expected(bounds.limit_creep(), along), sensitivity=(least, CREEPS),
             own=(own, CREEPS), **more,
         )  # fmt: skip
         yield from at_slip(law.mu_T, law.mu_req)
-        yield balance("balance", "balance of a roller along the axis", "ΣF_a", "N",
+        yield balance("balance", "balance of the axial forces on a roller", "ΣF_a", "N",
                       of={"F_t": self.F_t}, bound=1e-9,
-                      because="equilibrium of a body that only contact holds")  # fmt: skip
+                      because="equilibrium of a body that is held only by contact")  # fmt: skip
 
     figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
-            "Displacement along the axis under torque and axial load: the ring is pulled out, the "
-            "rollers move less, and the star is clamped on its shaft",
-            "Shear stress along the axis: it enters the roller through both contacts",
+            "axial displacement under torque and axial load: the ring moves most, the rollers move "
+            "less, and the star is clamped in its bore",
+            "axial shear stress: the axial load passes through both contacts of the roller",
         )
 
     tables = drawn.tables
@@ -208,7 +209,7 @@ class FreewheelFriction(Pulled):
         if not self.bears_axial_load:
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
-                "releases the rollers, without axial load"
+                "releases the rollers, even without axial load"
             )
         elif light != "green":
             yield (
@@ -224,14 +225,14 @@ class FreewheelFriction(Pulled):
     def advice(self) -> Iterator[str]:
         """Whether the clutch holds, and its behaviour beyond the limit."""
         if not self.bears_axial_load:
-            yield "slips under the torque alone: friction is less than the wedge requires"
+            yield "the clutch slips under the torque alone, because μ does not exceed tan α"
             return
-        verdict = "holds" if self.safety >= 1 else "slips"
+        verdict = "the clutch holds" if self.safety >= 1 else "the clutch slips"
         yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
-            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis and creeps around it "
-            f"by {self.creep:.3g} times this slip; if the ring cannot rotate, the rollers are "
-            f"released within {self.u_out * 1e3:.2g} mm of axial slip"
+            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis, and its bore moves "
+            f"in circumferential direction by {self.creep:.3g} times the axial slip; if the ring "
+            f"cannot rotate, the rollers are released after {self.u_out * 1e3:.2g} mm of axial slip"
         )
 
     def refusal(self) -> str:
@@ -241,7 +242,7 @@ class FreewheelFriction(Pulled):
             return super().refusal()
         return (
             f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
-            "torque alone releases the rollers, or nearly so; check it without --fem"
+            "torque alone releases the rollers, or nearly so; run check without --fem"
         )
 
 

@@ -20,7 +20,7 @@ from verify.judging.tolerance_checks import (
 
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
 CONTACT = 2e-3  # also of F_t/F_n, the required friction without axial load
-ALONE = "as F_t/F_n, to which it reduces without axial load"
+ALONE = "the same tolerance as for F_t/F_n, which is the required friction without axial load"
 SHARE = 1e-3  # tolerance of F_t/(mu N) over the wedge angles
 COULOMB = "Coulomb's law of friction"
 
@@ -44,17 +44,18 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
     )  # fmt: skip
     for where, part in enumerate(("star", "ring")):
         yield judged(
-            Agreement(name=f"required friction on the {part}, at the computed angle (Eqs. 8, 9)",
+            Agreement(name=f"required friction on the {part}, at the angle of the finite elements "
+                           "(Eqs. 8, 9)",
                       symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
                       accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip
     yield judged(
-        Deviation(name="forces of slipping contacts are on the friction cone",
+        Deviation(name="friction forces of slipping contacts lie on the friction cone",
                   symbol="F/(μF_n) − 1",
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
     )  # fmt: skip
     yield judged(
-        Deviation(name="rollers hold below tan α = μ and are released above", paper_only=True,
+        Deviation(name="rollers are held if tan α < μ, and released if tan α > μ", paper_only=True,
                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
                   source=suites("the same sensitivity as for the onset of "
                                 "slip"), whole="μF_n"), mu_T,
@@ -99,7 +100,7 @@ def _of_required(off: float) -> str:
 def of_contact(context: Context, where: int) -> Pair:
     """Pair: mu_req by Eq. 9, and the friction that the forces of one contact require."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
-    words = f"off by {now:+.3%}, {CONTACT:.1%} accepted"
+    words = f"error {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)
 
 
@@ -119,7 +120,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
     slid = [row for row in arrays["angles"] if row[3] > 0]
     found = [np.hypot(last[2:4], last[4:6]), *(np.hypot(row[3::2], row[4::2]) for row in slid)]
     off = np.abs(np.concatenate(found) - 1).max()
-    return float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
+    return float(off), 0.0, f"friction forces differ from μF_n by {off:.2%}, {CONE:.1%} accepted"
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
@@ -133,4 +134,4 @@ def over_angles(context: Context) -> tuple[float, float, str]:
     out = criterion.self_releasing(alpha=alpha, mu=mu)
     needed = criterion.required_friction(alpha=alpha, T=1.0, F_ax=0.0, R=1.0) / mu
     missed = np.where(out, SHARE * left / (1 - HELD), np.abs(ratio - needed))
-    return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"
+    return float(missed.max()), 0.0, f"largest deviation {missed.max():.1e}"

@@ -35,8 +35,9 @@ def sketch(q: Any) -> Sketch:
     used = min(tan * math.hypot(1.0, q.lever) / q.mu, 1.4)
     tip = cone + CIRCLE * used * np.array([1.0, q.lever]) / math.hypot(1.0, q.lever)
     return sketches.sketch(
-        "forces of star and ring on a roller under torque, with the ring drawn straight; F_t and "
-        "the axial forces F_a at star and ring share the friction circle of radius μ F_n",
+        "left: forces of star and ring on a roller under torque, with the ring drawn as a straight "
+        "line. Right: at each contact, the resultant of the tangential force F_t and the axial "
+        "force F_a must lie within the friction circle of radius μ F_n",
         shape("body", circle),
         arrow((WIDE, -1.0), (-WIDE, -1.0), style="clamp"),
         shape("clamp", ray + WIDE * np.array([-along, along])),
@@ -71,7 +72,7 @@ def _cone(q: Any, last: Any) -> Curves:
     slid = angles[angles[:, 3] > 0] if len(angles) else np.zeros((0, 7))
     N, F_t, F_z = last["loaded"]
     return plot(
-        "Friction of a contact in its cone", "F_t/(μ F_n)", "F_a/(μ F_n)",
+        "Friction forces of a contact, and friction cone", "F_t/(μ F_n)", "F_a/(μ F_n)",
         line("cone, Eq. 8 with equality", np.cos(QUARTER), np.sin(QUARTER)),
         dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
                np.abs(creep[:, 4:6]).mean(axis=1), 1),
@@ -79,7 +80,8 @@ def _cone(q: Any, last: Any) -> Curves:
         dots("FE, slipping, clutches with other wedge angles",
              slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
              2),
-        note="F_t/F_n is tan α for any F_a: an axial load moves the point vertically to the cone.",
+        note="F_t/F_n is tan α at any F_a: as the axial load increases, the point moves vertically "
+             "to the cone.",
     )  # fmt: skip
 
 
@@ -97,7 +99,8 @@ def _limit(context: Context) -> Curves:
         dots("FE, slips", q.T, fe["F_lim"]),
         dots("given loads", q.T, q.F_ax, 1),
         y_top=ABOVE * max(v.get("F_lim", 0.0), q.F_ax),
-        note="The classes 0.8 and 1.0 follow from the paper's tests; 1.0 is Coulomb's law.",
+        note="The class limits 0.8 and 1.0 of μ/μ_req follow from the paper's tests; 1.0 is also "
+             "the limit of Coulomb's law.",
     )  # fmt: skip
 
 
@@ -107,17 +110,17 @@ def _path(q: Any, last: Any) -> Curves:
     full = math.sqrt(q.mu**2 - tan**2)
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return plot(
-        "Beyond the limit: the ring driven along the axis", "u_z [µm]",
+        "Slip beyond the limit, ring driven along the axis", "u_z [µm]",
         "(F_a/F_n)/limit; T/(T at rest)",
         line("F_a/F_n, ring held", out[:, 0] / µm, np.abs(out[:, 4:6]).mean(axis=1) / full),
         line("T, ring held", out[:, 0] / µm, out[:, 7], 1),
         dots("F_a/F_n, constant torque", creep[::2, 0] / µm,
              np.abs(creep[::2, 4:6]).mean(axis=1) / full),
         dots("T, constant torque", creep[1::2, 0] / µm, creep[1::2, 7], 1),
-        note=f"A drive with constant torque rotates the ring: by {turned / µm:.3g} µm at its bore "
-             f"after an axial slip of {out[-1, 0] / µm:.3g} µm. If the ring is held against "
-             "rotation, the rollers are released. For constant torque, the marks of F_a/F_n and of "
-             "T stay at 1 and alternate.",
+        note=f"A constant torque rotates the ring: its bore moves by {turned / µm:.3g} µm in "
+             f"circumferential direction if its axial displacement is {out[-1, 0] / µm:.3g} µm. If "
+             "the ring is held against rotation, the rollers are released. Under constant torque, "
+             "both F_a/F_n and T remain at 1; their marks are drawn alternately.",
     )  # fmt: skip
 
 
@@ -126,7 +129,7 @@ def _let_out(q: Any, last: Any) -> Curves:
     out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return plot(
-        "Remaining torque of a ring held against rotation that slides along the axis",
+        "Remaining torque over axial slip, ring held against rotation",
         "axial slip [µm]",
         "T/T at rest",
         line("Coulomb's law and the equilibrium at each F_n", u[::-1] / µm, T[::-1]),
@@ -139,14 +142,15 @@ def _shares(last: Any) -> Curves:
     k, star, ring = last["shares"]
     share = last["onset"][0] if math.isfinite(last["onset"][0]) else 1.0
     return plot(
-        "Part of a contact that slips under torque alone", "tan α/μ",
+        "Share of the normal force on slipping nodes, torque alone", "tan α/μ",
         "share of F_n on slipping nodes",
         dots("FE, star", 1 / k, star),
         dots("FE, ring", 1 / k, ring, 1),
         dashes("both contacts slip: the roller is released",
                np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
-        note="Nodes slip one after the other, from the edge inwards, because the roller is placed "
-             "between the races in one step. A torque that grows from zero causes less slip.",
+        note="As tan α/μ increases, more nodes slip, from the edge of the contact inwards. In the "
+             "finite elements, the roller is placed between the races in one step. A torque that "
+             "increases gradually from zero causes less slip.",
     )  # fmt: skip
 
 
@@ -154,16 +158,17 @@ def _angles(last: Any) -> Curves:
     k, left, ratio = last["angles"].T[:3]
     stays, unit = left > HELD, np.array([0.0, 1.0])
     return plot(
-        "Clutches of other wedge angles under torque alone", "tan α/μ", "F_t/(μ F_n)",
+        "Used friction under torque alone, clutches with other wedge angles", "tan α/μ",
+        "F_t/(μ F_n)",
         line("F_t = F_n tan α", unit, unit),
         dots("FE, held", k[stays], ratio[stays]),
         dots("FE, released: F_n is zero", k[~stays], ratio[~stays], 2),
-        note="Only X differs between the clutches; the approach of both contacts is the same.",
+        note="The clutches differ only in X; the approaches of the contacts are the same in all.",
     )  # fmt: skip
 
 
 def tables(q: Any, context: Context) -> Sequence[Table]:
-    """Table of the clutch's states by finite elements, in words."""
+    """Table that describes the states of the clutch by finite elements."""
     if not context.converging:
         return ()
     last, v = context.fem[-1].arrays, context.fem[-1].values
@@ -192,6 +197,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     rows.append((
         "ring driven along the axis and held against rotation",
         f"slips; the rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after an "
-        f"axial slip of {out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
+        f"axial slip of {out[-1, 0] / µm:.3g} µm" if len(out) > 1
+        else f"slips; {len(creep)} steps were computed",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)

@@ -47,8 +47,9 @@ class LoadPaths(Pulled):
 
     The axial load grows under constant torque, alternates under constant torque, or alternates in
     phase with the torque. The criterion gives the required friction along each path and the time of
-    slip. Finite elements follow the paths with the history of friction: they slip at the same load
-    on every path, and below this load the ring ratchets.
+    slip. Finite elements follow the paths with the history of the friction forces. The load at slip
+    is the same on every path. Below this load, an alternating axial load rotates the ring further
+    with each cycle (ratcheting).
     """
 
     id = "freewheel-paths"
@@ -62,30 +63,32 @@ class LoadPaths(Pulled):
     )  # fmt: skip
     readings: ClassVar = (
         "in load case 2, the axial load alternates about zero. In load case 3, torque and axial "
-        "load are in phase. The text of the paper does not contain Fig. 7",
+        "load are in phase. Both are assumed, because Fig. 7 is not in the text of the paper",
         "T is the steady torque of load cases 1 and 2 and the torque amplitude of load case 3. "
-        "F_ax is the amplitude at the end of the path, for the whole clutch",
+        "F_ax is the axial load on the whole clutch at the end of the path, or its amplitude there",
         "amplitudes grow in proportion to time",
         "at T < 0 the clutch overruns, and the criterion does not apply",
-        "the class limits 0.8 and 1.0 are a rule from the paper's test runs, used here without "
-        "derivation",
+        "the class limits 0.8 and 1.0 of μ/μ_req were observed in the test runs of the paper. They "
+        "are used as printed and not derived",
     )
     assumptions: ClassVar = (
-        "all states are static equilibria: at 30 Hz, the inertia of the ring adds only (f/f_0)², "
-        "or 0.03 %, to the loads. Thirty times this inertia would add 1 %. The inertia of rollers "
-        "and oil is also neglected",
+        "all states are static equilibria: at 30 Hz, the inertia of the ring increases the loads "
+        "only by the fraction (f/f_0)² = 0.03 %. Even thirty times this inertia would increase "
+        "them only by 1 %. The inertia of rollers and oil is also neglected",
         "rise time, duration, μ and all dimensions are user inputs, because the text of the paper "
-        "does not contain the settings of Table 1. The clutch is synthetic",
+        "does not contain the settings of Table 1. The default clutch is synthetic",
         "in the finite elements of load cases 1 and 2, every extreme of the axial load is a load "
         "step that starts from the friction forces of the preceding extreme. The drive holds the "
-        "torque constant and rotates the ring as the rollers creep. The cycles are fewer and "
-        "smaller than those of the path, because the load at slip does not depend on them",
+        "torque constant and rotates the ring as the rollers creep. The computed cycles are fewer "
+        "than those of the path and have smaller amplitudes, because the load at slip does not "
+        "depend on the cycles",
         "in load case 3, the rollers travel by more than the width of their contacts between zero "
-        "torque and 26 N m. Each torque is computed at a separate position of the roller, where "
-        "both loads are applied together",
-        "the expected errors have two sources: tan α of one contact, which is bounded by a layer "
-        "and a disc that enclose the star, and the tilt of the surfaces. At the limit load, both "
-        "are multiplied by 1/(1 − (tan α/μ)²)",
+        "torque and 26 N m. In the finite elements, each torque has a separate position of the "
+        "roller, and torque and axial load are applied together",
+        "the expected errors have two causes: tan α of one contact, because the compliance of the "
+        "star is only known to lie between those of a layer and of two discs; and the tilt of the "
+        "surfaces. The relative error of the axial load at slip is larger than that of tan α by "
+        "the factor 1/(1 − (tan α/μ)²)",
     )
 
     F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch, or its "
@@ -249,8 +252,8 @@ class LoadPaths(Pulled):
     def pictures(self) -> Iterator[Picture]:
         """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
-            "Axial displacement at the last extreme of load case 2",
-            "The axial load passes through both contacts of the roller",
+            "axial displacement at the last extreme of the axial load in load case 2",
+            "axial shear stress: the axial load passes through both contacts of the roller",
             window=pictures.around_roller(self),
         )
 
@@ -262,12 +265,12 @@ class LoadPaths(Pulled):
         if not math.isfinite(self.F_lim):
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
-                "releases the rollers, without axial load"
+                "releases the rollers, even without axial load"
             )
         if 0 < self.T_m <= self.T:
             yield (
-                "load case 3: the torque falls to zero under axial load; without torque, friction "
-                "cannot hold it"
+                "load case 3: the torque falls to zero while an axial load acts; without torque, "
+                "friction cannot hold the axial load"
             )
         if self.sway > SWAY:
             more = f"adds about {self.sway:.1%} to the loads" if self.sway < SWINGS else "dominates"
@@ -298,8 +301,9 @@ class LoadPaths(Pulled):
         if math.isfinite(self.F_lim):
             yield (
                 f"under T = {self.T:g} N m the largest axial load without slip is "
-                f"{self.F_lim:.4g} N; alternating axial loads above about {SETTLES:g} of this "
-                "limit may cause ratcheting before slip (computed with --fem)"
+                f"{self.F_lim:.4g} N; an alternating axial load above about {SETTLES:g} of this "
+                "limit may rotate the ring further with each cycle (ratcheting), which "
+                "check --fem computes"
             )
 
     def refusal(self) -> str:
@@ -310,23 +314,23 @@ class LoadPaths(Pulled):
         if self.mu_T * (1 + CLOSE) > self.mu or self.limit_of(self.T) is None:
             return (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
-                "torque alone releases the rollers, or nearly so; check it without --fem"
+                "torque alone releases the rollers, or nearly so; run check without --fem"
             )
         if self.T_critical < LIGHTEST * self.T_peak:
             return (
                 f"T_m = {self.T_m:g} N m: in load case 3 an axial load acts while the torque is "
-                "nearly zero, and the clutch slips; set T_m = 0 or well above T, or check it "
+                "nearly zero, and the clutch slips; set T_m = 0 or well above T, or run check "
                 "without --fem"
             )
         if self.limit_of(self.T_critical) is None:
             return (
-                "load case 3 slips without axial load at its smallest torque; check it without "
-                "--fem"
+                "in load case 3, the smallest torque releases the rollers, even without axial "
+                "load; run check without --fem"
             )
         if (asked := self.in_phase(1.0).mu_req) > WORN:
             return (
-                f"F_ax = {self.F_ax:g} N requires friction of {asked:.3g}, but at most {WORN:g} is "
-                "allowed for finite elements; check it without --fem"
+                f"F_ax = {self.F_ax:g} N requires the friction coefficient {asked:.3g}, but finite "
+                f"elements allow at most {WORN:g}; run check without --fem"
             )
         return ""
 

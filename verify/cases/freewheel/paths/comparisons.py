@@ -20,14 +20,21 @@ from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded
 
 MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # acceptance figures of mu_req, torque, load at slip
 ROOTED = (
-    "twice the 0.5 % of the friction cone, as the load follows from a root of a small difference"
+    "twice the tolerance of 0.5 % for the friction cone, because an error of tan α causes a larger "
+    "error of the load"
 )
-STATICS = "the same sensitivity as for F_t/F_n against tan(ψ/2)"
+STATICS = "the same tolerance as for F_t/F_n compared with tan(ψ/2)"
 SETTLES = 1 / 3  # creep of the last cycle over the first
 GOES_ON = 0.9  # creep of a cycle over the cycle before
-ANGLE = "α of two bodies that enclose the star; tilt of the surfaces under N"
+ANGLE = (
+    "compliance of the star between those of a layer and of two discs; tilt of the surfaces under "
+    "the normal force"
+)
 COULOMB = "Coulomb's law of friction"
-RULE = "rule used as printed, not derived: an average over the runs of clutch A in load case 1"
+RULE = (
+    "the limit is an average over the test runs of clutch A in load case 1; it is used as printed "
+    "and not derived"
+)
 
 
 def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
@@ -49,7 +56,7 @@ def along(context: Context, name: str) -> Pair:
     pairs = (_required(context, at, name) for at in (-2, -1))
     before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
     off, earlier = (one.value / one.reference - 1 for one in (now, before))
-    words = f"off by at most {abs(off):.2%}, {MU:.1%} accepted"
+    words = f"largest error {abs(off):.2%}, {MU:.1%} accepted"
     return replace(now, U=abs(abs(off) - abs(earlier)) * now.reference, words=words)
 
 
@@ -59,14 +66,14 @@ def torque(context: Context) -> tuple[float, float, str]:
         max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
         for r in context.fem[-2:]
     )
-    return now, abs(now - before), f"changes by at most {now:.2%}, {TORQUE:.1%} accepted"
+    return now, abs(now - before), f"largest change {now:.2%}, {TORQUE:.1%} accepted"
 
 
 def at_slip(context: Context, case: int) -> Pair:
     """Pair of axial amplitudes [N] at slip: by Eq. 9, by finite elements (finest mesh only)."""
     F, half = slips(context, case)
     needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
-    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {SLIP:.0%} accepted"
+    words = f"{F:.5g} N by finite elements, error {needed / F - 1:+.2%}, {SLIP:.0%} accepted"
     return Pair(needed, F, half, words)
 
 
@@ -80,17 +87,17 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """Positive margin if creep under a small alternating load settles.
+    """Positive margin if creep under a small alternating load decreases from cycle to cycle.
 
-    The ratio of both must be below `SETTLES`.
+    The ratio of the creep in the last cycle to that in the first must be below `SETTLES`.
     """
     before, now = (
         float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
     )
     first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
     words = (
-        f"at 0.4 of the limit, the bore creeps by {first:.3g} nm in the first cycle and by "
-        f"{last:.2g} nm in the last of four"
+        f"at 0.4 of the axial load at slip, the bore of the ring creeps by {first:.3g} nm in the "
+        f"first cycle and by {last:.2g} nm in the fourth"
     )
     return SETTLES - now, abs(now - before), words
 
@@ -106,8 +113,9 @@ def walks(context: Context) -> tuple[float, float, str]:
     ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
     rate, spread = ends[-1], abs(ends[1] - ends[0])
     words = (
-        f"at 0.8 of the limit, the bore creeps by {rate:.0f} nm in every cycle (difference between "
-        f"meshes {spread:.0f} nm); the ratio of the last two cycles is {now:.3f}"
+        f"at 0.8 of the axial load at slip, the bore of the ring creeps by {rate:.0f} nm in the "
+        f"last cycle (difference between meshes {spread:.0f} nm), {now:.3f} of the creep in the "
+        "cycle before"
     )
     return now - GOES_ON, abs(now - before), words
 
@@ -130,7 +138,7 @@ def in_time(context: Context, case: int) -> Pair:
     step = float(course.t[1] - course.t[0])
     t = course.slips_at - step / 2
     if not math.isfinite(t):
-        return Pair(t, math.nan, 0.0, "the path ends before it slips")
+        return Pair(t, math.nan, 0.0, "the path ends before the clutch slips")
     mu_req = tuple(context.fem[-1].values[key] for key in MU_REQ.values())
     tan = q.rig.tangent(tuple(MU_REQ), mu_req)
     early, below, found, above, late = (
@@ -138,7 +146,7 @@ def in_time(context: Context, case: int) -> Pair:
     )
     words = (
         f"{t:.5f} s, finite elements {found:.5f} s; accepted {early:.5f} to {late:.5f} s, the "
-        f"times at {SLIP:.0%} less and more load"
+        f"times of slip if the axial load at slip is {SLIP:.0%} lower and higher"
     )
     allowed = early / found - 1, late / found - 1
     U = max(above - found, found - below) + step / 2
@@ -164,8 +172,8 @@ def slips_in_time(q: Quantity, case: int) -> Comparison:
     check = Agreement(
         name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites(f"times at which the path is {SLIP:.0%} below and above the load at slip of "
-                      "finite elements"),
+        source=suites(f"times at which the axial load is {SLIP:.0%} below and above the axial load "
+                      "at slip by finite elements"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 
@@ -175,10 +183,12 @@ def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
     for sine, key in MU_REQ.items():
         there = q.in_phase(sine)
         low, high = of_star(there, there.state).slope(tilted=True)
-        state = State(there, key.removeprefix("mu_req_"), f"load case 3, at {sine:g}")
+        state = State(there, key.removeprefix("mu_req_"),
+                      f"load case 3, at {sine:g} times the load amplitudes")  # fmt: skip
         yield approximation(
             mu_req, state=state, order=2, shares=COULOMB, expected=Expected(low, high, ANGLE),
-            name=f"required friction, load case 3, at {sine:g} of the amplitudes (Eqs. 8, 9)",
+            name=f"required friction, load case 3, at {sine:g} times the load amplitudes (Eqs. 8, "
+                 "9)",
         )  # fmt: skip
 
 
@@ -188,20 +198,23 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
     yield agrees(
-        path.mu_req, "required friction along load case 1, at the computed angle (Eqs. 8, 9)",
-        lambda c: along(c, "ramp"), MU, STATICS, "1",
+        path.mu_req, "required friction along load case 1, at the angle of the finite elements "
+        "(Eqs. 8, 9)", lambda c: along(c, "ramp"), MU, STATICS, "1",
     )  # fmt: skip
     yield agrees(
-        path.mu_req, "required friction at the extremes of load case 2, at the computed angle "
-        "(Eqs. 8, 9)", lambda c: along(c, "growing"), MU, STATICS, "1",
+        path.mu_req, "required friction at the extremes of load case 2, at the angle of the finite "
+        "elements (Eqs. 8, 9)", lambda c: along(c, "growing"), MU, STATICS, "1",
     )  # fmt: skip
     for case in (1, 2, 3):
         yield slips_in_time(path.slip(case), case)
-    yield Deviation(name="torque is constant up to the limit", symbol="T/T_0 − 1", unit="1",
-                    size=torque, accepted=TORQUE, whole="torque at rest",
-                    source=suites("half of the sensitivity required of rows, 1 %"))  # fmt: skip
-    yield accepted("micro-slip settles under a small alternating load: shakedown", "RΔφ", settles)
-    yield accepted("a large alternating load causes ratcheting of the ring below slip", "RΔφ",
+    yield Deviation(name="torque is constant up to the axial load at slip", symbol="T/T_0 − 1",
+                    unit="1",
+                    size=torque, accepted=TORQUE, whole="torque without axial load",
+                    source=suites("half of the required sensitivity of 1 %"))  # fmt: skip
+    yield accepted("creep per cycle decreases under a small alternating axial load (shakedown)",
+                   "RΔφ", settles)  # fmt: skip
+    yield accepted("creep continues under a large alternating axial load without slip (ratcheting)",
+                   "RΔφ",
                    walks)  # fmt: skip
     yield from _adopted(path)
 
@@ -213,7 +226,7 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
     yield approximation(
         path.F_lim, "F_1", name="axial load at slip, steady torque (load case 1)", symbol="F_ax",
         order=2, expected=expected,
-        own=(0.03, "proportional to √((μ/tan α)² − 1)"), shares=COULOMB,
+        own=(0.03, "an error of tan α causes a larger error of the load"), shares=COULOMB,
     )  # fmt: skip
     yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
                  lambda c: at_slip(c, 2), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
@@ -225,31 +238,33 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
     """Rows of numbers of the paper that are used as printed."""
     for name, key, why in (
-        ("red, upper limit",
-         "red-yellow", "by Coulomb's law the clutch slips below 1 (erratum "
+        ("upper limit of class red",
+         "red-yellow", "by Coulomb's law the clutch slips at ratios below 1 (erratum "
                                     "traffic-light-wording)"),
-        ("green, lower limit",
-         "yellow-green", "it is the limit of Coulomb's law, with the equal sign "
+        ("lower limit of class green",
+         "yellow-green", "it is the limit of Coulomb's law, at which the clutch still holds "
                                        "(erratum eq-10-strictness)"),
     ):  # fmt: skip
-        check = Adopted(name=f"class {name}", symbol="μ/μ_req", unit="1", analytic="coulomb",
+        check = Adopted(name=f"μ/μ_req at the {name}", symbol="μ/μ_req", unit="1",
+                        analytic="coulomb",
                         reference=f"nagler2021:friction-ratio-{key}", why=f"{RULE}; {why}"
                         )  # fmt: skip
         yield Comparison(check=check, numbers={"coulomb": 1.0})
     yield Comparison(
         check=Adopted(name="wind-up that the rig allows", symbol="φ", unit="deg", analytic="phi",
                       reference="nagler2021:rig-torsion-angle",
-                      why="range of the rig, reported beside the wind-up under the largest torque"),
+                      why="limit of the test rig, for comparison with the wind-up under the "
+                          "largest torque"),
         quantity=path.phi,
     )  # fmt: skip
     yield Adopted(
         name="axial displacement that the rig allows", symbol="u_z", unit="mm",
         reference="nagler2021:rig-axial-displacement",
-        why="range of the rig: before slip the clutch deflects by a few µm, all further "
-            "displacement is slip",
+        why="limit of the test rig: before slip, the axial displacement of the clutch is only a "
+            "few µm; all further displacement is slip",
     )  # fmt: skip
     yield Adopted(
-        name="test runs of each clutch", symbol="n", unit="1",
+        name="number of test runs with each clutch", symbol="n", unit="1",
         reference="nagler2021:test-runs-per-clutch",
         why="the text does not contain the settings (Table 1): three paths represent the load "
             "cases",

@@ -16,9 +16,9 @@ from verify.form.plots import curve, dashes, dots, line, plot
 Array = NDArray[np.float64]
 
 NAMES = {
-    1: "load case 1: steady torque, growing axial load",
-    2: "load case 2: steady torque, alternating axial load",
-    3: "load case 3: torque and axial load alternate in phase",
+    1: "load case 1 (steady torque, growing axial load)",
+    2: "load case 2 (steady torque, alternating axial load)",
+    3: "load case 3 (torque and axial load alternate in phase)",
 }
 HIGH = 1.15  # upper end of the axis over the largest value
 NEAR = 0.9  # friction cone drawn from this multiple of tan(alpha_0)
@@ -41,8 +41,8 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             title="The three load cases",
             header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at [s]"),
             rows=tuple(rows),
-            note="The classes of Sec. 7 are used without derivation. By Coulomb's law the clutch "
-                 "slips where μ/μ_req falls below 1.",
+            note="The class limits of Sec. 7 are used as printed and not derived. By Coulomb's law "
+                 "the clutch slips as soon as μ/μ_req is below 1.",
         ),
     )  # fmt: skip
 
@@ -93,8 +93,8 @@ def classes(context: Context, case: int) -> Zones:
             Zone(name="red", top=top * flat, tone="bad"),
         ),
         curves=tuple(curves), point=point,
-        note=f"μ = {q.mu:g}. The curve continues as if the clutch still held. "
-        + ("In the gaps of the curve the clutch "
+        note=f"μ = {q.mu:g}. After slip, the curve continues as if the clutch still held. "
+        + ("In the gaps of the curve, the torque is negative and the clutch "
            "overruns." if np.isnan(course.mu_req).any() else ""),
     )  # fmt: skip
 
@@ -124,12 +124,12 @@ def plane(context: Context) -> Curves:
         table = last[name]
         curves.append(dots(f"FE, {of}", table[:, 1:3].mean(axis=1), table[:, 3], colour))
     return plot(
-        "Tangential and axial force over the normal force, up to slip", "F_t/F_n", "F_a/F_n",
+        "F_a/F_n over F_t/F_n along the load paths, up to slip", "F_t/F_n", "F_a/F_n",
         curves,
         y_bottom=-q.mu,
-        note="Under a steady torque F_t/F_n = tan α is constant, and the axial load leads to the "
-             "cone along a vertical line; load case 1 covers the upper half of the line of load "
-             "case 2. In phase, F_t/F_n varies between tan α_0 and tan α(T).",
+        note="Under a steady torque, F_t/F_n = tan α is constant, and the path is a vertical line "
+             "that ends on the friction cone. Load case 1 covers the upper half of the line of "
+             "load case 2. In load case 3, F_t/F_n varies between tan α_0 and tan α(T).",
     )  # fmt: skip
 
 
@@ -163,10 +163,11 @@ def creeping(context: Context) -> Curves:
         "Ratcheting of the ring under an alternating axial load, finite elements", "cycle",
         "R Δφ in one cycle [nm]", curves,
         x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
-        note="Torque and N are constant. Up to 0.6 of the limit, micro-slip settles. At 0.8 of the "
-             "limit no part of the contacts sticks all the time, and the ring rotates further in "
-             "every cycle, although μ always exceeds μ_req. Each half cycle is one load step; with "
-             "four steps the rotation is a fifth smaller.",
+        note="The limit is the axial load at slip; torque and normal force are constant. At "
+             "amplitudes up to 0.6 of the limit, the creep decreases from cycle to cycle. At 0.8 "
+             "of the limit, no part of the contacts sticks throughout a cycle, and the ring "
+             "rotates further in every cycle, although μ always exceeds μ_req. Each half cycle is "
+             "one load step; with four load steps per half cycle, the rotation is a fifth smaller.",
     )  # fmt: skip
 
 
@@ -174,10 +175,10 @@ def walked(context: Context) -> Curves:
     """Figure of the fraction of F_n that slipping nodes carry, at extremes of the axial load."""
     last = context.fem[-1].arrays
     return plot(
-        "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",
-        "share of F_n that slips",
+        "Share of the normal force on slipping nodes, up to slip, finite elements", "|F_ax|/F_lim",
+        "share of F_n on slipping nodes",
         line("load case 1", last["ramp"][:, 0], last["ramp"][:, 7]),
         dots("extremes of load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7], 2),
-        note="The torque alone uses most of the friction: only a small part of the contacts "
-             "sticks.",
+        note="The torque alone requires most of the available friction, so that only a small part "
+             "of the contacts sticks even without axial load.",
     )  # fmt: skip

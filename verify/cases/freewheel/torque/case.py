@@ -25,43 +25,46 @@ from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
-SHARP = "acceptance criterion of the subject"
-ENCLOSED = "the bodies that enclose the star do not give a narrower interval"
-PRINTED_ERROR = "the formula differs by 22 %: a sensitivity of 3 % is sufficient"
-ON_FLAT = "factor (R + X)/(2X): the formula assumes rolling on a circle instead of on a flat"
-NOT_LOADED = "ratio of the angle without load to that under torque, by Eq. 5, corrected"
-NOT_RIGHT = "ratio of the printed angle to the corrected angle"
-MANY_TIMES = "the formula differs by tens of per cent or more: a sensitivity of 5 % is sufficient"
+SHARP = "acceptance figure for this quantity"
+ENCLOSED = "the layer and the discs that bound the compliance of the star give no narrower interval"
+PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
+ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
+NOT_LOADED = "ratio of the clamping angle without load to the angle under torque (Eq. 5, corrected)"
+NOT_RIGHT = "ratio of the clamping angle by the printed equation to that by the corrected equation"
+MANY_TIMES = "the error of the formula exceeds 9 %, so that a sensitivity of 5 % is sufficient"
 NO_LEVER = (
-    "factor X/R: the formula omits the torque of F_n, whose line of action misses the axis by x"
+    "factor X/R, because the formula omits the torque of F_n, whose line of action passes the axis "
+    "at the distance x"
 )
 ROOM = (
-    "in small displacements, forces act on the undeformed mesh, beside the middle of the contacts:"
+    "in small displacements, forces act on the undeformed mesh, beside the middle of the contacts: "
+    "error"
 )
 NAMED = statics.Named(
     cam="star", race="ring", race_radius="R", flat_distance="X", form="Eq. 3, corrected",
     cam_tilt=ROOM, race_tilt=ROOM,
-    unlike_forces="tangential forces deviate by equal amounts", rolling="the contacts, too",
+    unlike_forces="the contact forces deviate from the bisector by equal and opposite angles",
+    rolling="the contacts",
 )  # fmt: skip
 SHARED = "plane strain, small strain, the star clamped in its bore"
 ROLLED = (
-    "The finite elements assume no rolling here: the wind-up follows from the energy of all "
-    "states. The printed form replaces the flat by a circle of radius X."
+    "In the finite elements, the wind-up follows from the strain energy of all states, without the "
+    "assumption of rolling. Eq. 7 as printed replaces the flat by a circle of radius X."
 )
 LEAVES = (
-    "The deviation grows with the normal force: surfaces tilt, and in small displacements forces "
-    "act on the undeformed mesh. The deviations of both contacts are equal and opposite: their "
-    "mean is tan(ψ/2)."
+    "The deviation grows with the normal force, because the surfaces tilt, and because forces act "
+    "on the undeformed mesh in small displacements. The deviations at both contacts are equal and "
+    "opposite: the mean of F_t/F_n is tan(ψ/2)."
 )
 
 
 class FreewheelTorque(Star):
     """Roller freewheel under torque: rollers wedged between star and ring travel with the load.
 
-    Clamping angle, normal force, roller travel and wind-up over torque by the corrected Eqs. 3 to 7
-    of the paper agree with finite elements of one pitch of star, roller and ring, with friction at
-    both races. The strain energy of the finite elements gives the wind-up without the assumption of
-    rolling.
+    The corrected Eqs. 3 to 7 of the paper give clamping angle, normal force, roller travel and
+    wind-up over torque. They agree with finite elements of one pitch of star, roller and ring, with
+    friction at both contacts of the roller. In the finite elements, the wind-up follows from the
+    strain energy, without the assumption of rolling.
     """
 
     id = "freewheel-torque"
@@ -77,23 +80,26 @@ class FreewheelTorque(Star):
     readings: ClassVar = (
         "ψ is the angle at the roller between the normals of flat and ring, and α is half of it",
         "R is the bore radius of the outer ring, for which the paper writes r_OR",
-        "d = f + u: only the total approach of a contact, local flattening f and structural "
-        "deflection u together, can be compared",
+        "d = f + u is the approach of a contact: local flattening f plus structural deflection u. "
+        "Only this sum can be compared",
         "T is the torque of the whole clutch, N the normal force of one roller",
-        "rollers are long: plane strain",
+        "the rollers are long, so that the state is plane strain",
     )
     assumptions: ClassVar = (
-        "the paper prints no dimensions of its clutches A and B, and 5 µm of X change α_0 by "
-        "0.08°: this clutch is synthetic, with α_0 = 3.5° by choice",
-        "the star is clamped on its shaft, the ring is free except for the torque, and all parts "
-        "are of one steel",
-        "finite elements: one pitch, with small displacements about the position of the roller. "
-        "The roller neither creeps nor rotates there; friction is twice the required friction",
-        "roller travel and energy are interpolated by splines between six states, and by a power "
-        "law below the first state",
-        "expected errors: a layer and two discs enclose the star, and the torque winds it up; "
-        "Hertz's theory omits terms (a/r)²; tangential forces add 0.5 to 1 tan²α to the rotation "
-        "of the ring",
+        "the paper prints no dimensions of its clutches A and B. They cannot be estimated, because "
+        "a change of X by 5 µm changes α_0 by 0.08°. The clutch of this case is synthetic, with "
+        "α_0 chosen as 3.5°",
+        "the star is clamped in its bore, and no load except the torque acts on the ring. All "
+        "parts are of one steel",
+        "the finite elements model one pitch, with small displacements from a prescribed position "
+        "of the roller. At this position, the roller neither creeps nor rotates. The friction "
+        "coefficient is twice the required friction coefficient",
+        "roller travel and strain energy are interpolated by splines between six computed states, "
+        "and by a power law below the first state",
+        "the expected errors have three causes. The compliance of the star is only known to lie "
+        "between those of a layer and of two discs, and the torque twists the star. Hertz's theory "
+        "omits terms of the order (a/r)². Tangential forces increase the rotation of the ring by "
+        "the fraction 0.5 tan²α to tan²α",
     )
 
     x = Quantity(
@@ -165,14 +171,14 @@ class FreewheelTorque(Star):
         """Rows at equal torque, force and angle, without load, and on the equilibrium of forces."""
         yield from self._at_torque()
         yield from self._at_force()
-        angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
+        angle = State(self.loaded_by("ψ"), "angle", "at a given wedge angle ψ")
         force = of_star(self, self.loaded_by("N_0").state).force_at_angle()
         yield approximation(
-            FreewheelTorque.N, name="normal force at a given angle", symbol="F_n(ψ)", order=2,
-            state=angle, expected=known(self, force), own=(0.02, SHARP), shares=SHARED,
+            FreewheelTorque.N, name="normal force at a given wedge angle ψ", symbol="F_n(ψ)",
+            order=2, state=angle, expected=known(self, force), own=(0.02, SHARP), shares=SHARED,
         )  # fmt: skip
         yield limit(FreewheelTorque.alpha_0, symbol="α_0", exponent=1.0,
-                    name="statics: F_t/F_n becomes tan α_0 without load (Eqs. 1, 4)",
+                    name="F_t/F_n tends to tan α_0 as the load tends to zero (Eqs. 1, 4)",
                     points=partial(statics.no_load, self, self.alpha_0))  # fmt: skip
         yield from statics.balanced(FreewheelTorque, FreewheelTorque.torque_star, NAMED)
 
@@ -197,12 +203,12 @@ class FreewheelTorque(Star):
                             expected=known(self, bounds.travel()), **more)  # fmt: skip
         torsion = bounds.torsion()
         yield approximation(
-            star.phi, name="wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+            star.phi, name="wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T",
             symbol="φ(T)", expected=known(self, torsion, TANGENTIAL), **more,
         )  # fmt: skip
         on_flat = times(torsion, (self.R + self.X) / (2 * self.X), STRAIGHT)
         yield approximation(
-            star.phi_printed, name="wind-up, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)",
+            star.phi_printed, name="wind-up, Eq. 7 as printed, compared with ∫dU/T", symbol="φ(T)",
             expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, PRINTED_ERROR), **more,
         )  # fmt: skip
 
@@ -215,7 +221,8 @@ class FreewheelTorque(Star):
         yield approximation(star.d_o, symbol="d_o(N)", expected=known(self, bounds.approach("d_o")),
                             **more)  # fmt: skip
         hertz = known(self, bounds.contact())
-        for q, what in ((star.a_i, "half-width on the star"), (star.a_o, "half-width on the ring")):
+        for q, what in ((star.a_i, "half-width of the contact on the star"),
+                        (star.a_o, "half-width of the contact on the ring")):  # fmt: skip
             yield approximation(q, name=f"{what}, {where}", expected=hertz, **more)
         for q in (star.p_i, star.p_o):
             yield approximation(q, expected=hertz, **more)
@@ -242,11 +249,11 @@ class FreewheelTorque(Star):
     sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if friction or hardness is exceeded."""
+        """Warnings if the friction of oiled steel or its permissible pressure is exceeded."""
         if self.mu_T > FRICTION:
             yield (
-                f"tan α(T) = {self.mu_T:.3g} is more than the friction {FRICTION:g} that oiled "
-                "steel hardly exceeds: the clutch slips"
+                f"tan α(T) = {self.mu_T:.3g} is more than the friction coefficient {FRICTION:g} "
+                "that oiled steel hardly exceeds: the clutch slips"
             )
         yield from pressed(self.p_i, self.p_o)
 

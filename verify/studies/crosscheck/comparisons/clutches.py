@@ -153,8 +153,8 @@ CLUTCHES = (
         pose=partial(freewheel, TORQUE),
         quantities=quantities(
             NORMAL,
-            ("torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)",
-             "torque against z R F_t of the ring (Eq. 3, corrected)"),
+            ("torque compared with z (F_n x − F_t X) of the star (Eq. 3, corrected)",
+             "torque compared with z R F_t of the ring (Eq. 3, corrected)"),
         ),
     ),
     Cross(
@@ -163,8 +163,8 @@ CLUTCHES = (
         pose=partial(freewheel, CUP),
         quantities=quantities(
             NORMAL,
-            ("torque against z R_s F_t of the shaft (Eq. 3 for a cup)",
-             "torque against z (F_n x − F_t X_o) of the cup (Eq. 3 for a cup)"),
+            ("torque compared with z R_s F_t of the shaft (Eq. 3 for a cup)",
+             "torque compared with z (F_n x − F_t X_o) of the cup (Eq. 3 for a cup)"),
         ),
     ),
     Cross(
