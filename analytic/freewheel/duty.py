@@ -23,13 +23,13 @@ LEAST, POINTS, ROUNDS = 1e-7, 400, 3  # of the largest torque; torques of a sear
 
 WORDS = {
     "slip": "the contacts slip",
-    "bears": "below it friction no longer transmits the axial load",
+    "bears": "at lower torques, friction does not transmit the axial load",
     "pressure_inner": "the inner contacts reach p_lim",
     "pressure_outer": "the outer contacts reach p_lim",
     "corner": "the rollers reach the ends of the cam flats",
     "pop_through": "the rollers pop through between flat and shaft",
-    "hertz": "contacts as wide as the rollers' radius, where the formulas end",
-    "tilt": "the tilting couple moves the contact forces by (e/L)_lim",
+    "hertz": "the contacts are as wide as the rollers' radius (limit of the formulas)",
+    "tilt": "the tilting couple shifts the contact forces by (e/L)_lim",
     "tilt_lift": "the tilting couple lifts the rollers off at one end",
     "pressure": "the pressure at the rollers' ends reaches p_lim",
 }

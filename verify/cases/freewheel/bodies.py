@@ -1,4 +1,4 @@
-"""Common attributes and methods of both kinds of roller freewheels, named after cam and race.
+"""Attributes common to both kinds of roller freewheels (star and cup), for cam and race.
 
 The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for
 a cup with flats around a shaft. In a cup, rollers are drawn into the wedge in the opposite sense.
@@ -8,7 +8,7 @@ from typing import Protocol
 
 
 class OneClutch(Protocol):
-    """Clutch: rollers of radius `r`, a race of radius `race`, flats `flat` from the axis [m]."""
+    """Clutch with rollers of radius `r`, a race of radius `race`, flats at `flat` [m]."""
 
     def __hash__(self) -> int: ...
     @property

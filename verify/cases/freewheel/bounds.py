@@ -1,4 +1,4 @@
-"""Bounds of the formulas of star and cup, from the inputs and states of their cases."""
+"""Error bounds of the formulas of star and cup, from the inputs and states of their cases."""
 
 from analytic.bounds.freewheel.intervals import Interval
 from analytic.bounds.freewheel.parts import FreewheelParts, Loaded

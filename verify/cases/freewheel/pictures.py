@@ -17,17 +17,17 @@ def around_roller(q: Any) -> tuple[float, float, float, float]:
 def heaviest(q: Any) -> Iterator[Picture]:
     """Pictures of the von Mises stress in the pitch and around the roller."""
     yield picture("sector", "log_mises", displacement="",
-                  caption="von Mises stress in one pitch, at the largest computed normal force"
+                  caption="Von Mises stress in one pitch, at the largest computed normal force"
                   )  # fmt: skip
     yield picture(
         "sector", "log_mises", displacement="", window=around_roller(q),
-        caption="von Mises stress in the roller and around both contacts; stresses below 10 MPa "
+        caption="Von Mises stress in the roller and around both contacts; stresses below 10 MPa "
                 "have one colour",
     )  # fmt: skip
 
 
 def pulled(displacement: str, shear: str, **window: Any) -> Iterator[Picture]:
-    """Pictures of displacement and shear stress along the axis; both arguments are captions."""
+    """Pictures of axial displacement and axial shear stress with the given captions."""
     yield Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
                   displacement="", caption=displacement)  # fmt: skip
     yield Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,

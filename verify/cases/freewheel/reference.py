@@ -22,7 +22,7 @@ SPLINE = 5e-6  # relative error of splines between the states; twice for phi
 
 
 def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
-    """Values under T (angle, force, travel, wind-up) and N_0 (contacts), and of equilibrium."""
+    """Values under T (angle, force, travel, wind-up, residuals) and at N_0 (contacts)."""
     T, N_0, place = q.T, rigid_force(q), sweep.place(q.T)
     values = {
         "alpha": place.psi / 2,

@@ -1,7 +1,7 @@
-"""A roller freewheel with a flat star under torque: inputs, clutch, state and results.
+"""A roller freewheel with flats on a star, under torque: inputs, clutch, state and results.
 
-The paper prints no dimensions of its two clutches. They cannot be estimated, because 5 µm of X
-change the clamping angle by 0.08 deg: the default clutch is synthetic.
+The paper prints no dimensions of its two clutches. They cannot be estimated, because a change of X
+by 5 µm changes the clamping angle by 0.08 deg. Therefore, the default clutch is synthetic.
 """
 
 import math

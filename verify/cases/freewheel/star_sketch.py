@@ -1,4 +1,4 @@
-"""Sketch of an inner star: one pitch of star, roller and ring, with dimensions."""
+"""Sketch of an inner cam: one pitch of star, roller and ring, with dimensions."""
 
 import math
 from typing import Any

@@ -33,7 +33,7 @@ def given_angle(q: OneClutch) -> float:
 
 
 def sweep(q: OneClutch, cells: int) -> FlatCourse:
-    """States of the sector on meshes of `cells`, stored for all cases of the clutch."""
+    """States of one pitch on meshes with `cells` cells, stored for all cases of the clutch."""
     return _sweep(pitch(q), q.L, rigid_force(q), cells)
 
 

@@ -35,7 +35,7 @@ def findings(**changes):
         ({"T": 0.0}, "red: without torque the rollers are not pressed: no friction resists F_ax"),
         ({"T": 0.0, "F_ax": 0.0}, "green: no load"),
         ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
-        ({"T": 1e6}, "red: no equilibrium at T = 1000 kN m: contacts as wide as the rollers'"),
+        ({"T": 1e6}, "red: no equilibrium at T = 1000 kN m: the contacts are as wide as the"),
         (CUP | {"T": 40.0}, "red: no equilibrium at T = 40 N m: the rollers pop through"),
         ({"mu": 1.0, "T": 4000.0}, "red: the rollers are beyond the ends of the cam flats "
          "(T_c = 2717 N m); friction alone would hold"),
@@ -53,7 +53,7 @@ def test_the_verdict_comes_first(changes, verdict):
     ("changes", "words"),
     [
         ({}, "are not included): first the contacts slip (110.5 N m, 4.25 times T)"),
-        ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
+        ({"e_lim": 0.01}, "first the tilting couple shifts the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
         ({"F_ax": 1100.0}, "friction transmits F_ax = 1100 N at torques from 29.35 to 102.7 N m"),

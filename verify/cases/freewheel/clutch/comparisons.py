@@ -34,7 +34,7 @@ def turn(q: ClutchInputs) -> Interval:
 
 
 def moved(q: ClutchInputs, dX: float) -> Moved:
-    """Contact compliances and flat distance of a clutch with flats moved out by `dX` [m]."""
+    """Dimensions and contact approaches of a clutch with its flats `dX` [m] farther outwards."""
     bodies = compliance(q.moved(dX))
 
     def approaches(N: float) -> tuple[float, float]:

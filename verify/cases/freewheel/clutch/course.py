@@ -44,7 +44,7 @@ def where_friction_holds(q: ClutchInputs) -> str:
         return f"without axial load, friction holds up to {newton_metres(ranges[0][1])}"
     parts = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} upwards"
             for a, b in ranges]  # fmt: skip
-    at = f"at torques from {' and from '.join(parts)}" if parts else "at no torque"
+    at = f"at torques from {' and from '.join(parts)}" if parts else "at no value of the torque"
     return f"friction transmits F_ax = {newton(q.F_ax)} {at}"
 
 

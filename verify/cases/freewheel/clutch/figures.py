@@ -126,7 +126,7 @@ def angles(q: ClutchInputs) -> Curves:
 
 
 def flats(q: ClutchInputs, context: Context) -> Curves:
-    """alpha_0 and alpha under torque for flats shifted by a few µm."""
+    """Figure of alpha_0, and of alpha under torque, over the shift of the flats."""
     far = 2 * q.off
     X = np.linspace(-far, far, 41)
     moved = [q.moved(dX) for dX in X]

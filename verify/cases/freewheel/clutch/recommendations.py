@@ -39,11 +39,11 @@ def flats(q: ClutchInputs) -> str:
     """Recommended distance X of the flats for each target ratio mu/mu_req."""
     needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
-        return "with no X, the clutch holds at this T and F_ax"
+        return "no value of X is sufficient at this T and F_ax"
     parts = []
     for dX in needed:
         if math.isnan(dX):
-            parts.append("no X")
+            parts.append("no value of X")
             continue
         angle = float(q.moved(dX).cam.alpha0) * DEGREE
         parts.append(f"X = {(q.X + dX) * 1e3:.7g} mm ({dX * 1e6:+.3g} µm, α_0 = {angle:.3f}°)")

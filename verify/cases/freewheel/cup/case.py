@@ -149,7 +149,7 @@ class FreewheelCup(Cup):
     ).reads(lambda q: q.state.d_o)  # fmt: skip
     alpha = Quantity(
         "α", "deg", "clamping angle under torque, Eq. 5 for a cup",
-        source="signs for a cup, not as printed: load reduces the angle",
+        source="for a cup, not as printed: load reduces the angle",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(
@@ -227,7 +227,10 @@ class FreewheelCup(Cup):
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
 
     def reference(self, level: int) -> Level:
-        """Results of one pitch beyond the largest torque; half a fine zone has `level` cells."""
+        """Results of one pitch, also beyond the largest torque.
+
+        Half a fine zone has `level` cells.
+        """
         from verify.cases.freewheel import reference
         from verify.cases.freewheel.cup.sweep import CupSweep, given_angle
 
@@ -382,7 +385,7 @@ class FreewheelCup(Cup):
 
 
 def margin(key: str) -> Callable[[Context], tuple[float, float]]:
-    """Function of the context that returns a pair: `key` of the finest mesh, and its uncertainty.
+    """Function of the context that returns the value `key` of the finest mesh and its uncertainty.
 
     The uncertainty is twice the change from the mesh before.
     """

@@ -103,7 +103,7 @@ class Cup(Rollers):
 
     @shared
     def at_summit(self) -> RollerClutchState:
-        """State at the largest torque; raises ValueError beyond the range of the formulas."""
+        """State at the largest torque; raises ValueError if the formulas do not reach it."""
         if (found := summit(self.clutch)) is None:
             raise ValueError(
                 "contacts are wider than half the roller radius before the torque reaches its "
@@ -114,6 +114,6 @@ class Cup(Rollers):
 
     @property
     def given_angle(self) -> float:
-        """Angle psi [rad] at which the approaches are `GIVEN` times those at pop-through."""
+        """Angle psi [rad] at which d_i + d_o is `GIVEN` times its value at pop-through."""
         d = GIVEN * float(self.cam.pop_through) / 2
         return float(2 * self.cam.alpha(d_i=d, d_o=d))

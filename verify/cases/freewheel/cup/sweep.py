@@ -1,8 +1,8 @@
-"""The sector of a drawn-cup clutch over its load, beyond the maximum of its torque.
+"""States of one pitch of a drawn-cup clutch for increasing load, also beyond the largest torque.
 
 Approaches of the contacts are prescribed, not torques. They range from nearly zero to beyond the
-torque T, and on towards pop-through of the rollers. The normal force grows throughout, the torque
-does not.
+approaches under the torque T, and on towards pop-through of the rollers. The normal force increases
+from state to state; the torque increases only up to its maximum.
 """
 
 import math
@@ -33,7 +33,7 @@ def through(q: OneClutch) -> float:
 
 
 def given_angle(q: OneClutch) -> float:
-    """Angle psi [rad] at which the approaches are `GIVEN` times those at pop-through."""
+    """Angle psi [rad] at which d_i + d_o is `GIVEN` times its value at pop-through."""
     d = GIVEN * through(q) / 2
     return overlapping(q, d, d).psi
 
@@ -73,7 +73,7 @@ def under_torque(q: OneClutch) -> Start:
 
 
 class CupSweep(SummitCourse):
-    """States of the sector over the load on meshes with `cells`, interpolated by splines."""
+    """States of one pitch on meshes with `cells` cells, interpolated by splines over the load."""
 
     def __init__(self, q: OneClutch, cells: int) -> None:
         one = pitch(q)

@@ -134,7 +134,7 @@ class FreewheelFriction(Pulled):
         return float(tilt.pressure_factor(e=self.e, L=self.L))
 
     def slipped(self) -> tuple[Array, Array]:
-        """Axial slip [m] of a ring held against rotation, and its torque over T; arrays (m,)."""
+        """Axial slip [m] of a ring held against rotation, and remaining torque over T; (m,)."""
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:
@@ -195,9 +195,9 @@ class FreewheelFriction(Pulled):
     def pictures(self) -> Iterator[Picture]:
         """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
-            "axial displacement under torque and axial load: the ring moves most, the rollers move "
+            "Axial displacement under torque and axial load: the ring moves most, the rollers move "
             "less, and the star is clamped in its bore",
-            "axial shear stress: the axial load passes through both contacts of the roller",
+            "Axial shear stress: the axial load passes through both contacts of the roller",
         )
 
     tables = drawn.tables

@@ -1,4 +1,4 @@
-"""Onset and location of slip of a freewheel, at the angle computed by finite elements."""
+"""Rows on the onset of slip of a freewheel, at the angle of the finite elements."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -26,7 +26,7 @@ COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Rows on friction at full slip: without and with axial load, on the cone, by wedge angle."""
+    """Rows on friction at full slip: without and with axial load, and over the wedge angle."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)
@@ -75,7 +75,7 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
 
 
 def onset(context: Context) -> Pair:
-    """Pair: tan(alpha), and the friction at which both contacts slip completely; uncertainty."""
+    """Pair of tan(alpha) and the friction coefficient at which both contacts slip completely."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
@@ -84,7 +84,7 @@ def onset(context: Context) -> Pair:
 
 
 def axial_onset(context: Context) -> Pair:
-    """mu_req by Eq. 9 and the friction at which the clutch slips under the axial load."""
+    """Pair of mu_req by Eq. 9 and the friction coefficient at slip under the axial load."""
     share, half = context.fem[-1].arrays["axial_onset"]
     tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)
@@ -98,7 +98,7 @@ def _of_required(off: float) -> str:
 
 
 def of_contact(context: Context, where: int) -> Pair:
-    """Pair: mu_req by Eq. 9, and the friction that the forces of one contact require."""
+    """Pair of mu_req by Eq. 9 and the friction coefficient that the forces of a contact require."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
     words = f"error {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)

@@ -73,7 +73,7 @@ def _cone(q: Any, last: Any) -> Curves:
     N, F_t, F_z = last["loaded"]
     return plot(
         "Friction forces of a contact, and friction cone", "F_t/(μ F_n)", "F_a/(μ F_n)",
-        line("cone, Eq. 8 with equality", np.cos(QUARTER), np.sin(QUARTER)),
+        line("friction cone, Eq. 8", np.cos(QUARTER), np.sin(QUARTER)),
         dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
                np.abs(creep[:, 4:6]).mean(axis=1), 1),
         dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
@@ -111,7 +111,7 @@ def _path(q: Any, last: Any) -> Curves:
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return plot(
         "Slip beyond the limit, ring driven along the axis", "u_z [µm]",
-        "(F_a/F_n)/limit; T/(T at rest)",
+        "(F_a/F_n)/limit; T/(T before slip)",
         line("F_a/F_n, ring held", out[:, 0] / µm, np.abs(out[:, 4:6]).mean(axis=1) / full),
         line("T, ring held", out[:, 0] / µm, out[:, 7], 1),
         dots("F_a/F_n, constant torque", creep[::2, 0] / µm,
@@ -131,10 +131,11 @@ def _let_out(q: Any, last: Any) -> Curves:
     return plot(
         "Remaining torque over axial slip, ring held against rotation",
         "axial slip [µm]",
-        "T/T at rest",
-        line("Coulomb's law and the equilibrium at each F_n", u[::-1] / µm, T[::-1]),
+        "T/(T before slip)",
+        line("Coulomb's law and equilibrium", u[::-1] / µm, T[::-1]),
         dots("FE", (out[:, 0] - start).clip(0) / µm, out[:, 7]),
-        note="The clamping angle is constant in the finite elements and decreases in the formula.",
+        note="During slip, the clamping angle is constant in the finite elements and decreases in "
+             "the formula.",
     )  # fmt: skip
 
 

@@ -76,7 +76,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
 
 
 def with_flat(one: Pulled, X: float) -> Pitch:
-    """The pitch with its flats at the distance `X` [m]; raises ValueError without wedges."""
+    """The pitch with its flats at the distance `X` [m]; raises ValueError if no wedge exists."""
     q = one.q
     InnerCam(R=q.race, r=q.r, X=X, z=q.z)
     return replace(q, flat=X)

@@ -252,8 +252,8 @@ class LoadPaths(Pulled):
     def pictures(self) -> Iterator[Picture]:
         """Pictures of displacement and shear stress along the axis."""
         yield from pictures.pulled(
-            "axial displacement at the last extreme of the axial load in load case 2",
-            "axial shear stress: the axial load passes through both contacts of the roller",
+            "Axial displacement at the last extreme of the axial load in load case 2",
+            "Axial shear stress: the axial load passes through both contacts of the roller",
             window=pictures.around_roller(self),
         )
 

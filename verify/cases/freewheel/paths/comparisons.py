@@ -161,7 +161,7 @@ def agrees(
     q: Quantity, name: str, pair: Callable[[Context], Pair], figure: float, why: str, unit: str,
     symbol: str = "",
 ) -> Comparison:  # fmt: skip
-    """Row that compares formula and finite elements; the suite chose the tolerance `figure`."""
+    """Row that compares formula and finite elements; this suite requires the tolerance `figure`."""
     check = Agreement(name=name, symbol=symbol or q.symbol, unit=unit, pair=pair, accepted=figure,
                       source=suites(why), **demanded(figure))  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)

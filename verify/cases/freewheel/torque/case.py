@@ -1,4 +1,4 @@
-"""A roller freewheel with a flat star under torque (Nagler, Lohrengel, Eqs. 2 to 7)."""
+"""A roller freewheel with flats on a star, under torque (Nagler, Lohrengel, Eqs. 2 to 7)."""
 
 from collections.abc import Iterator
 from functools import partial
