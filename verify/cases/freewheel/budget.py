@@ -101,9 +101,7 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(LIGHT, WALL),
         without=(ALONG,),
         corrected=(
-            Corrected(
-                "required friction, Eq. 8 as printed, with F_ax of the whole clutch", "mu_req"
-            ),
+            Corrected("required friction, Eq. 8 as printed, with F_ax in place of F_a", "mu_req"),
             Corrected("tan α, Eq. 8 as printed", "mu_T"),
         ),
     ),

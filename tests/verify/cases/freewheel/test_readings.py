@@ -39,7 +39,7 @@ READINGS = [
      lambda _: property(lambda self: self.s / 10e-3), "the shaft's part alone"),
     (FRICTION, REQUIRED, criterion, "required_friction", lambda _: lambda *, alpha, T, F_ax, R: (
         np.tan(alpha) * (1 + F_ax * R / T)), "forces added without their right angle"),
-    (FRICTION, "required friction, Eq. 8 as printed, with F_ax of the whole clutch", criterion,
+    (FRICTION, "required friction, Eq. 8 as printed, with F_ax in place of F_a", criterion,
      "required_friction_of_contact", given(F_a=1 / 8), "F_ax/z where F_ax is printed"),
 ]  # fmt: skip
 

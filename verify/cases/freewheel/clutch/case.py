@@ -26,8 +26,8 @@ class FreewheelClutch(ClutchInputs):
     """A roller freewheel is checked for slip, and for the limit that it reaches first.
 
     The limits are friction, contact pressure, the ends of the cam flats, pop-through of the rollers
-    and their tilt. Deviations of a few micrometres change the clamping angle, and with it all
-    limits.
+    and their tilt. Deviations of a few micrometres change the clamping angle, on which all limits
+    depend.
     """
 
     id = "freewheel-clutch"

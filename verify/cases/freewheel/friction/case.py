@@ -86,7 +86,7 @@ class FreewheelFriction(Pulled):
         "Oil films are neglected. On star and ring, the tilting couples of all rollers cancel",
     )
 
-    @Quantity("μ_req", "1", "required friction coefficient with F_ax of the whole clutch",
+    @Quantity("μ_req", "1", "required friction coefficient with F_ax in place of F_a",
               equation="8", form="as printed", form_of="mu_req", safe="too high",
               tex=r"\frac{\sqrt{F_t^2 + F_{ax}^2}}{F_n}")  # fmt: skip
     def mu_req_printed(self) -> float:
@@ -168,7 +168,7 @@ class FreewheelFriction(Pulled):
         )
         yield approximation(
             law.mu_req_printed, expected=whole, **HEAVY, **more,
-            name="required friction, Eq. 8 as printed, with F_ax of the whole clutch",
+            name="required friction, Eq. 8 as printed, with F_ax in place of F_a",
         )  # fmt: skip
         tangent = f"{ANGLE}; factor √(1 + (F_ax R/T)²), because Eq. 8 gives μ_req, not tan α"
         yield approximation(law.mu_req, "mu_T", name="tan α, Eq. 8 as printed", symbol="tan α",

@@ -119,8 +119,8 @@ class LoadPaths(Pulled):
             )
         return self
 
-    @Quantity("T_c", "N m", "torque of load case 3 at which the smallest axial amplitude causes "
-                            "slip",
+    @Quantity("T_c", "N m", "torque of load case 3 at which the smallest amplitude of the axial "
+                            "load causes slip",
               role="geometry")  # fmt: skip
     def T_critical(self) -> float:
         # About zero it is the peak, F_ax/T is the same all the time and alpha largest; about a mean
@@ -133,7 +133,8 @@ class LoadPaths(Pulled):
     def alpha_critical(self) -> float:
         return float(loaded(self.clutch, self.T_critical).alpha)
 
-    @Quantity("F_lim3", "N", "axial amplitude at slip, load case 3", equation="9", safe="too low",
+    @Quantity("F_lim3", "N", "amplitude of the axial load at slip, load case 3", equation="9",
+              safe="too low",
               tex=r"\frac{T_c}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha_c\right)})^2 - 1}"
               )  # fmt: skip
     def F_lim_3(self) -> float:

@@ -70,7 +70,7 @@ def torque(context: Context) -> tuple[float, float, str]:
 
 
 def at_slip(context: Context, case: int) -> Pair:
-    """Pair of axial amplitudes [N] at slip: by Eq. 9, by finite elements (finest mesh only)."""
+    """Pair of the axial load [N] at slip by Eq. 9 and by finite elements (finest mesh only)."""
     F, half = slips(context, case)
     needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
     words = f"{F:.5g} N by finite elements, error {needed / F - 1:+.2%}, {SLIP:.0%} accepted"
@@ -228,10 +228,10 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
         order=2, expected=expected,
         own=(0.03, "an error of tan α causes a larger error of the load"), shares=COULOMB,
     )  # fmt: skip
-    yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
+    yield agrees(path.F_lim, "amplitude of the axial load at slip, steady torque (load case 2)",
                  lambda c: at_slip(c, 2), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
-    yield agrees(path.F_lim_3, "axial amplitude at slip, torque and axial load in phase (load case "
-                               "3)",
+    yield agrees(path.F_lim_3, "amplitude of the axial load at slip, torque and axial load in "
+                               "phase (load case 3)",
                  lambda c: at_slip(c, 3), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
 
 

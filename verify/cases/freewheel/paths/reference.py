@@ -71,6 +71,6 @@ def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
 
 
 def critical(q: Any, near: Start, cells: int) -> Drive:
-    """Drive at `T_critical`, the torque at which the smallest axial amplitude causes slip."""
+    """Drive at `T_critical`, the torque of load case 3 at which the smallest load causes slip."""
     there = replace(one_pulled(q), T=q.T_critical)
     return Drive.at(there, under_torque(there, near, q.T, cells), cells)
