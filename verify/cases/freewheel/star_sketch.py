@@ -40,7 +40,7 @@ def sketch(q: Any) -> Sketch:
     return sketches.sketch(
         f"one of {q.z} pitches, to scale; the axis is below the drawing. The torque T on the ring "
         "draws the roller to the right, where the gap is narrower. Both cut faces of the pitch "
-        "have equal displacements (cyclic symmetry)",
+        "have equal radial and circumferential displacements (cyclic symmetry)",
         shape("modelled",
               np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
         shape("modelled",

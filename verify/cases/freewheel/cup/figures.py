@@ -46,7 +46,7 @@ def sketch(q: Cup) -> Sketch:
     return sketches.sketch(
         f"one of {q.z} pitches, to scale. Anticlockwise rotation of the shaft draws the roller to "
         "the left, towards the middle of the flat, where the gap is narrowest. Both cut faces of "
-        "the pitch have equal displacements (cyclic symmetry)",
+        "the pitch have equal radial and circumferential displacements (cyclic symmetry)",
         shape("modelled", cup), shape("modelled", shaft),
         shape("body", roller),
         arrow((0.0, 0.9 * low), (0.0, 1.05 * top), style="axis"),

@@ -213,8 +213,8 @@ class FreewheelFriction(Pulled):
             )
         elif light != "green":
             yield (
-                f"μ/μ_req = {self.safety:.3g}, {light}: the clutch slips along its axis; the limit "
-                f"is F_ax = {self.F_lim:.4g} N"
+                f"μ/μ_req = {self.safety:.3g}, class {light}: the clutch slips along its axis; the "
+                f"limit is F_ax = {self.F_lim:.4g} N"
             )
         if self.e * 6 > self.L:
             yield (
@@ -228,11 +228,14 @@ class FreewheelFriction(Pulled):
             yield "the clutch slips under the torque alone, because μ does not exceed tan α"
             return
         verdict = "the clutch holds" if self.safety >= 1 else "the clutch slips"
-        yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
-            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis, and its bore moves "
-            f"in circumferential direction by {self.creep:.3g} times the axial slip; if the ring "
-            f"cannot rotate, the rollers are released after {self.u_out * 1e3:.2g} mm of axial slip"
+            f"{verdict}: μ/μ_req = {self.safety:.4g}, class {criterion.traffic_light(self.safety)}"
+        )
+        yield (
+            f"beyond F_ax = {self.F_lim:.4g} N the ring slips along the axis and also rotates; the "
+            f"circumferential slip at its bore is {self.creep:.3g} times the axial slip; if the "
+            f"ring cannot rotate, the rollers are released after {self.u_out * 1e3:.2g} mm of "
+            "axial slip"
         )
 
     def refusal(self) -> str:

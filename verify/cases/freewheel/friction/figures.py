@@ -117,10 +117,10 @@ def _path(q: Any, last: Any) -> Curves:
         dots("F_a/F_n, constant torque", creep[::2, 0] / µm,
              np.abs(creep[::2, 4:6]).mean(axis=1) / full),
         dots("T, constant torque", creep[1::2, 0] / µm, creep[1::2, 7], 1),
-        note=f"A constant torque rotates the ring: its bore moves by {turned / µm:.3g} µm in "
-             f"circumferential direction if its axial displacement is {out[-1, 0] / µm:.3g} µm. If "
-             "the ring is held against rotation, the rollers are released. Under constant torque, "
-             "both F_a/F_n and T remain at 1; their marks are drawn alternately.",
+        note=f"A constant torque rotates the ring: its bore moves by {turned / µm:.3g} µm in the "
+             f"circumferential direction during an axial slip of {out[-1, 0] / µm:.3g} µm. If the "
+             "ring is held against rotation, the rollers are released. Under constant torque, both "
+             "F_a/F_n and T remain at 1; their marks are drawn alternately.",
     )  # fmt: skip
 
 
