@@ -40,8 +40,8 @@ COURSE = 3e-5  # relative error of splines between states
 BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
 BRACKET = (
-    "compliance of the cup between the compliances of two rings, with a column below the flat in "
-    "the larger ring; wind-up of shaft and cup; terms of the order (a/r)² in Hertz's theory"
+    "compliance of the cup between those of two rings (the thinner ring with a column below the "
+    "flat); wind-up of shaft and cup; terms of the order (a/r)² in Hertz's theory"
 )
 TANGENTIAL = f"{BRACKET}; rotation by tangential forces, 0.5 tan²α to tan²α of the wind-up"
 NOT_LOADED = f"ratio α_0/α, with α under load by Eq. 5 for a cup; {BRACKET}"

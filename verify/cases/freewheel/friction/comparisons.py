@@ -94,7 +94,7 @@ def axial_onset(context: Context) -> Pair:
 
 
 def _of_required(off: float) -> str:
-    return "no μ near μ_req" if np.isnan(off) else f"μ_req {off:+.3%}"
+    return "no μ near μ_req" if np.isnan(off) else f"a μ that differs from μ_req by {off:+.3%}"
 
 
 def of_contact(context: Context, where: int) -> Pair:
