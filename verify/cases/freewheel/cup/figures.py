@@ -20,8 +20,8 @@ from verify.form.sketches import arrow, leader, shape, text
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # over the largest normal force of the states
 
-TILTS = "F_t/F_n deviates from tan(ψ/2), because the normal force tilts the flat and the shaft."
-ROLLED = "The stiffness decreases with the torque, and is zero at the largest torque."
+TILTS = "F_t/F_n deviates from tan(ψ/2), because the surfaces tilt under the normal force."
+ROLLED = "The stiffness decreases as the torque increases, and is zero at the largest torque."
 
 
 def sketch(q: Cup) -> Sketch:

@@ -39,7 +39,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     return (
         Table(
             title="The three load cases",
-            header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at [s]"),
+            header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at t [s]"),
             rows=tuple(rows),
             note="The class limits of Sec. 7 are used as printed and not derived. By Coulomb's law "
                  "the clutch slips as soon as μ/μ_req is below 1.",
