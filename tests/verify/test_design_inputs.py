@@ -53,13 +53,13 @@ def test_ranges_lists_and_single_values_are_read():
 
 
 WRONG = [
-    (spring, {"L_w": None}, "exactly one of L_w and U_w must be given, neither is given"),
+    (spring, {"L_w": None}, "exactly one of L_w and U_w must be given: neither is given"),
     (spring, {"L_w": "30 mm"}, "L_w must be less than wedge, got L_w = 30 mm, wedge = 27 mm"),
     (spring, {"k_band": None}, "b_tolerance and k_band must be given together: k_band is missing"),
     (spring, {"width_factor": 1.2}, "width_factor = 1.2 must not exceed 1/(1 - ν²) = 1.0989"),
     (spring, {"L1": "10 mm : 14 mm"}, 'L1: a range must be "first : last : number of values"'),
     (spring, {"b": []}, "inputs.b: the list must contain at least one value"),
-    (spring, {"n": "4 : 9 : 3"}, "must give whole numbers only"),
+    (spring, {"n": "4 : 9 : 3"}, "includes fractions, but this input takes whole numbers only"),
     (
         spring,
         {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"},

@@ -45,7 +45,7 @@ def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
         (axis, "supports[3].k=1:2kN/m:2", "the file contains no supports[3]"),
         (tolerance, "n=±1", "n is a whole number and cannot have a tolerance"),
         (tolerance, "b=±0mm", "the tolerance must be positive and finite"),
-        (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a percentage of b, as "5 %"'),
+        (tolerance, "b=±1.2.3%", '"1.5 mm", nor a percentage of b, such as "5 %"'),
         (
             tolerance,
             "h=±0.2",

@@ -1,4 +1,4 @@
-"""pytest plugin: rows of case files and answers to parameter files as tests.
+"""pytest plugin: each row of a case file is a test, and each check of a parameter file.
 
 `pytest --freewheel my_case.py part.toml` runs the named files. If `freewheel_collect = true` is set
 in the configuration, pytest also collects files without the option: those whose names match

@@ -29,7 +29,7 @@ class PartFile(pytest.File):
 
 
 class PartItem(Item):
-    """Test with the result of `freewheel check FILE`; visibly skipped if there is no answer."""
+    """Test of the verdict of `freewheel check FILE`; "cannot say" skips it with a reason."""
 
     def runtest(self) -> None:
         """Check the part by its formulas."""

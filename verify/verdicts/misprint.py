@@ -9,7 +9,7 @@ SAME = 1e-9  # relative: references that differ by less are one
 
 
 def misprint(printed: Iterable[Row], corrected: Iterable[Row]) -> float | None:
-    """Largest relative change from corrected to printed value, for rows of equal reference.
+    """Largest relative change from corrected to printed value, for rows with the same reference.
 
     The result is None if no row of the corrected form has the reference of a row of the printed
     form.

@@ -13,7 +13,7 @@ SAME = 1e-9  # relative: inputs that differ by less are equal
 
 @dataclass(frozen=True)
 class Part:
-    """Values of a user's inputs in display units, and the default values, by name."""
+    """Values of a user's inputs, and default values, both in display units (name: value)."""
 
     values: Mapping[str, object]
     default: Mapping[str, object]

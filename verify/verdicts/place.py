@@ -18,7 +18,7 @@ WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdic
 
 
 class Where(StrEnum):
-    """Whether inputs were compared, and whether they are then within a limit or outside it."""
+    """Position of inputs: within a limit, outside of it, or not in a range that was compared."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"

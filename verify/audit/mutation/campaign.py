@@ -17,7 +17,7 @@ JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
 
 @dataclass
 class Campaign:
-    """Check of one group; `stages` contains the present stage of each mutant not yet detected."""
+    """Check of the mutants of one group; `stages`: present stage of each undetected mutant."""
 
     group: Group
     outcomes: Outcomes

@@ -18,7 +18,7 @@ def print_score(caught: Caught) -> None:
 
 
 def moved(data: Mapping[str, Any]) -> list[str]:
-    """Lines with the numbers of rows that fail: rows that must fail, then all other rows."""
+    """Lines that count rows with changed references: rows that must fail, then all other rows."""
     gate, rest, listed, formula = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
     excluded = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [

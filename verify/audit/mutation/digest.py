@@ -8,7 +8,7 @@ ALL = ("analytic", "fem", "meshes", "verify", "tests")
 
 
 def digest(*folders: str) -> str:
-    """Hash of files and of all sources in folders.
+    """Hash of the named files, and of all Python files in the named folders.
 
     By default, all sources on which the score depends are included.
     """

@@ -47,7 +47,7 @@ def held(row: Row) -> bool:
 
 
 def share(rows: Sequence[Tried], p: float) -> float:
-    """Fraction of `rows` that fail at the relative change `p` of their references; 1 if empty."""
+    """Fraction of `rows` that fail if their references change by the fraction `p`; 1 if no rows."""
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 

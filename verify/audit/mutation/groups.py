@@ -209,7 +209,7 @@ def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
 
 
 def functions_of(changed: Changed) -> set[str]:
-    """Function that a mutant changes, or all functions that read the changed constant."""
+    """Names of the function that a mutant changes, or of all that read the changed constant."""
     module, name = changed.mutant.module, changed.mutant.function
     found = readers(name, source(module)) if is_constant(name) else {name}
     return {f"{module}:{function}" for function in found}

@@ -14,7 +14,7 @@ SMALL = 1e-6  # smaller constants only limit round-off: a change has no visible 
 
 @dataclass(frozen=True)
 class Around:
-    """Names available at a change: bound or read by its function, or attributes in its module."""
+    """Possible replacements for a name: names in the same function, attributes in the module."""
 
     names: frozenset[str]
     attributes: frozenset[str]

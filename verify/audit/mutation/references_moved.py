@@ -34,7 +34,10 @@ Red = frozenset[float]  # the perturbations that turn a row red
 
 @dataclass(frozen=True)
 class Tried:
-    """A row, the changes of its reference at which it fails (`red`), and those by its scale."""
+    """A row, and the changes of its reference at which the row fails.
+
+    Changes are fractions: of the reference (`red`), or of the scale of the row (`red_of_scale`).
+    """
 
     row: Row
     red: Red = frozenset()
@@ -108,7 +111,7 @@ def red_names(check: Check, context: Context) -> set[str]:
 
 @contextmanager
 def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Context in which every judged reference is changed by `p` times its value or its scale."""
+    """Context in which all references change: by `p` times the reference, or times the scale."""
     changed = _Moved(p, of_scale)
     kept = {name: getattr(judge, name) for name in SEAMS}
     try:

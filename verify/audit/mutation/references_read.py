@@ -15,7 +15,7 @@ from verify.core.case import Check, Context, Values
 
 
 class Noted(Mapping[str, float]):
-    """Mapping of values that records which keys were read; to read all at once counts as well."""
+    """Mapping of values that records the keys of the values that were read."""
 
     def __init__(self, values: Values) -> None:
         self.values_, self.read = values, dict[str, None]()
@@ -50,7 +50,7 @@ class Read:
 
 
 def read(check: Check, context: Context) -> Read:
-    """Rows of a check that fail if a formula value that the check reads is changed, by value."""
+    """For each formula value that a check reads: rows of the check that fail if it is changed."""
     noted = Noted(context.analytic)
     check.rows(replace(context, analytic=noted))
     found = {}

@@ -27,10 +27,10 @@ def formulas_in(case: Case) -> frozenset[str]:
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Cases whose stored levels `module` does not affect, then cases to solve again.
+    """Three lists: cases whose stored levels remain valid, fast and slow cases to solve again.
 
-    The cases to solve are divided into fast and slow cases. Cases that take too long are not
-    included.
+    A case is solved again if its finite elements use formulas of `module`. Cases that take too long
+    are not included.
     """
     stored = [bench for bench in benches if module not in formulas_in(bench.load.case)]
     moved = [

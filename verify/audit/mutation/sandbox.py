@@ -77,9 +77,9 @@ class _Child:
 
 
 class Forks(Executor):
-    """Executor of child processes; the method `wait` sets the results of its futures.
+    """Executor that runs tasks in child processes; only `wait` sets the results of the futures.
 
-    It has no thread, because a thread would be forked, too.
+    The executor has no thread, because a thread would be forked, too.
     """
 
     def __init__(self) -> None:

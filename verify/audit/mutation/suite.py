@@ -95,10 +95,10 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Time [s] and called functions of each test of a file or folder; it stops after PER_FILE [s].
+    """Time [s] and called functions of each test of a file or folder.
 
-    Raises RuntimeError if the tests cannot be run. Otherwise, such a file would count as a file
-    that detects nothing.
+    No test is started after PER_FILE [s]. Raises RuntimeError if the tests cannot be run.
+    Otherwise, such a file would count as a file that detects nothing.
     """
     forget_memoised()
     tracer = _Tracer()
@@ -123,9 +123,10 @@ def first_failure(tests: Sequence[str]) -> str:
 
 
 def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:
-    """Tests that reach one of `functions`: first those that call it directly, shortest first.
+    """Tests to run for changes of `functions`; their total time is at most `at_most` [s].
 
-    If the shared code of a file reaches the function, all short tests of the file are included.
+    Tests that call one of the functions are first; other short tests of the same files follow,
+    because the files may share the call. Both groups are sorted by increasing time.
     """
     direct = {test for test, (_, called) in traces.items() if not called.isdisjoint(functions)}
     files = {test.partition("::")[0] for test in direct}

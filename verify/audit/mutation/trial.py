@@ -104,7 +104,7 @@ class Shift:
     after: FemResult
 
     def of(self, stored: FemResult) -> FemResult:
-        """The level `stored` plus the differences of the solved level."""
+        """The level `stored`, with the changes by the mutant added to its values and arrays."""
         values = {
             key: value + self.after.values[key] - self.before.values[key]
             if key in self.after.values and key in self.before.values else value

@@ -13,7 +13,7 @@ from verify.audit.portable.moving import LIMIT, Number, Record, is_other_toleran
 
 
 class Kind(StrEnum):
-    """Kind of a difference. Reports call every kind except VALUE "of the first kind"."""
+    """Kind of a difference; in reports, "of the first kind" means every kind except VALUE."""
 
     STATUS = "status"
     MISSING = "missing row"

@@ -40,7 +40,7 @@ class Work:
 
 
 def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
-    """Run the machines with missing results; return the failures of processes by name.
+    """Run the machines with missing results; return the failures by machine.
 
     If the run is interrupted, all processes end. The next run uses the stored results.
     """

@@ -1,4 +1,4 @@
-"""Changes of a row's requirement, interval, figures or scale that are looser or stricter."""
+"""Changes that make the requirements of a row looser or stricter, and changes of its scale."""
 
 import math
 from collections import Counter
@@ -16,7 +16,7 @@ Accepted = Sequence[tuple[str, float]]
 
 
 def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes to looser requirements and intervals; changes of the scale or of figures."""
+    """Requirements and intervals that became looser; changes of scale or acceptance figures."""
     for one in figures(was, now):
         if one.is_loosened:
             old, new = _shares(one)
@@ -29,7 +29,7 @@ def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Changes to stricter requirements and intervals."""
+    """Requirements and intervals that became stricter."""
     for one in figures(was, now):
         if one.is_tightened:
             old, new = _shares(one)

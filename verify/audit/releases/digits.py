@@ -28,7 +28,7 @@ def is_stated(value: float | None, rounding: float = 0.0) -> bool:
 
 
 def is_literal(value: float | None) -> bool:
-    """Whether a number that is not a quotient is stated by a person; zero counts as stated.
+    """Whether a number, which is not a quotient, has few digits, as if stated by a person.
 
     >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
     (True, True, False)
@@ -39,5 +39,5 @@ def is_literal(value: float | None) -> bool:
 
 
 def is_printed(u: float | None) -> bool:
-    """Whether an uncertainty is stated, or follows from the last printed digit d: d/(2 √3)."""
+    """Whether an uncertainty is stated, or is half a unit of the last printed place over √3."""
     return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))

@@ -1,4 +1,4 @@
-"""Rows with another name than in a release, from the list of names or by equal numbers."""
+"""Rows renamed since a release, found in the list of renamed rows or by equal numbers."""
 
 import math
 import re

@@ -29,7 +29,7 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 
 @dataclass(frozen=True)
 class Figure:
-    """A quantity of a row, such as its requirement, before and now; a larger value is looser.
+    """A limit of a row, such as its requirement, before and now; an increase loosens the row.
 
     A difference is reported if it exceeds `limit`. A figure that no longer exists is considered
     loosened. A `stated` figure is printed with all digits that differ.
@@ -79,7 +79,7 @@ def _figure(
 def is_wider(
     old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
 ) -> bool:
-    """Whether an interval extends further at either end; or is wider, if its width is stated.
+    """Whether `new` extends beyond `old` at an end, or is wider than `old` if a width is stated.
 
     `error` is the numerical error of the row, with the same scale as the interval. The centre of an
     interval with a stated width may be computed.
@@ -105,9 +105,10 @@ def _either_literal(was: float | None, now: float | None) -> bool:
 
 
 def numerical_error(was: Kept, now: Kept) -> float:
-    """Expanded numerical error of both runs together [unit]; for exact rows, from tolerances.
+    """Expanded numerical error of both runs together, in the unit of the row.
 
-    The tolerance of a fact is the uncertainty of its margin; the tolerance of a limit is its band.
+    For a balance or a fact, it is computed from the tolerances of the row. The tolerance of a fact
+    is the uncertainty of its margin; the tolerance of a limit is its band.
     """
     if was.kind in ("exact", "fact"):
         return math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)

@@ -52,7 +52,7 @@ class Plan:
         return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
 
     def levels(self, rerun: Rerun) -> tuple[int, ...]:
-        """Numbers of the meshes of a rerun, from coarse to fine."""
+        """Levels (mesh numbers) on which a rerun is solved, from coarse to fine."""
         return rerun.levels or self.case.levels[:2]
 
 
@@ -82,7 +82,7 @@ def rows(case: Case) -> tuple[Pair, ...]:
 
 
 def first(plan: Plan) -> tuple[Step, ...]:
-    """Steps of the first round: unchanged, finer, tighter tolerances, single causes removed."""
+    """Reruns of the first round: unchanged, finer, tighter tolerances, single causes removed."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
     if plan.statement.finer:
@@ -96,9 +96,10 @@ def first(plan: Plan) -> tuple[Step, ...]:
 
 
 def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
-    """Steps that remove two causes, both large for a row, on the finest mesh of both.
+    """Reruns that remove two causes together, for each pair of causes that are large for a row.
 
-    On this mesh, the result also includes the unchanged run and the reruns that remove one cause.
+    They are solved on the finest mesh that both causes use. On this mesh, the unchanged run and the
+    reruns that remove one cause are included.
     """
     pairs = dict.fromkeys(pair for names in large for pair in combinations(names, 2))
     found = [step for pair in pairs if (step := joint(plan, pair)) is not None]

@@ -35,7 +35,7 @@ class Solver:
 
 
 def solvers() -> dict[str, Solver]:
-    """All second solvers by name."""
+    """All second solvers (name: solver)."""
     return {name: solver(name) for name in SOLVERS}
 
 

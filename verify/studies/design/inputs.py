@@ -128,10 +128,11 @@ class Demands(Inputs):
     def _consistent(self) -> "Demands":
         if (self.L_w is None) == (self.U_w is None):
             given = "neither is given" if self.L_w is None else "both are given"
-            raise ValueError(f"exactly one of L_w and U_w must be given, {given}")
+            raise ValueError(f"exactly one of L_w and U_w must be given: {given}")
         if not self.ratio_min < self.ratio_max:
             raise ValueError(
-                f"ratio_min must be less than ratio_max, got {self.ratio_min:g}, {self.ratio_max:g}"
+                f"ratio_min must be less than ratio_max, got ratio_min = {self.ratio_min:g}, "
+                f"ratio_max = {self.ratio_max:g}"
             )
         if (self.b_tolerance is None) != (self.k_band is None):
             missing = "b_tolerance" if self.b_tolerance is None else "k_band"

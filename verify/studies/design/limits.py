@@ -1,4 +1,4 @@
-"""Limits of a spring design (Wang et al. 2023, Eqs. 11-13, and more) and the violations."""
+"""Limits of a spring design (Eqs. 11-13 of Wang et al. 2023, and others); violated limits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -23,7 +23,7 @@ COLUMNS = (
 
 
 def columns(s: Search) -> dict[str, Any]:
-    """Geometry and results of all candidates in the units of COLUMNS, arrays (N,) by name."""
+    """Geometry and results of all N candidates in the units of COLUMNS (name: array (N,))."""
     q, g, f = s.task.demands, s.springs, s.formulas
     si = {
         "n": g.n, "b": g.b, "L1": g.L1, "r": g.r, "alpha": g.alpha, "L0": f.L0, "U_w": f.U_w,

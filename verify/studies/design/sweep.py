@@ -70,7 +70,10 @@ class Sweep:
             raise InputError(f"{where}: first must be less than last, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
-            raise InputError(f"{where}: {raw[:60]!r} must give whole numbers only")
+            raise InputError(
+                f"{where}: {raw[:60]!r} includes fractions, but this input takes whole numbers "
+                "only: change the number of values"
+            )
         return [float(v) for v in values]
 
     def _one(self, raw: Any, where: str) -> float:

@@ -27,7 +27,7 @@ def corners(task: Task, crowns: Array) -> Array:
 
 
 def reach(task: Task) -> tuple[Array, Array]:
-    """Lowest and highest (K_1, K_2, z_m) of any crown in the task's ranges, within tolerance."""
+    """Lowest and highest (K_1, K_2, z_m) of the task: ends of its ranges, including tolerances."""
     share, moved = task.wishes.t_z / task.low[2], task.t_K2
     low = np.array(task.low) * [1 - share, 1, 1] - [0, moved, task.wishes.t_z]
     high = np.array(task.high) * [1 + share, 1, 1] + [0, moved, task.wishes.t_z]

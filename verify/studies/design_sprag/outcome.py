@@ -188,7 +188,10 @@ def _worth(task: Task, best: Array) -> Worth:
 
 
 def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[Array, Array]:
-    """Ranges (3, 2) of parameters with almost equal objective: one varied, and all varied."""
+    """Parameter ranges (3, 2) of crowns with almost the least objective.
+
+    First ranges: only one parameter is varied; second ranges: all three are varied together.
+    """
     most = (1 + FLAT) * max(worth(worst[None])[0], worth(search.worst(crown[None]))[0])
     scattered = crowns_of(random_designs(search.box, SCATTERED, search.task.wishes.seed))
     good = scattered[worth(search.worst(scattered)) <= most]

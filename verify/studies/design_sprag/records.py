@@ -65,7 +65,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
 
 
 def crown(values: Array) -> dict[str, float]:
-    """Parameters of a crown by name."""
+    """Parameters of a crown (name: value)."""
     names = ("K_1", "K_2", "z_m_um")
     return dict(zip(names, map(_digits, values / [1, 1, um]), strict=True))
 

@@ -1,4 +1,4 @@
-"""Search for the optimal crown: factorial of engagements, kriging, optimum, true model."""
+"""Search for the optimal crown by kriging; the true model evaluates samples and the optimum."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field

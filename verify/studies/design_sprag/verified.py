@@ -70,7 +70,7 @@ class Check:
 
     @property
     def agrees(self) -> bool:
-        """Whether the ends are unloaded and the searched pressure is within LIMIT of the peak.
+        """Whether the ends are unloaded and `judged` differs from `peak` by at most LIMIT.
 
         If the ends are loaded, the pressure increases with finer cells. An agreement of the largest
         pressures is then accidental and no evidence.
@@ -79,7 +79,7 @@ class Check:
 
 
 def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
-    """Checks of the nominal crown (3,) and of the worst crown within its tolerance, by torque."""
+    """For each torque: check of the nominal crown (3,), and of the worst crown in its tolerance."""
     every = corners(task, crown[None])[0]
     known = model.answers(every)
     counted = known.largest(task.wishes.contacts)

@@ -15,7 +15,7 @@ from verify.studies.readings.search import Reading
 
 
 def numbers(inputs: Inputs) -> dict[str, Any]:
-    """Numerical inputs in SI units, by name."""
+    """Numerical inputs in SI units (name: value)."""
     return {
         name: value
         for name in type(inputs).model_fields

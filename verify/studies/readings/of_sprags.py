@@ -29,7 +29,7 @@ def error(q: Mapping[str, Any]) -> float:
 
 
 def squared(q: Mapping[str, Any]) -> float:
-    """Difference raised to `power`, divided by the number of points [MPa^2 if squared]."""
+    """Difference of two pressures to `power`, divided by the number of points [MPa^power]."""
     return float((q["actual"] - q["predicted"]) ** q["power"] / q["points"])
 
 

@@ -96,7 +96,7 @@ def _end_readings() -> tuple[Reading, ...]:
 
 
 def staged(key: str, q: Mapping[str, Any]) -> float:
-    """Stiffness k_1 or k_2 [N/mm] of the linear stages, by `key`."""
+    """Stiffness [N/mm] of one linear stage: `key` is "k1" or "k2"."""
     inputs = StagesInputs()
     path = inputs.path if q["arcs"] else inputs.paper_path
     factor = inputs.widest if q["wide"] else 1.0
@@ -118,7 +118,7 @@ def _stage_readings() -> tuple[Reading, ...]:
 
 
 def force_error(q: Mapping[str, Any]) -> float:
-    """Mean (or RMS) relative difference [%] between F and k U, with U at F by Eq. 10."""
+    """Mean (or RMS) relative difference [%] between F and k U; Eq. 10 gives U under the force F."""
     apart = []
     for F in q["forces"]:
         second = q["F_A"] < F

@@ -49,7 +49,7 @@ class Reading:
 
 @dataclass(frozen=True, kw_only=True)
 class Tried:
-    """A combination of readings and its result `value`; `off` is its change by rounded inputs."""
+    """A combination of readings; rounded inputs can change its result `value` by `off`."""
 
     readings: tuple[str, ...]
     value: float
@@ -90,7 +90,7 @@ class Outcome:
 
     @property
     def accidental(self) -> float:
-        """Expected number of chance matches among combinations with at most the changes of `best`.
+        """Expected number of chance matches among combinations with no more readings than `best`.
 
         If there is no matching combination, all combinations are counted.
         """
@@ -250,10 +250,10 @@ def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
 
 
 def window(value: float, half: float, printed: float, span: float) -> float:
-    """The probability that a number is within `half` of `value`.
+    """Probability that a random number differs from `value` by less than `half`.
 
-    The number is anywhere within a factor `span` of `printed`, with a uniformly distributed
-    logarithm and the sign of `printed`.
+    The random number has the sign of `printed` and lies within a factor `span` of `printed`; its
+    logarithm is uniformly distributed.
 
     >>> round(window(100.0, 1.0, 100.0, 2.0), 4)
     0.0144

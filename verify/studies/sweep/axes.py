@@ -108,7 +108,9 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
         try:
             off = _number(bare, about["unit"], where, whole=False)
         except InputError as error:
-            raise InputError(f'{error}, nor a percentage of {name.strip()}, as "5 %"') from error
+            raise InputError(
+                f'{error}, nor a percentage of {name.strip()}, such as "5 %"'
+            ) from error
     if not 0 < off < math.inf:
         raise InputError(f"{where}: the tolerance must be positive and finite, got {given.strip()}")
     for end in (nominal - off, nominal + off):
@@ -130,7 +132,7 @@ def _symbol(name: str, symbol: str) -> str:
 
 
 def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> Inputs:
-    """`inputs` with other values [SI] by name.
+    """The inputs with changed values [SI] (name: value).
 
     Raises InputError if the changed inputs are invalid; `at` states the position of the inputs in
     the message.
@@ -159,7 +161,7 @@ def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | No
     Raises InputError if there is no such input or if it is not a number.
     """
     if not name:
-        raise InputError(f"{where}: the name of the input is missing: write z=3:12:10 or b=±5%")
+        raise InputError(f"{where}: the name of the input is missing, such as z in z=3:12:10")
     place = _PLACE.fullmatch(name)
     holder: Inputs = inputs
     if place:
@@ -197,7 +199,9 @@ def names(inputs: Inputs) -> Sequence[str]:
 def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[float], str]:
     parts = [part.strip() for part in given.split(":")]
     if not 3 <= len(parts) <= 4 or (len(parts) == 4 and parts[3] != "log"):
-        raise InputError(f"{where}: write NAME=a:b:n, as z=3:12:10, NAME=a:b:n:log or NAME=a,b,c")
+        raise InputError(
+            f"{where}: write NAME=a:b:n, NAME=a:b:n:log or NAME=a,b,c, such as z=3:12:10"
+        )
     if not parts[2].isdecimal() or not 2 <= int(parts[2]) <= MOST_VALUES:
         raise InputError(f"{where}: n must be an integer from 2 to {MOST_VALUES}, got {parts[2]!r}")
     ends = _with_units(parts[:2])
@@ -209,8 +213,8 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
     values[0], values[-1] = a, b
     if whole and any(abs(v - round(v)) > 1e-9 for v in values):
         raise InputError(
-            f"{where}: takes whole numbers only, but {parts[2]} values from {a:g} to {b:g} "
-            "include fractions: change the number of values"
+            f"{where}: this input takes whole numbers only, but {parts[2]} values from {a:g} "
+            f"to {b:g} include fractions: change the number of values"
         )
     return [float(round(v)) if whole else v for v in values], "log" if len(parts) == 4 else "even"
 

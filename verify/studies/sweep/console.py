@@ -1,4 +1,4 @@
-"""Output of `freewheel sweep`: solved points; error of each formula, its location and causes."""
+"""Output of `freewheel sweep`: solved points; largest error of each formula, where, and causes."""
 
 import math
 import re

@@ -105,7 +105,7 @@ def _base(count: str) -> int:
 def _centre(one: Axis) -> float:
     if one.nominal is None:
         raise InputError(
-            f"{one.name}: give its value in the file; it is constant while other inputs vary"
+            f"{one.name}: give its value in the file, which applies while another input is varied"
         )
     return one.nominal
 
@@ -118,4 +118,4 @@ def _once(names: Sequence[str], option: str) -> None:
 
 def _few(count: int) -> None:
     if count > MOST_POINTS:
-        raise InputError(f"{count:,} points given, the maximum is {MOST_POINTS:,}")
+        raise InputError(f"the sweep has {count:,} points, the maximum is {MOST_POINTS:,}")

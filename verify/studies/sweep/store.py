@@ -49,7 +49,7 @@ class Points:
         return found
 
     def keep(self, solved: Mapping[str, Solution]) -> None:
-        """Store the results of formulas and reference that the points have."""
+        """Store the results of the points: of formulas, of the reference, or of both."""
         for kind, write in ((FORMULAS, _formulas), (REFERENCE, _reference)):
             entries = {
                 self._entry(kind, key): json.dumps(data).encode()

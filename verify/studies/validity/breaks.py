@@ -11,7 +11,7 @@ ALREADY = {
 
 
 def breaks(found: Region) -> str:
-    """Text that states with which input, and where, the formula first exceeds the limit."""
+    """Text that states at which value of which input the formula first exceeds the limit."""
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"

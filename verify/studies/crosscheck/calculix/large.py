@@ -1,4 +1,4 @@
-"""Decks of plane strips at large displacement with contact, eight-node cells.
+"""Decks of plane strips of eight-node elements with contact, at large displacement.
 
 The cells have reduced integration. Plane strain is computed per unit of width. Plane stress is
 modelled by a thin strip, whose forces are also per unit of width.

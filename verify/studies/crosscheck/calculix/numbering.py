@@ -23,7 +23,7 @@ class Numbering:
 
     @cached_property
     def dofs(self) -> Indices:
-        """Unknowns (2, nodes) of the deck's nodes by number: vertices, then edges."""
+        """Unknowns (2, nodes) of the deck's nodes, in the order of their numbers."""
         return np.hstack([np.asarray(self.basis.nodal_dofs), np.asarray(self.basis.facet_dofs)])
 
     @cached_property

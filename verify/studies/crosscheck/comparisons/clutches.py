@@ -86,7 +86,7 @@ def sprag() -> Posed:
 
 
 def both(forces: Points, moments: list[float], times: float) -> Numbers:
-    """Magnitudes of the force per length on both parts, and of the torques on them, by name."""
+    """Magnitudes of force per length and of torque on the inner and outer part (name: value)."""
     (inner, outer), (on_inner, on_outer) = forces, moments
     return {
         "force on the inner part": float(np.hypot(*inner)),

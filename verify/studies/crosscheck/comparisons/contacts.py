@@ -117,7 +117,7 @@ def fit(which: Fit) -> Posed:
 
 
 def slip(stage: float) -> Posed:
-    """Pressed half discs; the tangential load increases to Q_max, then changes to `stage` Q_max."""
+    """Pressed half discs; the tangential load rises to Q_max, then becomes `stage` * Q_max."""
     from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem

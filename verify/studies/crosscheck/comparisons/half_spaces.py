@@ -53,7 +53,7 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
 
 def even(name: str) -> Callable[[Any], Callable[[Array], Array]]:
-    """Function that returns, for a roller's inputs, its crown `name` for uniform pressure."""
+    """Function of a roller's inputs that returns the crown `name`, designed for even pressure."""
     return lambda q: even_crowns(q)[name]
 
 

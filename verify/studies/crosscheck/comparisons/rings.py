@@ -175,7 +175,7 @@ def polyhedral(assumption: "Assumption") -> Posed:
 
 
 def hub(corner: bool) -> Posed:
-    """Half a sector of the polyhedral ring under the hub's force at e or at the corner."""
+    """Half a sector of the polyhedral ring; the hub's force acts at distance e or at the corner."""
     from fem.plane.material import Elastic
     from fem.plane.sectors import radial
     from verify.studies.crosscheck.calculix.plane import PlaneDeck

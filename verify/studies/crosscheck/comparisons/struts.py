@@ -42,7 +42,7 @@ def struts() -> Posed:
 
 
 def named(loads: Array) -> dict[str, float]:
-    """Lateral force, tilting moment and torque (2, 3) of both steps, by name."""
+    """Numbers of a comparison (name: value) from F_x, M_y and M_z of both steps, (2, 3)."""
     return {
         f"{name}{words}": float(value)
         for row, words in zip(loads, ("", ", back"), strict=True)

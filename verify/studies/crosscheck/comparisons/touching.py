@@ -54,7 +54,7 @@ class Touched:
         return contact_totals(self.path.with_suffix(".dat"), pairs) / self.deck.told
 
     def force(self, pair: int = 0) -> tuple[float, float]:
-        """Force (x, y) on the master surface of a pair."""
+        """Contact force (x, y) on the master surface of a contact pair."""
         x, y = -self._on_slaves[pair, :2]
         return float(x), float(y)
 

@@ -16,7 +16,7 @@ def main(asked: Path, answer: Path) -> None:
 
 
 def press(asked: Any) -> dict[str, Any]:
-    """Pressure (nx, ny), solution time without imports [s], error, and version of tamaas."""
+    """Pressure (nx, ny), solution time without imports [s], final solver error, tamaas version."""
     import numpy as np
     import tamaas
 
