@@ -260,7 +260,7 @@ def test_points_and_errors_without_a_fit_fail():
     (row,) = rows_of(limit(lambda c: ([0.1, 0.08, 0.05, 0.02], [0.1] * 4, [1e-6] * 4), 1.0))
     assert row.status is Status.FAIL
     assert row.reason.startswith(
-        "the limit cannot be computed: a limit requires at least four points over a decade"
+        "the limit cannot be computed: a limit requires at least four points that span a decade"
     )
     (row,) = rows_of(order(lambda c: (list(FOUR), [1e-2, 1e-3, 0.0, 1e-5])))
     assert row.status is Status.FAIL

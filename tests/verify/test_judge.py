@@ -337,7 +337,7 @@ def test_a_limit_passes_up_to_its_uncertainties_and_is_sharp_relative_to_its_sca
     ],
 )  # fmt: skip
 def test_a_limit_needs_four_points_over_a_decade_that_are_not_all_zero(eps):
-    with pytest.raises(ValueError, match="four points over a decade"):
+    with pytest.raises(ValueError, match="four points that span a decade"):
         judge.fit_limit(eps, [0.1 * abs(x) for x in eps], [1e-6] * len(eps))
     for u in (0.0, 1e-6):
         with pytest.raises(ValueError, match="zero"):

@@ -56,7 +56,7 @@ def load_paths(q: Any, v: Values, part: Assessment) -> None:
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of the tool: friction, contact pressure, tilting, ends of the cam flats."""
+    """Criteria of `freewheel-clutch`: friction, contact pressure, tilting, end of the cam flats."""
     if q.T < 0:
         part.unknowns.append("the torque acts against the locking direction: the clutch overruns")
         return

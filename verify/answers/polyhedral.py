@@ -44,7 +44,7 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of the tool: torque, stress in the fillets, pressures of the rollers."""
+    """Criteria of `polyhedral-clutch`: torque, stress in the fillets, pressures of the rollers."""
     if q.alpha is not None and math.tan(q.alpha / 2) >= q.mu:
         part.failures.append(EXPELLED)
     elif q.p_t <= v["p_1r"]:

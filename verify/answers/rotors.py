@@ -90,7 +90,7 @@ def _separated(speed: float, critical: Sequence[float], part: Assessment) -> Non
 
 def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
               *, assumed: bool) -> None:  # fmt: skip
-    """Add the criterion that a critical speed is outside the speed range with its margin.
+    """Add the criterion that a critical speed is outside the speed range, extended by its margin.
 
     `low`, `high` and `critical` are in rad/s; `margin` is relative.
     """

@@ -82,7 +82,10 @@ def compared(_q: Any, _v: Values, part: Assessment) -> None:
 
 
 def buckling(q: Any, v: Values, part: Assessment) -> None:
-    """Criterion of buckling: working force, at most the smallest critical force of a free head."""
+    """Criterion of buckling: the working force must not exceed the smallest critical force.
+
+    The critical force is that of a spring with a free head.
+    """
     if q.F is None:
         part.unknowns.append("no working force F is given: it is not compared with F_cr")
         return

@@ -38,7 +38,7 @@ BY_NAME = (
 
 
 def unusual(inputs: Inputs) -> dict[str, str]:
-    """Warnings by name of the input, for values outside their usual ranges.
+    """Warnings for inputs outside their usual ranges (name of the input: warning).
 
     A value of zero gives no warning.
     """

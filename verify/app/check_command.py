@@ -165,7 +165,7 @@ def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
 
 
 def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
-    """Result with the reason, as `refused`, why finite elements cannot solve its inputs.
+    """Result whose field `refused` states why finite elements cannot solve the inputs.
 
     If finite elements can solve the inputs, the result is unchanged.
     """

@@ -28,13 +28,13 @@ class Parts:
     def of_cases(
         self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of `make` by name of the case; `module` contains the code of `make`."""
+        """Results of `make` (name of the case: result); `module` contains the code of `make`."""
         return self.by_group(name, module, {case: [case] for case in cases}, make)
 
     def by_group(
         self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """Results of `make` by name of the group of cases; `module` contains the code of `make`."""
+        """Results of `make` (name of the group: result); `module` contains the code of `make`."""
         keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
         found = dict(self._stored(keys))
         new: dict[str, bytes] = {}

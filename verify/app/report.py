@@ -31,7 +31,7 @@ def make_report(
     results: Sequence[CaseResult], cases: Sequence[Case], seconds: float, name: str = "",
     parts: Parts = NOTHING,
 ) -> Report:  # fmt: skip
-    """Report of a run with ledgers and provenance; `name` is stated in a user's parameter file.
+    """Report of a run with ledgers and provenance; `name` is the name in a parameter file, or "".
 
     Pages stored in `parts` are not made again; only cases with new pages are imported.
     """

@@ -1,4 +1,4 @@
-"""Results as tables of plain values by name, for any table library, and as a DataFrame."""
+"""Results as tables: lists of dictionaries for any table library, or a DataFrame."""
 
 from collections.abc import Sequence
 from enum import Enum

@@ -77,7 +77,7 @@ class Inputs(BaseModel):
         return tuple(found)
 
     def record(self) -> dict[str, Any]:
-        """Values and units of the inputs by name, for other programs.
+        """Inputs for other programs (name: value and unit).
 
         A table is a list of records.
         """
@@ -162,7 +162,7 @@ def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> 
 
 
 def word(default: str, what: str) -> Any:
-    """Declaration of an input whose value is one of several words; omitted, it is the default."""
+    """Declaration of an input that is one of several words; a file may omit it (then `default`)."""
     return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
 
 

@@ -1,4 +1,4 @@
-"""Text of code that does not depend on wording, layout and position.
+"""Code as a text without the parts that have no effect on results.
 
 Docstrings, comments, layout, messages of exceptions, descriptions of inputs and imports of project
 modules are ignored.

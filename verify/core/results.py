@@ -344,7 +344,7 @@ class Validity:
 
 @dataclass(frozen=True, kw_only=True)
 class ScaleInput:
-    """One factor of the divisor of a ratio: an input with value `own` [`unit`], to `power`."""
+    """A factor in the divisor of a ratio: an input of value `own` [`unit`], raised to `power`."""
 
     name: str
     symbol: str
@@ -496,7 +496,7 @@ class Drift:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingsTried:
-    """A printed number, the formula's value by the first reading, and a search for others.
+    """A printed number, the formula's value by the first reading, and a search for other readings.
 
     `hits` combinations of readings give the number; `readings` is the best combination, with its
     `value`, and is empty if there is none. `chance` is the expected number of combinations that
@@ -592,10 +592,11 @@ class CaseBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class MutantGroup:
-    """Numbers of mutants of one group: detected by `rows` or `tests`, `survived`, or `apart`.
+    """Numbers of mutants of one group.
 
-    `all` counts all mutants of the group, `tried` the mutants that were tested without those
-    `apart`, which crashed or timed out.
+    `all` counts all mutants, `apart` those that crashed or timed out, `tried` all other tested
+    mutants. Of the latter, `rows` or `tests` count those that a row or a test detects, and
+    `survived` those that were not detected.
     """
 
     name: str

@@ -32,7 +32,7 @@ OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules with inputs of bot
 
 @cache
 def source_of(function: Any) -> str:
-    """Hash of the code of a `fem` function, of names that it uses, and of modules it reaches."""
+    """Hash of the code on which a `fem` function depends; see `parts_of`."""
     return remembered("reference", function, lambda: _source_of(function))
 
 
@@ -43,27 +43,27 @@ def _source_of(function: Any) -> str:
 
 @cache
 def whole_source_of(function: Any) -> str:
-    """Hash of a function, of names that it uses, and of all modules it reaches, also formulas."""
+    """Hash of all code on which a function depends, including formulas; see `whole_parts_of`."""
     return remembered("formulas", function, lambda: _hash(*whole_parts_of(function), whole=True))
 
 
 @cache
 def modules_of(function: Any) -> tuple[str, ...]:
-    """Modules that a `fem` function reaches."""
+    """Modules that a `fem` function imports, directly or indirectly; see `parts_of`."""
     return tuple(remembered("modules", function, lambda: parts_of(function)[1]))
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code by name that a function uses in its module, and all modules that it depends on."""
+    """Parts of its module that a function uses (name: code), and all modules it depends on."""
     used, start = _used(function, whole=True)
     return used, sorted(_reached(start, whole=True))
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code that a `fem` function uses in its module, by name, and the modules that it reaches.
+    """Parts of its module that a `fem` function uses (name: code), and imported modules.
 
-    If the function reaches COMPILED, it returns results of formulas; all formulas are then
-    included.
+    The modules are those that the function imports, directly or indirectly. If COMPILED is one of
+    them, the function returns results of formulas; all formulas are then included.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -73,7 +73,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 
 
 def group_hash(modules: Collection[str]) -> str:
-    """Hash of the code of modules; a name imported from another of them becomes its code."""
+    """Hash of the code of modules; a name that one imports from another is replaced by its code."""
     group = frozenset(modules)
     name = f"group of {' '.join(sorted(group))}"
     return remembered(name, group_hash, lambda: _group_hash(group), group)
@@ -105,7 +105,7 @@ def _digest(text: str) -> str:
 
 
 def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code that a function uses in its module, by name, and the modules that this code imports.
+    """Parts of its module that a function uses (name: code), and modules that they import.
 
     A function of a case that is one class has the method `code`, which returns the used parts of
     the class: module, class and members.

@@ -23,7 +23,7 @@ _used: list["Memory"] = []
 
 
 class Memory:
-    """Hashes by name, stored in a folder, each with the digest of the files on which it depends."""
+    """Named hashes in a folder, each stored with the digest of the files on which it depends."""
 
     def __init__(self, folder: Path) -> None:
         self._store = Store(folder)

@@ -77,7 +77,7 @@ class Store:
         return self._read(kind, named)
 
     def all(self, kind: str, subject: str) -> dict[str, bytes]:
-        """Contents of all entries of a kind and subject, by key. Raises OSError as `load` does."""
+        """All entries of a kind and subject (key: content). Raises OSError as `load` does."""
         return self._read(kind, [("AND subject = ?", [subject])])
 
     def one(self, kind: str, key: str) -> bytes | None:
@@ -90,7 +90,7 @@ class Store:
     def store(
         self, kind: str, subject: str, entries: Mapping[str, bytes], made: float | None = None
     ) -> None:
-        """Write all entries, given by key, or none of them if the file cannot be written.
+        """Write all entries (key: content), or none of them if the file cannot be written.
 
         `made` is the time of the entries [s since 1970], by default now. Raises OSError if the file
         cannot be written.
@@ -110,7 +110,7 @@ class Store:
             database.execute("BEGIN IMMEDIATE")
 
     def dates(self, kind: str, keys: Sequence[str]) -> dict[str, tuple[float, int]]:
-        """Date [s since 1970] and number of bytes of entries, by key.
+        """Date [s since 1970] and number of bytes of each stored entry of `keys`.
 
         Raises OSError as `load` does.
         """

@@ -103,7 +103,7 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Function that returns the values [SI] of all quantities and comparisons of a case by name."""
+    """Function that returns all quantities and comparisons of a case (name: value [SI])."""
 
     name = "quantities"
 

@@ -28,7 +28,7 @@ def solved(
     mesh_size: float, *fields: Field, iteration: float | Mapping[str, float] = 0.0,
     **values: float | NDArray[np.float64],
 ) -> FemResult:  # fmt: skip
-    """Result of one level of the reference: numbers and arrays by name, in SI units.
+    """Result of one level of the reference: numbers and arrays in SI units (name: value).
 
     `mesh_size` is relative to a constant length. `iteration` is the relative uncertainty of the
     numbers due to iteration or round-off: one value for all, or one for each by name.
@@ -96,7 +96,7 @@ class Case(Inputs):
         return ()
 
     def figures(self) -> Iterable[Drawing]:
-        """Additional figures; each row with an order of convergence has a convergence plot."""
+        """Figures in addition to the convergence plots, which need no declaration."""
         return ()
 
     def pictures(self) -> Iterable[Picture]:

@@ -51,13 +51,13 @@ def about(error: float, slack: float, source: str) -> Expected:
 
 
 def underived(reason: str) -> Expected:
-    """Placeholder if, for the given `reason`, no error can be expected: it is only displayed."""
+    """Placeholder for an expected error that cannot be derived; the error is only displayed."""
     return Expected(-inf, inf, reason, sharp=False)
 
 
 @dataclass(frozen=True)
 class State:
-    """Another state of the formulas, such as another load or a long part.
+    """Another state for which the formulas are evaluated, such as another load or length.
 
     `case` has the quantities of this state, such as `self.at(T=...)`; it is None if the state does
     not exist at these inputs. Names of the numbers of formulas and reference end in `key`, which is
@@ -186,7 +186,7 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """Check that a formula is exact if a parameter is zero, with an error that grows as its power.
+    """Check that a formula is exact for a zero parameter and that its error grows as a power.
 
     `points` returns parameter, signed error and the standard uncertainty of the error, from all
     levels.

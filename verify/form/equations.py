@@ -29,7 +29,7 @@ class Symbol(NamedTuple):
 
 
 class Symbols(NamedTuple):
-    """Symbols of a case, as TeX: by attribute name (`tex`), with SI values, and with units."""
+    """Symbols of a case in TeX: `tex` by attribute, SI `values`, and `numbers` with units."""
 
     tex: dict[str, str]
     values: dict[str, float]

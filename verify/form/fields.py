@@ -13,7 +13,7 @@ class HasCells(Protocol):
     """A solved plane body."""
 
     def cells(self) -> Mapping[str, Array]:
-        """Arrays by name: points, cells, displacements and cell data."""
+        """Arrays (name: array): points, cells, displacements and cell data."""
         ...
 
 
@@ -46,7 +46,7 @@ CELL_DATA = {
 
 
 def plane_field(solution: HasCells, *data: str, name: str = "body", scale: float = 1.0) -> Field:
-    """Field with mesh, displacements and cell data of a solution; loads multiplied by `scale`.
+    """Field with mesh, displacements and cell data of a solution, for loads times `scale`.
 
     >>> sorted(CELL_DATA)
     ['hoop_stress', 'log_mises', 'stress', 'von_mises']

@@ -76,7 +76,7 @@ class Quantity:
         return Declared(self)
 
     def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declaration of a number that other code computes; the attribute's name is its name.
+        """Declaration of a quantity that other code computes; its name is that of the attribute.
 
         For example: `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
         """
@@ -84,7 +84,7 @@ class Quantity:
         return Declared(self)
 
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
-        """Decorator of a method of indices: declares one quantity for each combination of them.
+        """Decorator of a method with indices; declares one quantity per combination of indices.
 
         In symbol and meaning, `{0}` is the first index and `{1}` the second; `when` also receives
         the indices.

@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """Result of a simulation in time: values `raw` [SI] by key, `outputs` to display, findings."""
+    """Result of a simulation in time: values `raw` [SI], `outputs` that are displayed, findings."""
 
     what: str
     raw: Values

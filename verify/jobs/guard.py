@@ -61,7 +61,7 @@ class Guard:
         return replace(self.case, **empty | {"sketch": lambda _inputs: None})
 
     def judged(self, check: Check, rows: Callable[[], list[Row]]) -> list[Row]:
-        """Rows of one check. If judging fails, these are failed rows with the same names."""
+        """Rows of one check; if an error occurs, rows with the same names and the status FAIL."""
         try:
             return list(rows())
         except Exception as error:  # any error concerns only this case

@@ -1,4 +1,4 @@
-"""Formulas with an error band at user inputs: SHOWN if the meshes do not resolve the band."""
+"""Judging at user inputs of formulas with an error band: SHOWN if the meshes are too coarse."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -50,7 +50,7 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFormula(Approximation):
-    """A comparison of a formula with a band of expected errors, also at user inputs.
+    """Comparison of a formula whose expected error has a band, also at user inputs.
 
     At user inputs, the required sensitivity is the width of the band if this is larger. `bent` [1]
     is the widening of the band by bending at such inputs. `wide` is the reason that is displayed if
@@ -87,7 +87,7 @@ class OwnFormula(Approximation):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFillet(Identity):
-    """A comparison of a largest stress; at user inputs, an error of the contact force is allowed.
+    """Comparison of a largest stress; at user inputs, an error of the contact force is allowed for.
 
     Hertz's simplifications cause the error of the contact force N. `blur` is the analytic key of
     the resulting standard uncertainty, relative to the stress. `wide` is the reason that is

@@ -156,7 +156,7 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
     decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4
     if not decade or x.max() < 10 * x.min() * (1 - 1e-12):
         raise ValueError(
-            f"a limit requires at least four points over a decade, got eps = {x.tolist()}"
+            f"a limit requires at least four points that span a decade, got eps = {x.tolist()}"
         )
     if not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma)) and np.all(sigma >= 0)):
         raise ValueError(f"all points must be finite to compute a limit, got d = {y.tolist()}")

@@ -1,4 +1,4 @@
-"""Checks of profiles and families: errors in the L2 norm, coefficients, estimates."""
+"""Checks of profiles and of errors over a parameter: L2 norm, coefficients, estimates."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

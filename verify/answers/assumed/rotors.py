@@ -19,7 +19,7 @@ def one_shaft(g: Given) -> list[dict[str, Any]]:
 
 
 def unbalanced_node(g: Given) -> int:
-    """Node of the first unbalance; otherwise, node of the first disc; otherwise, node 1."""
+    """Node of the first unbalance; without unbalances, node of the first disc or node 1."""
     for table in ("unbalances", "discs"):
         if entries := g.get(table):
             return int(entries[0]["node"])

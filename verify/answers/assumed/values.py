@@ -15,7 +15,7 @@ DIGITS = 6  # of a derived value, so that the printed value is the one used
 
 
 def given_values(model: type[Inputs], raw: Mapping[str, Any]) -> tuple[Given, bool]:
-    """Inputs in SI units by name, including omitted inputs, and whether all could be read."""
+    """All inputs in SI units, omitted inputs included, and whether all values could be read."""
     fields, found, readable = model.model_fields, Given(), True
     for name, field in fields.items():
         omitted = meta(field)["omitted"]
@@ -69,9 +69,7 @@ def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
     with np.errstate(all="ignore"):
         value = one.value(given)
     if isinstance(value, float) and not math.isfinite(value):
-        raise ValueError(
-            f"{one.source}: the assumed value is not finite; give this input in the file"
-        )
+        raise ValueError(f"{one.source}: the assumed value is not finite; give a value in the file")
     field = model.model_fields.get(one.name)
     if not isinstance(value, float) or field is None:
         return value

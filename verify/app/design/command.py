@@ -67,7 +67,7 @@ def command(path: Path, choose: int | None, *, use_fem: bool) -> str:
 
 
 def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """Contents of the files of the output folder, by name."""
+    """Files of the output folder (name: content)."""
     from reports.design import page as page_html
     from verify.app.design.page import page
 

@@ -120,7 +120,7 @@ def front(outcome: Outcome) -> Parallel:
 
 
 def curve(outcome: Outcome) -> Curves:
-    """Plot of F(U) of the selected spring: closed form with tolerance, finite elements, task."""
+    """Plot of F(U) of the selected spring: formula, finite elements, working point."""
     s, i = outcome.search, outcome.candidate
     q, f = s.task.demands, s.formulas
     U_A, F_A, k1, k2, U_w = (float(v[i]) for v in (f.U_A, f.F_A, f.k1, f.k2, f.U_w))

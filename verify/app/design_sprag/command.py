@@ -75,7 +75,7 @@ def run_design(
 
 
 def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
-    """Contents of the files of the output folder, by name."""
+    """Files of the output folder (name: content)."""
     from reports.design import page as page_html
     from verify.app.design_sprag.page import page
 

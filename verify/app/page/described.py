@@ -100,7 +100,7 @@ def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
 
 
 def model_of(case: Case) -> Mapping[str, str]:
-    """Names of the inputs of a case by their symbols; an input without symbol, by its name."""
+    """Inputs of a case (symbol: name); for an input without a symbol, the key is its name."""
     return {meta(f)["symbol"] or n: n for n, f in case.inputs.model_fields.items()}
 
 

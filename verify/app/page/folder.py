@@ -15,7 +15,7 @@ LONGEST = 100  # characters of a file's name
 
 
 class Folder:
-    """The files of one folder, by name."""
+    """Access to the files of one folder by their names."""
 
     def __init__(self, root: Path) -> None:
         """InputError if `root` is no folder."""
@@ -42,7 +42,7 @@ class Folder:
         return path
 
     def names_of(self, suffix: str, *, below: bool = False) -> list[str]:
-        """Files that end with `suffix`, by name. With `below`, files of subfolders follow."""
+        """Sorted names of the files that end with `suffix`; with `below`, also in subfolders."""
         found, folders, looked = list[str](), [""], 0
         for folder in folders:  # which grows
             with suppress(OSError), os.scandir(self.root / folder) as entries:

@@ -162,7 +162,7 @@ def _layout(
 
 
 def lowered(text: str) -> str:
-    """Indices of symbols as subscripts of Plotly: σ_v as σ<sub>v</sub>."""
+    """Text in which indices of symbols are subscripts of Plotly: σ_v becomes σ<sub>v</sub>."""
     return re.sub(r"_(\w+|\{[^}]*\})", r"<sub>\1</sub>", text)
 
 

@@ -101,7 +101,7 @@ class ShapeView:
 
 
 def about(shape: Shape) -> str:
-    """The whole title, and the smallest and the largest value with the label of the field."""
+    """Text with the title of the field, its label, and its smallest and largest value."""
     title = Markup("{}<br>").format(raised(shape.title))
     if shape.values is None:
         return title

@@ -112,7 +112,7 @@ class Tools:
             axes.append((self.second.value, self.more.value))
         for name, values in axes:
             if not values.strip():
-                raise InputError(f"{name}: needs first:last:number of values, as 5 mm:30 mm:20")
+                raise InputError(f"{name}: write first:last:number of values (5 mm:30 mm:20)")
         vary = [f"{name}={values}" for name, values in axes]
         try:
             found: tasks.Swept = await worker.ask(
@@ -148,7 +148,7 @@ class Tools:
         self.screen.put(replace(self.screen.session.state, other=None))
 
     def show_compared(self, present: Shown, other: Shown | None) -> None:
-        """Display the present and the other variant side by side; nothing if there is no other."""
+        """Display both variants side by side; display nothing if there is no second variant."""
         state = self.screen.session.state
         for one in (self.exchange, self.drop):
             enable(one, state.other is not None)

@@ -138,7 +138,7 @@ def command(
 
 
 def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """Contents of the files of the output folder, by name."""
+    """Files of the output folder (name: content)."""
     from reports.sweep import page as page_html
     from verify.app.sweep.page import page
 

@@ -32,7 +32,7 @@ class Rollers(vc.Case):
         return 2.15 * sqrt(self.P / self.E * self.D_1 * self.D_2 / (self.D_1 + self.D_2))
 
     def a(self) -> float:
-        """Half the width of contact [m] by Hertz, for the size of cells and the error (a/R)²."""
+        """Half-width of contact [m] by Hertz; determines the mesh and the expected error (a/R)²."""
         soft = 4 * (1 - self.nu**2) / (pi * self.E)
         return sqrt(soft * self.P * self.D_1 * self.D_2 / (self.D_1 + self.D_2))
 
