@@ -23,9 +23,9 @@ def with_line(message: str, path: Path) -> str:
 
 
 def line_of(place: str, text: str) -> int:
-    """Line number of an input (such as inputs.supports[2].k); if omitted, that of its table.
+    """Line number of an input, such as inputs.supports[2].k, in the text of a parameter file.
 
-    It is 0 if neither is in the text.
+    If the input is omitted, the line number of its table is returned; 0 if the table is omitted.
 
     >>> text = ("[inputs]", "r = 1", "[[inputs.supports]]", "[[inputs.supports]]", "k = 1")
     >>> line_of("inputs.supports[2].k", chr(10).join(text))

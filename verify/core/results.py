@@ -149,7 +149,7 @@ class Row:
 
     @property
     def by(self) -> str:
-        """Method of the value with which the formula is compared."""
+        """Name of the method that gave the reference value: FE, or the method of the partner."""
         return FE if self.partner is None or self.fem is not None else self.partner.by
 
     @property

@@ -8,9 +8,9 @@ LIKE = 0.4  # of difflib's ratio: below, names have nothing in common
 
 
 def nearest(name: str, known: Iterable[str], *, most: int = FEW, between: str = ", ") -> str:
-    """Text with at most `most` known names, similar names first, and the number of the others.
+    """Text with at most `most` known names, and the number of the other known names.
 
-    Similar names are those similar to `name`.
+    Names similar to `name` are first.
     """
     every = list(known)
     like = get_close_matches(name, every, n=most, cutoff=LIKE)

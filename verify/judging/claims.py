@@ -187,7 +187,10 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """Smallest relative error that must make the row fail; at user inputs, >= `own_demand`."""
+        """Smallest relative error that must make the row fail.
+
+        At user inputs, it is at least `own_demand`.
+        """
         return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:

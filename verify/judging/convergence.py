@@ -177,7 +177,7 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
-    r"""Largest increase of the observed order that errors of iteration can cause.
+    r"""Largest increase of the observed order that iteration errors can cause.
 
     Each of the last three values may have the error ± u. The order is lowest if the error of the
     middle value is opposite to the errors of the other two, for any ratios of the meshes; the

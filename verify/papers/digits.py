@@ -36,7 +36,7 @@ def is_number(text: str) -> bool:
 
 
 def half_last_digit(printed: str) -> float:
-    """Half a unit in the last printed place.
+    """Half a unit of the last printed place.
 
     >>> half_last_digit("0.613"), half_last_digit("3500")
     (0.0005, 0.5)

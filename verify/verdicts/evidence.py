@@ -129,7 +129,7 @@ def _studies(row: Row) -> list[Study]:
 
 
 def joined(studies: Sequence[Study]) -> list[Study]:
-    """Studies; those of one case at the same points are merged, with the larger errors."""
+    """Studies; studies of one case at the same points are merged and keep the larger errors."""
     found: dict[tuple[str, str], Study] = {}
     for plan, course in studies:
         key = (plan.case.id, str((plan.names, plan.points.tolist())))

@@ -109,7 +109,7 @@ class Jobs:
         return worker
 
     def finish(self, worker: Worker) -> None:
-        """End the worker of a job, also if it has no result yet."""
+        """End the worker of a job, even if the job has no result yet."""
         self._running.discard(worker)
         worker.end()
 

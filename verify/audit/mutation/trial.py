@@ -1,4 +1,4 @@
-"""Check of one mutant in a forked child process: cases that call its code are judged again."""
+"""Check of one mutant in a child process: cases that call the changed code are judged again."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Verdict = list[str]  # kind of detection, and a description
 
 @dataclass(frozen=True)
 class Bench:
-    """A case that calls the code of a mutant, with its record of unchanged code."""
+    """A case that calls the code changed by a mutant, and its record for unchanged code."""
 
     load: Load
     before: Noted

@@ -18,7 +18,7 @@ Numbers = Sequence[float | None]
 def renamed_rows(
     before: Mapping[str, Kept], now: Mapping[str, Kept], whole: Collection[str]
 ) -> dict[str, str]:
-    """Old ids of renamed rows by the new id.
+    """Renamed rows since a release (new id: old id).
 
     Listed names have priority. Otherwise, a row is renamed if exactly one row with the same case,
     kind, unit and values fits.

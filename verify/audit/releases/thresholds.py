@@ -133,7 +133,7 @@ def half_width(row: Kept) -> float | None:
 
 
 def value_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of a formula or finite-element value [unit].
+    """Permissible change of a formula or finite-element value, in the unit of the row.
 
     This is the numerical error of both runs or 10 % of the narrower band, whichever is larger. It
     is zero if a row has neither.
@@ -145,13 +145,13 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of the scale [unit]: numerical error of both runs or 10 %, if larger."""
+    """Permissible change of the scale, in its unit: numerical error of both runs, at least 10 %."""
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 
 
 def margin_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of the margin of a fact [unit].
+    """Permissible change of the margin of a fact, in the unit of the row.
 
     This is the numerical error of the margin, or 10 % of the margin at the release, whichever is
     larger.

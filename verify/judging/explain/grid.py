@@ -47,7 +47,7 @@ def levels(g: Grid) -> list[Step]:
 
 
 def grid_steps(g: Grid) -> list[Step]:
-    """Steps with the levels, their convergence behaviour, and the observed order."""
+    """Lines of the explanation: levels, their convergence behaviour, and the observed order."""
     again, _ = regrid(g)
     found = [*levels(g), ("behaviour", f"{again.behaviour}: {MEANING[again.behaviour]}")]
     if again.order is not None:
@@ -59,7 +59,7 @@ def grid_steps(g: Grid) -> list[Step]:
 
 
 def uncertainty_steps(g: Grid) -> list[Step]:
-    """Steps for the grid convergence index (with numbers) and u_num on the finest mesh."""
+    """Lines of the explanation: grid convergence index with numbers, and u_num (finest mesh)."""
     again, u_num = regrid(g)
     if not again.converges:
         return []

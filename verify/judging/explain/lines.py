@@ -1,4 +1,4 @@
-"""Lines that all derivations share: numbers with units, difference, tolerance, sensitivity."""
+"""Lines that all explanations contain: numbers with units, difference, detection limit."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,7 @@ Step = tuple[str, str]  # name of the step, and its derivation
 
 @dataclass(frozen=True)
 class Derivation:
-    """Steps that lead to a verdict.
+    """Lines of the explanation that lead to a verdict, and the verdict.
 
     `u_num` has the unit of the row; it is None for a row without finite elements.
     """
@@ -40,7 +40,7 @@ def amount(value: float | None, unit: str, digits: Callable[[float], str] = shor
 
 
 def demand(row: Row) -> float:
-    """Required sensitivity of the row; by default, that of the suite."""
+    """Required sensitivity of the row; by default, the required sensitivity of the suite."""
     return judge.DEMAND if row.demand is None else row.demand
 
 
@@ -54,7 +54,7 @@ def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) ->
 
 
 def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
-    """Steps for the scale, the difference, the test |d| ≤ U and the detection limit."""
+    """Lines of the explanation: scale, difference, test |d| ≤ U, and detection limit."""
     U, scale = verdict.tolerance, row.scale
     # as judged: the printed values were converted, which changes their last digit
     d = verdict.difference if row.difference is None else row.difference
@@ -81,7 +81,7 @@ def _share(row: Row) -> str:
 
 
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
-    """Step for the detection limit: smallest relative change that certainly makes the row fail."""
+    """Line with the detection limit: smallest relative change that certainly makes the row fail."""
     if verdict.detects is None or not math.isfinite(verdict.detects):
         known = verdict.tolerance is not None and math.isfinite(verdict.tolerance)
         why = "the row fails already" if known else "the uncertainty is not finite"

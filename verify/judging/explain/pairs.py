@@ -23,7 +23,7 @@ from verify.papers.digits import half_last_digit
 
 
 def identity(row: Row) -> Derivation:
-    """Derivation for a formula and finite elements that solve the same problem."""
+    """Derivation of the verdict on a formula and finite elements that solve the same problem."""
     assert row.grid is not None
     assert row.analytic is not None
     assert row.scale is not None
@@ -52,7 +52,7 @@ def identity(row: Row) -> Derivation:
 
 
 def printed_theory(row: Row) -> Derivation:
-    """Derivation for a formula and the number that the paper computed from it."""
+    """Derivation of the verdict on a formula and the number that the paper computed from it."""
     assert row.analytic is not None
     assert row.partner is not None
     assert row.scale is not None
@@ -79,7 +79,7 @@ def printed_theory(row: Row) -> Derivation:
 
 
 def approximation(row: Row) -> Derivation:
-    """Derivation for a formula that neglects an effect, compared with finite elements."""
+    """Derivation of the verdict on a formula that neglects an effect, from finite elements."""
     assert row.grid is not None
     assert row.analytic is not None
     again, u_num = regrid(row.grid)
@@ -145,7 +145,7 @@ def _model_error(
 
 
 def agreement(row: Row) -> Derivation:
-    """Derivation for two values that may differ by a tolerance stated beforehand."""
+    """Derivation of the verdict on two values that may differ by a tolerance stated beforehand."""
     assert row.analytic is not None
     assert row.reference is not None
     U = judge.COVERAGE * (row.u_num or 0.0)
@@ -162,7 +162,7 @@ def agreement(row: Row) -> Derivation:
 
 
 def deviation(row: Row) -> Derivation:
-    """Derivation for the size of a difference, which must not exceed a figure stated beforehand."""
+    """Derivation of the verdict on a difference whose limit was stated beforehand."""
     assert row.reference is not None
     assert row.scale is not None
     assert row.tolerance is not None
@@ -184,7 +184,7 @@ def deviation(row: Row) -> Derivation:
 
 
 def shown(row: Row) -> Derivation:
-    """Derivation for a formula and a number without a stated uncertainty."""
+    """Derivation of the verdict on a formula and a number without a stated uncertainty."""
     assert row.analytic is not None
     assert row.difference is not None
     reference = row.analytic - row.difference

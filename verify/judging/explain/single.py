@@ -21,7 +21,7 @@ WORDS = {Status.PASS: "holds", Status.FAIL: "does not hold"}
 
 
 def trend(row: Row) -> Derivation:
-    """Derivation for the order with which errors decrease."""
+    """Derivation of the verdict on the order with which errors decrease."""
     assert row.analytic is not None
     if row.levels_u:
         return coefficient(row, row.analytic)
@@ -47,7 +47,7 @@ def trend(row: Row) -> Derivation:
 
 
 def coefficient(row: Row, theory: float) -> Derivation:
-    """Derivation for the leading coefficient of the error of a formula."""
+    """Derivation of the verdict on the leading coefficient of the error of a formula."""
     eps, d = zip(*row.levels, strict=True)
     c, U = judge.quadratic_coefficient(eps, d, row.levels_u)
     verdict = judge.difference(c, theory, U=U, scale=abs(theory), demand=demand(row))
@@ -62,7 +62,7 @@ def coefficient(row: Row, theory: float) -> Derivation:
 
 
 def limit(row: Row) -> Derivation:
-    """Derivation for a formula that becomes exact as a parameter approaches zero."""
+    """Derivation of the verdict on a formula that becomes exact as a parameter approaches zero."""
     eps, d = zip(*row.levels, strict=True)
     fit = judge.fit_limit(eps, d, row.levels_u)
     verdict = judge.asymptotic(fit, q=row.formal_order, scale=1.0, demand=demand(row))
@@ -84,7 +84,7 @@ def limit(row: Row) -> Derivation:
 
 
 def exact(row: Row) -> Derivation:
-    """Derivation for a balance that must hold to round-off."""
+    """Derivation of the verdict on a balance that must hold to round-off."""
     assert row.fem is not None
     assert row.scale is not None
     assert row.tolerance is not None
@@ -101,7 +101,7 @@ def exact(row: Row) -> Derivation:
 
 
 def fact(row: Row) -> Derivation:
-    """Derivation for a statement with a margin."""
+    """Derivation of the verdict on a statement with a margin."""
     assert row.difference is not None
     assert row.tolerance is not None
     verdict = judge.fact(row.difference, row.tolerance)
@@ -120,7 +120,7 @@ def fact(row: Row) -> Derivation:
 
 
 def convergence(row: Row) -> Derivation:
-    """Derivation for the convergence of finite-element values."""
+    """Derivation of the verdict on the convergence of finite-element values."""
     assert row.grid is not None
     g = row.grid
     again, _ = regrid(g)

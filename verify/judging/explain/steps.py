@@ -29,12 +29,12 @@ STATED: Mapping[Kind, Callable[[Row], Derivation]] = {  # within a figure that a
 
 
 def steps(row: Row) -> tuple[Step, ...]:
-    """Steps of the judgement as pairs of label and text: compared values, uncertainty, verdict."""
+    """Explanation in lines (label and text): compared values, uncertainty, and verdict."""
     return derive(row).steps
 
 
 def derive(row: Row) -> Derivation:
-    """Derivation of a row: the row is judged again from its stored numbers, step by step.
+    """Derivation of the verdict on a row, which is judged again from its stored numbers.
 
     The derivation contains only the verdict if the row was not run, or if its finite elements ended
     with an error.
@@ -59,7 +59,7 @@ def _has_numbers(row: Row) -> bool:
 
 
 def _printed(row: Row, entry: Published) -> Step:
-    """Step for a published value, with the ratios of formula and finite elements to it."""
+    """Line of the explanation: a published value, and formula and finite elements divided by it."""
     computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
     ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
     ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]

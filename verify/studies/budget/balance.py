@@ -17,7 +17,7 @@ LARGE = 0.2  # of the total: from there on two causes are removed together as we
 
 @dataclass(frozen=True)
 class Part:
-    """Contribution of a cause to the relative error; `u` is its numerical half-width.
+    """Contribution of a cause to the relative error; `u` is the uncertainty (half-width).
 
     `note` gives the reason if there is no number. A cause that is `shared` by formula and finite
     elements is not subtracted.
@@ -46,7 +46,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Balance:
-    """Total error of a row, its contributions, and the remainder with its half-width `u`."""
+    """Total error of a row, contributions, and remainder with the uncertainty `u` (half-width)."""
 
     total: float
     parts: tuple[Part, ...]

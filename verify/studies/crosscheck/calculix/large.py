@@ -138,7 +138,7 @@ def write_deck(problem: Problem, path: Path) -> Path:
 
 
 def moved_by(problem: Problem) -> list[int]:
-    """Nodes with prescribed components in the first step; their forces are read."""
+    """Nodes with prescribed displacements in the first step, at which the forces are read."""
     held = [own for own in problem.steps[0] if isinstance(own, Held)]
     return sorted({int(node) for own in held for node in own.nodes})
 

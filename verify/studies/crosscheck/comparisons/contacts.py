@@ -69,7 +69,7 @@ def line(case: Any, solve: Any) -> Posed:
 
 
 def sphere(pair: Pair) -> Posed:
-    """A sphere at the approach of Hertz's theory, as an axisymmetric body."""
+    """An axisymmetric sphere, displaced by the mutual approach that Hertz's theory gives."""
     from fem.contact.point_contact import push
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings

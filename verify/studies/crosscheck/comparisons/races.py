@@ -20,7 +20,7 @@ LOAD = "load at the same approach"
 
 
 def race() -> Posed:
-    """A quarter of the roller and half the race; the approach under the load is prescribed."""
+    """A quarter of the roller and half the race; the displacement under the load is prescribed."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
