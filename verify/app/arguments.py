@@ -6,7 +6,7 @@ from cyclopts import Parameter
 
 
 def whole(_type: Any, tokens: Any) -> int:
-    """Integer of an argument.
+    """Integer given as an argument of a command.
 
     Raises ValueError for a decimal number, which cyclopts would round.
     """

@@ -207,7 +207,7 @@ def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
     full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
-    """Write the report into `out`; returns whether every part was written as usual.
+    """Write the report into `out`; returns whether all parts were written without problems.
 
     Otherwise, the reasons are printed, such as a missing program that a substitute replaces. With
     the `keys` of all judged cases, only changed files are written.

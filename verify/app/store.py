@@ -17,7 +17,7 @@ DAY = 86400.0  # s
 
 
 def run_store(*, as_json: bool, clear: str | None) -> int:
-    """List the store; with `clear`, first remove a kind or KIND:SUBJECT.
+    """List the stored results; `clear` first removes those of a kind, or of KIND:SUBJECT.
 
     Raises InputError for an unknown kind. Returns the exit status.
     """
@@ -93,7 +93,7 @@ def _clear(store: Store, which: str) -> None:
 
 
 def size(groups: list[Group]) -> str:
-    """Text of the size of the groups in MB."""
+    """Total size of the groups, as text in MB."""
     return f"{sum(g.size for g in groups) / 1e6:.1f} MB"
 
 

@@ -12,7 +12,7 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def verdict_lines(report: Report) -> list[str]:
-    """Table of the numbers of rows by case and status, and reasons of rows not passed.
+    """Numbers of rows by case and status as a table; reasons of the rows that did not pass.
 
     Each reason is stated once for a case.
     """

@@ -37,7 +37,7 @@ def title(rows: Sequence[Row]) -> str:
 
 
 def shown_rows(rows: Sequence[Row]) -> list[Row]:
-    """Rows to display: all except passed convergence rows of a comparison in `rows`."""
+    """Rows to display; passed convergence rows are omitted if `rows` contains their comparison."""
     known = {row.quantity for row in rows}
     return [
         row for row in rows

@@ -67,7 +67,7 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Missing shared libraries: all, or those for the use `need`; none except on Linux."""
+    """Missing shared libraries: all, or those for the use `need`; empty if not on Linux."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))

@@ -37,13 +37,13 @@ def digest() -> str:
 
 @cache
 def digest_of(*modules: str) -> str:
-    """Digest of all files on which some modules of the project may depend, and of Python."""
+    """Digest of all files on which the `modules` may depend, and of the Python version."""
     contents = _contents()
     return _combined({file: contents[file] for file in _files_of(*modules)})
 
 
 def code_of(*modules: str) -> str:
-    """Digest as `digest_of`, without comments and layout of Python code.
+    """Digest of the same files as `digest_of`, without comments and layout of Python code.
 
     It takes about a second.
     """

@@ -69,7 +69,7 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
 
 
 def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
-    """Fields of the result with a key. Raises OSError if it is missing or cannot be read."""
+    """Fields of the result with a key. Raises OSError if this result cannot be read."""
     content = Store(folder).load(KIND, [name]).get(name)
     if content is None:
         raise OSError(f"{folder}: a solved level is no longer stored: repeat the run")

@@ -20,7 +20,7 @@ RECORDS = Records("deep")
 
 @dataclass(frozen=True)
 class Measured:
-    """Results of all parts in the order of the case's levels, and the date of the measurement."""
+    """Results of all levels of a case, in the order of the levels, and the date of measurement."""
 
     date: str
     parts: tuple[FemResult, ...]

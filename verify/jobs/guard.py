@@ -28,7 +28,7 @@ def unsolved(error: BaseException) -> bool:
 
 
 def of_machine(error: BaseException) -> bool:
-    """Whether the error is one of the machine, such as a lack of memory.
+    """Whether the machine causes the error, for example by a lack of memory.
 
     Another run may succeed.
     """

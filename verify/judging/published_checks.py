@@ -73,7 +73,7 @@ class PrintedTheory(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedMeasurement(PrintedClaim):
-    """Comparison with a printed test or finite-element value without uncertainty: SHOWN."""
+    """Comparison with a printed test or finite-element value without uncertainty (SHOWN only)."""
 
     kind = Kind.APPROXIMATION
 
@@ -91,10 +91,10 @@ class PrintedMeasurement(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Contradiction(PrintedClaim):
-    """A printed number that contradicts the formulas of the paper: NOTE, with its errata entry.
+    """A printed number that contradicts the formulas of the paper; its row is a NOTE.
 
-    `analytic` must exceed the printed `reference` by more than U; otherwise, the entry is wrong and
-    the row fails. `erratum` is the key of the entry ("paper:id").
+    `analytic` must exceed the printed `reference` by more than U; otherwise, the errata entry is
+    wrong and the row fails. `erratum` is the key of the errata entry ("paper:id").
     """
 
     kind = Kind.FACT

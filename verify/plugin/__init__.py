@@ -1,4 +1,4 @@
-"""pytest plugin: each row of a case file is a test, and each check of a parameter file.
+"""pytest plugin: one test per row of a case file, one test for the check of a parameter file.
 
 `pytest --freewheel my_case.py part.toml` runs the named files. If `freewheel_collect = true` is set
 in the configuration, pytest also collects files without the option: those whose names match

@@ -18,7 +18,7 @@ ROLLER_FRICTION = Assumption(
 
 
 def static_pressure(g: Given) -> float | None:
-    """Static contact pressure [Pa] of ISO 76 for steel parts, None for other materials."""
+    """Permissible static contact pressure [Pa] of steel parts by ISO 76; None if not of steel."""
     moduli = [g.E, *(g[name] for name in ("E_r", "E_i", "E_o") if g.get(name) is not None)]
     return contact_pressure(None, *moduli).value
 

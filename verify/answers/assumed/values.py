@@ -91,7 +91,7 @@ def placeholder(model: type[Inputs], one: Assumption) -> Any:
 
 
 def listed(model: type[Inputs], one: Assumption, raw: Any) -> Assumed:
-    """An assumed input for lists, with its value in the display unit."""
+    """Assumed input as lists display it, with its value in the display unit."""
     field = model.model_fields.get(one.name)
     about = {"symbol": "", "unit": "1"} if field is None else meta(field)
     value, unit = raw, about["unit"]

@@ -85,7 +85,7 @@ def _values(shown: Shown) -> Markup:
 
 
 def evidence(shown: Shown) -> Markup:
-    """Rows that were judged with finite elements."""
+    """HTML of the rows that were judged with finite elements."""
     header, *rows = shown.rows or ((),)
     return (
         Markup("<p><b>{}</b></p>").format(shown.rows_title)

@@ -32,7 +32,7 @@ class Answering:
         self._stored: tuple[State, Shown] | None = None
 
     def changed(self) -> None:
-        """Answer the present state.
+        """Compute the answer to the present state of the page.
 
         A state is not answered if a later state replaces it while another answer is computed.
         """

@@ -1,4 +1,4 @@
-"""Choices of the page: parts first, then every case."""
+"""Entries that a user of the page can select: parts, then all cases."""
 
 from collections.abc import Sequence
 

@@ -155,7 +155,7 @@ class _Point:
         return None if found.limiting is None else found.limiting.margin
 
     def label(self) -> str:
-        """The result with its unit."""
+        """Text that names the result and its unit."""
         if self.result == MARGIN:
             return MARGIN
         case = self.file.case

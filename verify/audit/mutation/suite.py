@@ -146,7 +146,7 @@ def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOS
 
 
 def files(kind: str) -> list[str]:
-    """Files and folders of tests of one kind; those of formulas include the doctests."""
+    """Files and folders of the tests of one kind; tests of formulas include doctests."""
     if kind == "formulas":
         return [*_files("tests/analytic"), *_folders("analytic")]
     return list(JUDGING) if kind == "judging" else [*_files("tests/fem"), *_files("tests/meshes")]

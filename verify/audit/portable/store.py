@@ -24,7 +24,7 @@ LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
 
 @dataclass(frozen=True, kw_only=True)
 class CaseRecord:
-    """Rows of one case on one machine, and the time [s].
+    """Rows of one case on one machine, and the computation time [s].
 
     `fixed` lists inputs that could not be perturbed. `rejected` is the reason if no input could be
     perturbed. `errors` is the number of errors in the case.

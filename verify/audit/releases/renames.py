@@ -74,7 +74,7 @@ def _repeats(was: Numbers, now: Numbers, *, tol: float) -> bool:
 
 
 def name_change(old: str, new: str) -> Change:
-    """Change of a name.
+    """Record of a changed name of a row.
 
     If the new name states another figure, the change counts as loosened, because the row may claim
     less.

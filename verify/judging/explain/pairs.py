@@ -79,7 +79,7 @@ def printed_theory(row: Row) -> Derivation:
 
 
 def approximation(row: Row) -> Derivation:
-    """Derivation of the verdict on a formula that neglects an effect, from finite elements."""
+    """Derivation of the verdict on a formula that neglects an effect."""
     assert row.grid is not None
     assert row.analytic is not None
     again, u_num = regrid(row.grid)

@@ -86,7 +86,7 @@ def removed(
 
 
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
-    """Contribution of the discretisation: change of the error on a mesh finer than the finest.
+    """Contribution of the discretisation: change of the error on a mesh finer than all others.
 
     The uncertainty is the error that remains on this mesh by the order of convergence. `h` contains
     both mesh sizes. `order` is the order of the series or NaN.

@@ -22,7 +22,7 @@ ROUNDING = 1e-9  # tolerance for a crown on a bound
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """Print the optimal crown, its pressures by torque, its tolerance, and half-space checks."""
+    """Print the optimal crown, its pressure at each torque, its tolerance, half-space checks."""
     task = outcome.task
     print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
     best = f"optimal crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
@@ -200,7 +200,7 @@ def surely(outcome: Outcome) -> str:
 
 
 def by_slices(outcome: Outcome) -> list[str]:
-    """Line about the optimal crown of the model with slices, at the largest torque.
+    """Line about the crown that is optimal in the model with slices, at the largest torque.
 
     The crown is selected from the evaluated crowns within the ranges. The list is empty if strips
     give nearly the same pressure for this crown, or if the task itself uses slices.

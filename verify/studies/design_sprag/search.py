@@ -69,7 +69,7 @@ class Search:
         return p
 
     def prepare(self) -> None:
-        """Evaluate the factorial and fit kriging until it passes its test.
+        """Evaluate a factorial design of crowns, and fit kriging until the fit passes its test.
 
         The test uses new random crowns, which are added to the evaluated crowns afterwards. Raises
         PoorSurrogateError if kriging fails all tests.

@@ -55,7 +55,7 @@ def value_of(case: Case, inputs: Inputs, changed: Mapping[str, Any], key: str) -
 
 
 def printed_rounding(inputs: Inputs) -> dict[str, float]:
-    """Half the last printed digit [SI] of each input that is a printed number of a paper."""
+    """Half a unit of the last printed place [SI], for each input that a paper prints."""
     found = {}
     for name, field in type(inputs).model_fields.items():
         reference = meta(field)["claims"]

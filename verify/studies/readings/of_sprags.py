@@ -18,7 +18,7 @@ def printed(name: str) -> float:
 
 
 def half(name: str) -> float:
-    """Half the last digit of a printed value, in its unit."""
+    """Half a unit of the last printed place of a value, in the printed unit."""
     return half_last_digit(published(f"huang2018:{name}").printed)
 
 

@@ -1,4 +1,4 @@
-"""Output of `freewheel sweep`: solved points; largest error of each formula, where, and causes."""
+"""Output of `freewheel sweep`: solved points; place and causes of the errors of each formula."""
 
 import math
 import re

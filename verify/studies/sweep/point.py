@@ -26,11 +26,11 @@ class OtherCodeError(RuntimeError):
 
 @dataclass(frozen=True)
 class Solution:
-    """Result of a point: values [SI] by key, of finite elements by level from coarse to fine.
+    """Result of a point: values [SI] by key; for finite elements, one value per level.
 
-    `u_it` is the largest iteration uncertainty of all levels. `problem_formulas` and `problem_fe`
-    state in one line why formulas or finite elements have no values. `lost` is True if the process
-    ended unexpectedly or the machine failed.
+    The levels are in order from coarse to fine. `u_it` is the largest iteration uncertainty of all
+    levels. `problem_formulas` and `problem_fe` state in one line why formulas or finite elements
+    have no values. `lost` is True if the process ended unexpectedly or the machine failed.
     """
 
     formulas: Mapping[str, float]

@@ -23,7 +23,7 @@ Cell = str | int | float | None
 
 
 def statuses(found: Outcome) -> tuple[str, ...]:
-    """State of each point: "solved", "refused" (inputs), or "failed"."""
+    """State of each point: "solved", "refused" (wrong inputs), or "failed"."""
     return tuple(
         SOLVED if not problem else REFUSED if problem.startswith(f"{REFUSED}:") else FAILED
         for problem in found.problems

@@ -97,7 +97,7 @@ class ContactDeck:
 
     @cached_property
     def strips(self) -> dict[str, Strip]:
-        """Strips of elements for the obstacles that slave surfaces may touch, by obstacle."""
+        """Strips of elements for obstacles that slave surfaces may touch (obstacle: strip)."""
         surfaces = self.surfaces
         return {
             pair.master: strip_of(

@@ -48,7 +48,7 @@ def start() -> float:
 
 
 def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
-    """Run calculix on `deck`; the `limit` is in seconds.
+    """Run calculix on `deck` for at most `limit` seconds.
 
     The output is stored in the folder of the deck as a .log file. Raises RuntimeError with the last
     part of the output if calculix fails or exceeds the limit.

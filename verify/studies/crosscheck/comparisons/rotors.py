@@ -88,7 +88,7 @@ def sprags(node: int) -> Posed:
 def posed(
     rotor: "Rotor", speeds: Sequence[float], unbalance: dict[str, Any] | None = None
 ) -> Posed:
-    """Problem of `rotor`: frequencies at each speed and, with an unbalance, orbit of the probe."""
+    """Problem of `rotor`: frequencies at each speed; with an unbalance, the orbit at the probe."""
     from fem.rotor.modes import modes
     from fem.rotor.response import unbalance_response
     from verify.studies.crosscheck.rotors import asked, write

@@ -62,7 +62,7 @@ def frequencies(rotor: Any, speed: float, count: int) -> list[float]:
 
 
 def orbit(rotor: Any, unbalance: Any) -> list[float]:
-    """Major semi-axis of the probe's orbit at each speed."""
+    """Major semi-axis [m] of the orbit at the probe, for each speed."""
     import numpy as np
 
     speeds = np.array(unbalance["speeds"], float)
