@@ -20,40 +20,40 @@
         def comparisons(self):
             yield vc.identity(Rod.sigma, order=2)
 
-`freewheel new-case my_rod.py` writes such a file that runs, `freewheel verify my_rod.py` runs it;
-docs/own_case.md is the guide. help(verify.case.given), and so on, has the arguments of a name.
+`freewheel new-case my_rod.py` writes a complete example, `freewheel verify my_rod.py` runs it;
+docs/own_case.md is the guide. help(verify.case.given) lists the arguments of a name.
 
 The class
-    Case            base of every case: its attributes and methods, and what may be left out
+    Case            base class of every case, with all attributes and methods
     given           an input with its unit; count: a whole number; word: one of a few words;
-                    text: a name; table: a list of such sets of inputs
-    Quantity        a formula, as decorator of a method that returns SI units
-    shared          what several formulas read, computed once
+                    text: a name; table: a list of sets of inputs
+    Quantity        a formula: decorator of a method that returns SI units
+    shared          a value that several formulas read, computed once: decorator of a method
     solved          the numbers of the reference on one mesh; Level is its type
-    Scan            a region over which sweeps measure the formulas
-    CaseError       a broken rule, with file, line, quantity and rule
+    Scan            a region of inputs in which sweeps compute the errors of the formulas
+    CaseError       error for a broken rule, with file, line, quantity and rule
 
-Comparisons of a quantity with the reference; Options are the arguments that they all take
-    identity        both solve one problem
-    approximation   the formula neglects an effect: its error is Expected, about a value, Computed
-                    where it is judged, or underived
-    limit           the error vanishes with a parameter; over_family: its points
-    as_printed      a number that the source prints
-    State           the same formula under another load, at another size
+Comparisons of a quantity with the reference; all of them take the arguments in Options
+    identity        formula and reference solve the same problem
+    approximation   the formula neglects an effect; its error is Expected in an interval, is about
+                    a value, is Computed when the row is judged, or is underived (only displayed)
+    limit           the error tends to zero with a parameter; over_family: points for the fit
+    as_printed      the source prints a number that it computed by the formula
+    State           another state of the formulas, such as another load or another size
     errors_of       mesh sizes and errors, for an order of convergence (verify.judging.checks.Order)
 Other comparisons
-    balance         an equilibrium or energy of the reference, to round-off
-    fact            a statement whose margin exceeds its uncertainty
+    balance         an equilibrium or energy balance of the reference, satisfied to round-off
+    fact            a statement that holds if its margin exceeds the uncertainty of the margin
     Comparison      any check of verify.judging with the quantity that it judges
 
-Figures, beside those of convergence
+Figures, in addition to the convergence plots
     AlongLine       a formula and the reference along a line
-    Overlay         formulas and the reference over a family of cases
-    Drawn           any other figure, from all results; drawn_by: all figures of a case so;
-                    converged: one where the reference has levels enough
-    plane_field     a field of a plane solution; picture: its colours
-    sketches        the module of shapes of sketches
-    plots           the module of curves
+    Overlay         formulas and the reference over a parameter
+    Drawn           any other figure, made from all results; drawn_by: method for all figures;
+                    converged: a figure that requires enough levels for an uncertainty
+    plane_field     a field of a plane solution; picture: a picture of a field in colours
+    sketches        module with shapes for sketches
+    plots           module with curves for figures
 """
 
 from verify.core.case import FemResult

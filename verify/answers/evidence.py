@@ -45,7 +45,8 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 def why_not_solved(rows: Sequence[Row]) -> str:
     """Reason, such as "not converged ...", why the failed rows have no reference value.
 
-    It is empty if no row failed, if a failed row has a reference value, or for any other reason.
+    It is empty if no row failed, if a failed row has a reference value, or if no failed row has
+    such a reason.
     """
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed or any(row.reference is not None for row in failed):

@@ -19,7 +19,8 @@ UNITS = (1.0, 1.0, um)
 def figures(outcome: Outcome) -> list[Picture]:
     """All figures that can be drawn.
 
-    The plot of pressures requires a check by the half-space; that over torques, several torques.
+    The plot of pressures requires a check by the half-space. The plot over torques requires
+    several torques.
     """
     found: list[Picture] = [profiles(outcome)]
     if outcome.checks:

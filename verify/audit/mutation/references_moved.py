@@ -127,7 +127,7 @@ SEAMS = ("difference", "approximation", "exact", "fit_limit")  # of `verify.judg
 
 
 class _Moved:
-    """Functions of `judge` with a reference, which they change by `p` before they judge."""
+    """Functions of `judge` that compare with a reference; the reference is first changed by `p`."""
 
     def __init__(self, p: float, of_scale: bool) -> None:
         self.p, self.of_scale = p, of_scale

@@ -116,8 +116,8 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     """Optimal crown of a task, with all comparisons.
 
     Raises InputError, in one line, if no crown can be trusted. The line states whether engagements
-    do not lock or could not be solved. Engagements that could not be solved say nothing about the
-    clutch.
+    do not lock or could not be solved. In the latter case, it is not known whether the clutch
+    locks.
     """
     try:
         with progress.shown(quiet=quiet) as show:
