@@ -197,7 +197,7 @@ class CaseResult:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperClaim:
-    """A judged row that uses a printed number, in the unit of this number.
+    """A judged row that uses a printed number; its values are in the unit of this number.
 
     `u` is the uncertainty of the finite-element value.
     """
@@ -427,7 +427,7 @@ class CrossState(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Crosscheck:
-    """A number of the project and of a second solver, on the same mesh with the same loads.
+    """One quantity by the project and by a second solver, on the same mesh with the same loads.
 
     `ours` and `theirs` are in `unit`. `difference` (theirs divided by ours, minus one) and
     `allowed` are relative. `why` is the cause of a difference, or the reason why nothing was

@@ -72,7 +72,7 @@ def keys(modules: Mapping[str, str]) -> dict[str, str]:
 
 
 def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
-    """Stored results by the name of the case, if all their levels are also stored."""
+    """Stored results whose levels are all stored, too (name of the case: result)."""
     store = Store(folder)
     found: dict[str, Judged] = {}
     with suppress(OSError):

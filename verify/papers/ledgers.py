@@ -49,7 +49,7 @@ def _other_sources(results: Sequence[CaseResult]) -> list[dict[str, Any]]:
 def claimed(
     results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]
 ) -> Mapping[str, list[str]]:
-    """Printed values in use, by "paper:id", with the inputs and judged rows that use them."""
+    """Printed values in use ("paper:id": inputs and judged rows that use the value)."""
     used = {reference: list(names) for reference, names in inputs.items()}
     for reference, rows in claiming_rows(results).items():
         used.setdefault(reference, []).extend(row.id for row in rows)

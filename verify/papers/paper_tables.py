@@ -21,7 +21,7 @@ def paper_tables(
 
 
 def claiming_inputs(cases: Sequence[Case]) -> dict[str, list[str]]:
-    """Inputs that equal a printed value ("input n of spring-accordion"), by "paper:id"."""
+    """Inputs that equal a printed value ("paper:id": such as "input n of spring-accordion")."""
     found: dict[str, list[str]] = {}
     for case in cases:
         for name, field in case.inputs.model_fields.items():
@@ -31,7 +31,7 @@ def claiming_inputs(cases: Sequence[Case]) -> dict[str, list[str]]:
 
 
 def claiming_rows(results: Sequence[CaseResult]) -> dict[str, list[Row]]:
-    """Judged rows that are compared with a printed value, by "paper:id"."""
+    """Judged rows that are compared with a printed value ("paper:id": rows)."""
     found: dict[str, list[Row]] = {}
     for result in results:
         for row in result.rows:

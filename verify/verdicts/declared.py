@@ -88,7 +88,7 @@ class Declarations(Entry):
 
 @cache
 def declared() -> dict[str, Declarations]:
-    """Declarations by the key of their paper.
+    """All declarations (key of the paper: declarations).
 
     Raises ValueError if the declarations of a paper are incomplete.
     """
@@ -101,7 +101,7 @@ def declared() -> dict[str, Declarations]:
 
 
 def cases_by_paper() -> dict[str, tuple[str, ...]]:
-    """Cases with rows that are named in declarations, by the key of the declared paper."""
+    """Cases with rows that declarations name (key of the paper: ids of the cases)."""
     return {
         key: tuple(dict.fromkeys(
             row.partition("/")[0] for f in one.formulas
@@ -154,7 +154,7 @@ def rows_of_corrected(paper: str, formula: Formula) -> tuple[str, ...]:
 
 @cache
 def safe_sides() -> dict[str, Safe]:
-    """Safe sides, by id, of rows that are evidence of formulas with a safe side."""
+    """Safe sides of rows that are evidence of formulas with a safe side (id of the row: side)."""
     return {
         row: formula.safe
         for paper in declared().values()

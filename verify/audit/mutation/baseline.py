@@ -45,14 +45,14 @@ class Notes:
     show: Show
 
     def cases(self, loads: Sequence[Load]) -> dict[str, Noted]:
-        """Records of judging each case, by the ids of the cases."""
+        """Records of judging (id of the case: record)."""
         code = digest("analytic", "verify")
         work = {f"{load.case.id} {code}": partial(_judge, load) for load in loads}
         found = self._noted("cases", "judging", work, JUDGING)
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
-        """Records of solving the coarsest level of each case, by the ids of the cases."""
+        """Records of solving the coarsest level of the cases (id of the case: record)."""
         tracer = digest(TRACER)
         work = {
             f"{case.id} {cache.key(case, case.inputs(), case.levels[0])} {tracer}": partial(
@@ -64,7 +64,7 @@ class Notes:
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def tests(self, kind: str, files: Sequence[str]) -> dict[str, tuple[float, Sequence[str]]]:
-        """Time [s] and called functions of every test in `files`, by the id of the test."""
+        """Time [s] and called functions of every test in `files` (id of the test: record)."""
         from verify.audit.mutation import suite  # pytest, which a user's environment may not have
 
         tested = suite.TESTED[kind]

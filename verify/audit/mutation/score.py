@@ -29,7 +29,7 @@ Score = dict[str, Any]
 
 
 def argued(path: Path = ARGUED) -> dict[str, str]:
-    """Reasons why mutants cannot be detected, by the id of the mutant."""
+    """Reasons why mutants cannot be detected (id of the mutant: reason)."""
     return dict(json.loads(path.read_text("utf-8")))
 
 

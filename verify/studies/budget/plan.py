@@ -27,7 +27,7 @@ class Plan:
 
     @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
-        """Reruns that remove one cause each, by the name of the cause."""
+        """Reruns that remove one cause each (name of the cause: rerun)."""
         own = self.statement.reruns
         causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.statement.without)}
         levels = next((rerun.levels for rerun in own), ())  # the same levels as the other reruns
