@@ -1,4 +1,4 @@
-"""Damping ratios for computed responses, and evaluation of amplitudes over the speed."""
+"""Damping ratios as inputs of a response, and peaks of the computed amplitudes over the speed."""
 
 import numpy as np
 

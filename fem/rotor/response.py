@@ -99,7 +99,7 @@ class Response:
 def unbalance_response(
     rotor: Rotor, speeds: ArrayLike, unbalances: Mapping[int, complex]
 ) -> Response:
-    """Response to `unbalances` at nodes: mass times eccentricity [kg m].
+    """Response to `unbalances` at nodes; an unbalance is mass times eccentricity [kg m].
 
     The argument of a complex unbalance is its angle on the shaft. Each unbalance rotates with its
     shaft. All unbalances of one response must therefore be on shafts with the same speed ratio.

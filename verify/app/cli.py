@@ -63,7 +63,7 @@ def verify(
     Parameters
     ----------
     cases
-        Cases to run; the default is all cases. `freewheel list` lists them.
+        Cases to run; the default is all cases (see `freewheel list`).
     quick
         Run only the fast cases of every subject; rows are judged with the same requirements.
     jobs

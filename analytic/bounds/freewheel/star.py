@@ -1,6 +1,7 @@
-"""Expected errors of the formulas of a star, from its dimensions and from enclosing bodies.
+"""Expected errors of the formulas of a star, from its dimensions and from two simpler bodies.
 
-The approach of the star lies between those of a layer and of two discs (`star_bracket`). The torque
+The approach of the star lies between the approach of a layer and the approach of two discs
+(`star_bracket`). The torque
 also causes a wind-up of the star on its bore, by which the flat under the roller moves inwards. All
 other values follow from the approaches. Hertz's parabolas on half planes cause errors of the order
 of (a/r)². Surfaces tilt under N like a half plane at the depth of the wall. Tangential forces

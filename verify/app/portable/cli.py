@@ -25,7 +25,7 @@ def portable(
     Parameters
     ----------
     cases
-        Cases to run; the default is all cases. `freewheel list` lists them.
+        Cases to run; the default is all cases (see `freewheel list`).
     only
         Emulated machine to compare with this machine; the default is all. The option may be
         repeated.

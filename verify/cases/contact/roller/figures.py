@@ -79,7 +79,7 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
 
 
 def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> Curve:
-    """Curve (dots) of some pressures along the roller, by the finest grid on the half-space."""
+    """Dots: pressure at some points along the roller, from the finest grid on the half-space."""
     arrays = context.fem[-1].arrays
     y, p = arrays[f"y{key}"], arrays[f"p{key}"]
     some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))

@@ -150,7 +150,7 @@ NOTE = (
 
 
 def predictions(q: StagesInputs) -> str:
-    """Text: all readings that give the printed k_1, with deviations of other values from Eq. 10."""
+    """Readings that give the printed k_1, and how their U_A, F_A and k_2 differ from Eq. 10 (text)."""
     found = meeting(q)
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."
