@@ -13,7 +13,7 @@ def one_shaft(g: Given) -> list[dict[str, Any]]:
     names = list(dict.fromkeys(str(segment["shaft"]) for segment in g.segments))
     if len(names) != 1:
         raise ValueError(
-            "the segments name several shafts: add a table [[inputs.shafts]] with their speed ratios"
+            "the segments name several shafts: add [[inputs.shafts]] with their speed ratios"
         )
     return [{"name": names[0], "ratio": 1.0}]
 

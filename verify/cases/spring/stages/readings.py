@@ -150,7 +150,7 @@ NOTE = (
 
 
 def predictions(q: StagesInputs) -> str:
-    """Readings that give the printed k_1, and the deviations of their U_A, F_A and k_2 from Eq. 10."""
+    """Readings that give the printed k_1, with deviations of their U_A, F_A, k_2 from Eq. 10."""
     found = meeting(q)
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."
