@@ -75,8 +75,8 @@ def _torque(q: Any, v: Values, part: Assessment) -> None:
     narrow, safe = v["M_el"], min(v["M_el"], v.get("M_wide", v["M_el"]))
     part.design = Quantity(
         key="permissible_torque", symbol="M_el", value=safe, unit="N m",
-        what="torque of elastic ring and rollers in plane strain, the safe bound; in plane stress "
-        f"{narrow:.4g} N m",
+        what="torque with elastic ring and rollers in plane strain, the safe bound; in plane "
+        f"stress {narrow:.4g} N m",
     )  # fmt: skip
     doubt = ""
     if safe < q.M_t <= narrow:
@@ -85,8 +85,8 @@ def _torque(q: Any, v: Values, part: Assessment) -> None:
             f"the target torque of {q.M_t:.4g} N m lies between the torques in plane strain "
             f"({safe:.4g} N m) and plane stress ({narrow:.4g} N m)"
         )
-    part.at_least("torque", "torque of elastic ring and rollers", narrow if doubt else safe, q.M_t,
-                  "N m", "target torque M_t, given", doubt=doubt)  # fmt: skip
+    part.at_least("torque", "torque with elastic ring and rollers", narrow if doubt else safe,
+                  q.M_t, "N m", "target torque M_t, given", doubt=doubt)  # fmt: skip
     if v["alpha_need"] > v["alpha_ring"]:
         part.remarks.append(
             "this torque requires a cage: without a cage, the wedge of "

@@ -102,7 +102,7 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("K = 1 against K for the mean displacement of the outer surface", "K_mean",
                       "the series includes the bending of the flats"),
-            Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
+            Corrected("K = 1 against K in the middle of the flats, plane strain", "K_mid_strain",
                       "the series includes the bending of the flats"),
             Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
             *(
@@ -144,7 +144,9 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
             Corrected("normal force per torque of free rollers, Eq. 4 as printed", "N_per_M"),
         ),
-        finer=32, headline="stick half-width of a released roller, T/(μN) = 0.6",
+        finer=32,
+        headline="stick half-width of a roller pressed without friction, then released, "
+        "T/(μN) = 0.6",
     ),
     "polyhedral-clutch": Statement(
         reruns=(

@@ -20,8 +20,9 @@ class RoundRing(Case):
 
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
     delta_1: float = given(
-        "4 mm", "mm", "δ_1", "wall thickness of the ring (polygon: in its corners)", gt=0, le=1e5
-    )
+        "4 mm", "mm", "δ_1", "wall thickness of the ring (polygonal ring: in its corners)", gt=0,
+        le=1e5,
+    )  # fmt: skip
     j_D: float = given(
         "0.06 mm", "mm", "j_D", "diametral clearance that the ring closes", gt=0, le=1e3
     )
@@ -115,7 +116,8 @@ class HubRing(PolygonRing):
     )
     tan_phi: float = given(
         0.05, "1", "tan φ_1",
-        "friction coefficient between hub and ring; friction acts towards the middle of the flat",
+        "coefficient of friction between hub and ring; friction acts towards the middle of the "
+        "flat",
         ge=0, le=1,
     )  # fmt: skip
 

@@ -23,8 +23,8 @@ class ThinRing(RoundRing):
     def sigma_t(self) -> float:
         return float(expansion.hoop_stress(j_D=self.j_D, d_m=self.mean_diameter, E=self.E))
 
-    @Quantity("p_1", "MPa", "pressure of the thin ring", equation="10", safe="too high",
-              tex=r"\frac{2 \delta_1 \sigma_t}{d_i} "
+    @Quantity("p_1", "MPa", "pressure that closes the clearance of a thin ring", equation="10",
+              safe="too high", tex=r"\frac{2 \delta_1 \sigma_t}{d_i} "
               r"= \frac{2 \delta_1 E j_D}{d_i d_m}")  # fmt: skip
     def p_1(self) -> float:
         wall = {"d_i": self.d_i, "d_e": self.d_e}

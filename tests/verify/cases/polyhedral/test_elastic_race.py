@@ -43,8 +43,8 @@ def test_the_verdicts_state_the_torque_that_an_elastic_race_costs():
     q = PolyhedralClutch()
     thin, thick = (100 * (1 - in_race(q, D_o).force(q.p_t) / q.line_load) for D_o in (0.12, 0.2))
     words = (
-        f"an elastic race lowers the torque by {thin:.0f} % (outer diameter 120 mm) or by "
-        f"{thick:.0f} % (200 mm)"
+        f"an elastic race lowers the torque by {thin:.0f} % (outer diameter of the race 120 mm) "
+        f"or by {thick:.0f} % (200 mm)"
     )
     rigid = [f for f in declared()["belcin"].formulas if f.equation in (16, 17, 20, 21)]
     assert len(rigid) == 7

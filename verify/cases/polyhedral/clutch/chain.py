@@ -23,11 +23,11 @@ class PaperChain(ClutchInputs):
     sigma_t = Quantity("σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step",
                        safe="too high",
                        tex=r"\frac{E j_D}{d_m}").reads(lambda q: q.full.sigma_t)  # fmt: skip
-    p_1 = Quantity("p_1", "MPa", "pressure that closes the clearance, round ring", equation="10",
-                   role="step", safe="too high",
+    p_1 = Quantity("p_1", "MPa", "pressure that closes the clearance of a thin ring",
+                   equation="10", role="step", safe="too high",
                    tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}").reads(lambda q: q.full.p_1)  # fmt: skip
 
-    @Quantity("K", "1", "correction factor of the polygon, for the middle of flats", role="step",
+    @Quantity("K", "1", "K in the middle of the flats", role="step",
               source="complex potentials")  # fmt: skip
     def K(self) -> float:
         ring = bore_pressure.stiffness_factors(
@@ -82,14 +82,14 @@ class PaperChain(ClutchInputs):
                  role="step",
                  tex=r"\frac{M_{20}}{z (r + r_1)}").reads(lambda q: q.full.T)  # fmt: skip
     F_s = Quantity(
-        "F_s", "kN", "radial hub force", equation="14", role="step",
+        "F_s", "kN", "radial hub force per corner under M_20", equation="14", role="step",
         tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.F_s)  # fmt: skip
     R = Quantity(
-        "R", "kN", "force between hub and flat", source="Eq. 16", role="step",
+        "R", "kN", "force between hub and flat under M_20", source="Eq. 16", role="step",
         tex=r"\frac{F_s}{\cos\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.R)  # fmt: skip
-    N_16 = Quantity("N_16", "kN", "force of a roller", equation="16", role="step",
+    N_16 = Quantity("N_16", "kN", "force of a roller under M_20", equation="16", role="step",
                     tex=r"F + R \cos\left(\varphi_1\right)").reads(lambda q: q.full.N)  # fmt: skip
 
     @Quantity("p_20", "MPa", "pressure for the target torque", source="Eqs. 17 to 20, corrected",

@@ -24,8 +24,8 @@ NO_LIMIT = (
     "friction of the hub"
 )
 HERTZ = (
-    "estimated: relative error of the approach by Hertz's theory, ± ((2 a/d)² of each contact + "
-    "(a/wall)² + 1e-3), times the sensitivity of the result to the approach"
+    "estimated: relative error of the deflection of the contacts by Hertz's theory, ± ((2 a/d)² of "
+    "each contact + (a/wall)² + 1e-3), times the sensitivity of the result to this deflection"
 )
 STATICS = (
     "derived: value from the balance of forces on a rigid flat (pressure, hub, roller), divided by "
@@ -179,7 +179,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
             because=BALANCE,
         )  # fmt: skip
     yield balance("moment", "balance of moments of hub and rollers", "ΣM", "N m",
-                  of={"the torque of the series": self.M_el}, bound=1e-9,
+                  of={"the torque by the series": self.M_el}, bound=1e-9,
                   because="statics with the lever and the angle of Eq. 14")  # fmt: skip
 
 

@@ -21,13 +21,13 @@ SERIES = "series for elastic ring and rollers"
 class ElasticClutch(ClutchInputs):
     """Main results for design; they are infinite or nan if pressure does not limit the torque."""
 
-    @Quantity("S", "1", "margin: torque of elastic ring and rollers over the target torque",
-              role="step", safe="too low", tex=r"\frac{M_{el}}{M_t}")  # fmt: skip
+    @Quantity("S", "1", "margin: torque with elastic ring and rollers, divided by the target "
+              "torque", role="step", safe="too low", tex=r"\frac{M_{el}}{M_t}")  # fmt: skip
     def margin(self) -> float:
         return self.M_el / self.M_t
 
-    @Quantity("M_el", "N m", "torque of elastic ring and rollers", source=SERIES, safe="too low",
-              tex=r"\mu_g N_{el} z \frac{D_i}{2}")  # fmt: skip
+    @Quantity("M_el", "N m", "torque with elastic ring and rollers", source=SERIES,
+              safe="too low", tex=r"\mu_g N_{el} z \frac{D_i}{2}")  # fmt: skip
     def M_el(self) -> float:
         return self.hub.grip * self.line_load * self.all_levers
 
@@ -51,12 +51,12 @@ class ElasticClutch(ClutchInputs):
     def p_race(self) -> float:
         return self._pressure(-self.D_i / 2)
 
-    @Quantity("σ_max", "MPa", "hoop stress in the fillets under p_t", source=SERIES,
+    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets under p_t", source=SERIES,
               safe="too high")  # fmt: skip
     def fillet(self) -> float:
         return driven_fillet_stress(self.hub, self.line_load, self.p_t)
 
-    @Quantity("σ_need", "MPa", "hoop stress in the fillets under p_need", role="step",
+    @Quantity("σ_need", "MPa", "largest hoop stress in the fillets under p_need", role="step",
               safe="too high")  # fmt: skip
     def fillet_need(self) -> float:
         p = self.p_need
@@ -87,8 +87,8 @@ class ElasticClutch(ClutchInputs):
         wide = self.driven(assumption="plane strain")
         return wide.grip * wide.force(self.p_t) * self.all_levers if self.stays else 0.0
 
-    @Quantity("α_need", "deg", "wedge angle that rollers without a cage require", role="step",
-              tex=r"2 \arctan\left(\mu_g\right)")  # fmt: skip
+    @Quantity("α_need", "deg", "wedge angle at which rollers without a cage reach the ratio μ_g",
+              role="step", tex=r"2 \arctan\left(\mu_g\right)")  # fmt: skip
     def alpha_need(self) -> float:
         return float(2 * np.arctan(self.hub.grip))
 
@@ -98,7 +98,7 @@ class ElasticClutch(ClutchInputs):
         ring = self.hub.contact.sector
         return float(steepest(sector=ring, field=pressed(ring))[0] * self.p_t / self.E)
 
-    @Quantity("M_ring", "N m", "torque of rollers held only by the slope α_ring", role="step",
+    @Quantity("M_ring", "N m", "torque if only the slope α_ring holds the rollers", role="step",
               safe="too low")  # fmt: skip
     def M_ring(self) -> float:
         offered = self.driven(share=float(np.tan(self.alpha_ring / 2)))

@@ -20,7 +20,7 @@ class ClutchInputs(Case):
     M_t: float = given("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
     p_t: float = given("30 MPa", "MPa", "p_t", "available pressure", gt=0, le=1e4)
     z: int = count(6, "z", "number of rollers and of flats of the bore", ge=3, le=48)
-    D_i: float = given("100.06 mm", "mm", "D_i", "bore diameter of the race", gt=0, le=1e5)
+    D_i: float = given("100.06 mm", "mm", "D_i", "inner diameter of the race", gt=0, le=1e5)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
     d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
     delta_1: float = given(
@@ -83,7 +83,7 @@ class ClutchInputs(Case):
         return math.atan(self.tan_phi)
 
     @Quantity("μ_g", "1", "ratio of tangential to normal force of the rollers: tan(α/2), or μ "
-              "without α", role="geometry")  # fmt: skip
+              "if α is not entered or too large to hold the rollers", role="geometry")  # fmt: skip
     def grip(self) -> float:
         if self.alpha is None or not holds(alpha=self.alpha, mu=self.mu):
             return self.mu

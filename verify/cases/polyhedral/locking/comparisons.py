@@ -25,7 +25,7 @@ from verify.judging.bands import OwnFillet, OwnFormula
 
 NEAR, ARC = 1e-4, "ratio of arc to chord of a side, from the balance of forces"
 CHORD = 1e-3, "statics: the pressure acts on the chord between two corners"
-FILLET = 5e-3, "a sensitivity of 0.5 % in the peak stress distinguishes different fillets"
+FILLET = 5e-3, "a sensitivity of 0.5 % of the peak stress detects a wrong fillet radius"
 BALANCE = "accepted residual; the contact law is satisfied except for round-off"
 HALVES = "plane stress; half of the hub force on each side of the middle of the flat"
 PLANE = "plane stress, rigid race, no friction at the rollers"
@@ -35,11 +35,15 @@ SERIES = (
     "under equal loads; ± the error estimated for the series"
 )
 CONTACT = (
-    "derived: term of first order in βκa, with the curvature κ of the contact line; "
+    "derived: term of first order in βκa, with Dundurs' constant β and the curvature κ of the "
+    "contact line; "
     "± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall) for strain and bending of the ring)"
 )
-RACE = "derived: term of first order in βκa; ± ((2 a/d)² + 1e-3)"
-ROUND = "derived: (K_mid − 1) p_1 over the blocking pressure p_2, with K_mid by the series"
+RACE = (
+    "derived: term of first order in βκa, with Dundurs' constant β and the curvature κ of the "
+    "contact line; ± ((2 a/d)² + 1e-3)"
+)
+ROUND = "derived: (K_mid − 1) p_1 divided by the blocking pressure p_2, with K_mid by the series"
 WIDE = "the error of Hertz's theory or of a straight wall is not small"
 
 
@@ -68,7 +72,8 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
         yield balance(key, name, f"ΣF_{axis}", "N/mm",
                       of={"the force of p_t on a side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
-    yield fact("a wider support carries more of the pressure", "Δη", wider)
+    yield fact("load-transfer ratio is larger with the widest contact than with the narrowest",
+               "Δη", wider)  # fmt: skip
 
 
 def _series(self: LockedFormulas) -> Iterator[Comparison]:

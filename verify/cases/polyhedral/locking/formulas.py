@@ -44,7 +44,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2_long(self) -> float:
         return self.p_t - self.touch_long
 
-    @Quantity("F/b", "N/mm", "force of a roller that carries all of p_2", source="Eqs. 13 and 16",
+    @Quantity("F/b", "N/mm", "force of a roller without hub force", source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:
         return self._on_a_side(self.p_2)
@@ -83,9 +83,10 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     hub_share = Quantity("η_h", "1", "incremental load-transfer ratio, hub to rollers",
                          source=SERIES,
                          when=lambda q: q.pushed).reads(lambda q: q.locked.hub_share)  # fmt: skip
-    a = Quantity("a", "µm", "half-width of the contact on the ring",
+    a = Quantity("a", "µm", "half-width of the contact between roller and ring",
                  source="Hertz").reads(lambda q: q.locked.a)  # fmt: skip
-    a_race = Quantity("a_r", "µm", "half-width of the contact on the race", source="Hertz",
+    a_race = Quantity("a_r", "µm", "half-width of the contact between roller and race",
+                      source="Hertz",
                       when=lambda q: q.elastic).reads(lambda q: q.locked.a_race)  # fmt: skip
 
     @Quantity("p_0", "MPa", "peak pressure between roller and ring", source="Hertz",

@@ -38,7 +38,7 @@ class PolyhedralMap(MapInputs):
     """
 
     id = "polyhedral-map"
-    title = "K of the polyhedral ring over flats, wall and fillet"
+    title = "K of the polyhedral ring for varied number of flats, wall and fillet radius"
     source = "belcin"
     place = "K before Eq. 11; Eqs. 13 and 16"
     levels: ClassVar = fem.LEVELS
@@ -113,8 +113,9 @@ class PolyhedralMap(MapInputs):
         yield Accepted(name="corners of a ring with three flats move inwards under pressure",
                        symbol="K_corner", unit="1", margin=draws_in)  # fmt: skip
         more: dict[str, Any] = {"unit": "1", "everywhere": True, "shares": PLANE}
-        for name, words in (("wall", "walls"), ("fillet", "fillets")):
-            yield Agreement(name=f"1/K by series and FE agrees within 0.1 % over flats and {words}",
+        for name, words in (("wall", "wall thickness"), ("fillet", "fillet radius")):
+            yield Agreement(name="1/K by series and FE agrees within 0.1 % for varied number of "
+                            f"flats and {words}",
                             symbol="1/K_mid", pair=over_map(name), accepted=TRUE,
                             source=suites(AS_MESH), **more)  # fmt: skip
         yield Agreement(

@@ -35,8 +35,8 @@ SOLID = 0.96  # δ_1/d_m at the end of figures; at 1 the bore vanishes
 ACCEPTED = 5e-4, "accepted error for uniform pressure on a round ring"
 LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
 MEAN = (
-    "derived: the mean stress over the wall is p d_i/(2 δ_1) for any pressure p, so that its error "
-    "equals that of p_1"
+    "derived: the mean stress over the wall is p d_i/(2 δ_1) for any pressure p, so that σ_t "
+    "and p_1 have equal errors"
 )
 RIM = (
     "derived: the hoop strain at the free outer surface is j_D/d_e; "
@@ -82,7 +82,7 @@ class RingPressure(ThinRing):
     def growth(self) -> float:
         return float(expansion.growth(sigma_t=self.sigma_t, d_m=self.mean_diameter, E=self.E))
 
-    @Quantity("K", "1", "pressure of the thick ring over p_1: K for many corners", role="step",
+    @Quantity("K", "1", "p divided by p_1, equal to K of a ring with many flats", role="step",
               source="Lamé", tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
     def K(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
@@ -169,7 +169,8 @@ class RingPressure(ThinRing):
         yield approximation(ring.growth, "growth_outside", order=4, symbol="Δd_e",
                             against="the growth of the outer diameter",
                             expected=Expected(*taken, OUTSIDE))  # fmt: skip
-        yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
+        yield limit(ring.p_1, "pressure as the wall thickness of a thin ring vanishes, Eq. 10",
+                    "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
         yield balance("balance", "balance of hoop force and bore pressure", "ΣF_x", "N/mm",

@@ -37,7 +37,7 @@ PEAK = 1e-4  # relative error of a largest stress by the polynomial along the fi
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
 HALVED = 1e-3, "accepted change when the cell size is halved: 0.1 %"
 LARGEST = "derived from the largest stress in the fillets by the series, ± 0.5 %"
-FILLET = 5e-3, "a sensitivity of 0.5 % in the peak stress distinguishes different fillets"
+FILLET = 5e-3, "a sensitivity of 0.5 % of the peak stress detects a wrong fillet radius"
 PLACES = {"e": "e", "corner": "the corner"}  # places of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "symmetric part of the hub force, equal for all flats; plane stress"
@@ -104,7 +104,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def flexibility(self) -> float:
         return 1 / self.K_corner
 
-    @Quantity("K_∞", "1", "limit of K for many corners", source="Lamé", role="step",
+    @Quantity("K_∞", "1", "limit of K for many flats", source="Lamé", role="step",
               tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
     def K_many(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
@@ -126,7 +126,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return float(printed.mean_hoop_stress(sigma_t=self.sigma_t, K=self.K_mid))
 
     growth = Quantity(
-        "u_r(0)", "µm", "displacement of the outer surface above the middle of the flats",
+        "u_r(0)", "µm", "displacement of the outer surface at the middle of the flats",
         role="step", source="complex potential φ at the outer surface",
         tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
     ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
@@ -136,12 +136,13 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet(self) -> float:
         return float(wall_stress.largest_fillet_stress(sector=self.sector)[0] * self.p_1r)
 
-    @Quantity("σ_max/σ_t", "1", "σ_max over the hoop stress of the round ring", role="step")
+    @Quantity("σ_max/σ_t", "1", "σ_max divided by the hoop stress of the round ring", role="step")
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at {1} by the hub force at "
-              "{0}", source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
+    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface (place: {1}) by the hub "
+              "force (place: {0}); mid is the middle of the flats",
+              source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]
 
@@ -203,7 +204,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             "surface")  # fmt: skip
         yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
                             expected=of_one(long.K_mid),
-                            name="K = 1 against a long ring in plane strain")  # fmt: skip
+                            name="K = 1 against K in the middle of the flats, plane "
+                            "strain")  # fmt: skip
         yield identity(ring.sigma_tr, **same)
         twice = about(
             self.K_mid - 1,

@@ -57,7 +57,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield identity(case.mu_c,
                    name="least coefficient of friction that holds a free roller (Eq. 2)",
                    shares=COULOMB,
-                   sensitivity=(1e-4, "the bisection determines five digits"))  # fmt: skip
+                   sensitivity=(1e-4, "the bisection determines μ_c to five digits"))  # fmt: skip
     yield fact("μ = 1.01 tan(α/2) holds the roller (Eq. 2)", "N", held)
     yield fact("μ = 0.99 tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
@@ -78,7 +78,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
                    margin=below(bound, "slipping", part))  # fmt: skip
     for residual, name in (
         ("along", "balance of forces along the bisector"),
-        ("across", "balance of forces at cut and contact, across the bisector"),
+        ("across", "balance of forces on half a roller, across the bisector"),
         ("cage", "balance of cage force and contact forces"),
     ):  # fmt: skip
         yield balance(residual, name, "ΣF", "N", of=scale, bound=1e-9, because=SOLVER)

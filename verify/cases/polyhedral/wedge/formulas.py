@@ -24,12 +24,12 @@ class WedgeFormulas(WedgeInputs):
         torque = wedging.torque(N=self.N, alpha=self.alpha, z=self.z, D_i=self.D_i)
         return float(torque)
 
-    @Quantity("M_t", "N m", "torque at which caged rollers slip", equation="3", form="as printed",
+    @Quantity("M_t", "N m", "torque of caged rollers", equation="3", form="as printed",
               form_of="M_free", safe="too low", tex=r"\mu N z \frac{D_i}{2}")  # fmt: skip
     def M_caged(self) -> float:
         return float(wedging.largest_torque(N=self.N, mu=self.mu, z=self.z, D_i=self.D_i))
 
-    @Quantity("T", "N", "tangential force at either contact of a free roller", when=stays,
+    @Quantity("T", "N", "friction force of a free roller at either contact", when=stays,
               tex=r"N \tan\left(\frac{\alpha}{2}\right)")  # fmt: skip
     def T(self) -> float:
         return float(wedging.tangential_force(N=self.N, alpha=self.alpha))
@@ -69,13 +69,15 @@ class WedgeFormulas(WedgeInputs):
     def N_per_M_caged(self) -> float:
         return float(wedging.least_normal_force(M_t=1.0, mu=self.mu, z=self.z, D_i=self.D_i))
 
-    @Quantity("c/a", "1", "stick half-width of a released roller", role="step",
-              source="Cattaneo", when=stays, tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
+    @Quantity("c/a", "1", "stick half-width of a roller pressed without friction, then released",
+              role="step", source="Cattaneo", when=stays,
+              tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
     def stick_free(self) -> float:
         load = {"Q": self.T, "P": self.N, "mu": self.mu, "a": self.a}
         return float(partial_slip.stick_half_width(**load) / self.a)
 
-    @Quantity("c/a({0:g})", "1", "stick half-width of a released roller, T/(μN) = {0:g}",
+    @Quantity("c/a({0:g})", "1", "stick half-width of a roller pressed without friction, then "
+              "released, T/(μN) = {0:g}",
               source="Cattaneo").over(SHARES)  # fmt: skip
     def stick(self, k: Share) -> float:
         a = small(self)
