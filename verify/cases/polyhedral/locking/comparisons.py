@@ -29,7 +29,10 @@ FILLET = 5e-3, "a sensitivity of 0.5 % of the peak stress detects a wrong fillet
 BALANCE = "accepted residual; the contact law is satisfied except for round-off"
 HALVES = "plane stress; half of the hub force on each side of the middle of the flat"
 PLANE = "plane stress, rigid race, no friction at the rollers"
-FORCES = "estimated: ± ((2 a/d)² for the curvature of the roller + (a/wall)² for the wall + 1e-3)"
+FORCES = (
+    "estimated: ± ((2 a/d)² for the curvature of the roller + (a/wall)² for the wall + 1e-3 for "
+    "Hertz's elliptic pressure)"
+)
 SERIES = (
     "derived: value from the balance of forces on a rigid flat, divided by the value of the series "
     "under equal loads; ± the error estimated for the series"
@@ -72,8 +75,8 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
         yield balance(key, name, f"ΣF_{axis}", "N/mm",
                       of={"the force of p_t on a side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
-    yield fact("load-transfer ratio is larger with the widest contact than with the narrowest",
-               "Δη", wider)  # fmt: skip
+    yield fact("incremental load-transfer ratio is larger with the widest contact than with the "
+               "narrowest", "Δη", wider)  # fmt: skip
 
 
 def _series(self: LockedFormulas) -> Iterator[Comparison]:

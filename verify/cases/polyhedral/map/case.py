@@ -119,7 +119,8 @@ class PolyhedralMap(MapInputs):
                             symbol="1/K_mid", pair=over_map(name), accepted=TRUE,
                             source=suites(AS_MESH), **more)  # fmt: skip
         yield Agreement(
-            name="load-transfer ratio by series and FE agrees within 1 %", symbol="η",
+            name="incremental load-transfer ratio by series and by FE agrees within 1 %",
+            symbol="η",
             pair=shares, accepted=ETA, source=suites("the largest error accepted for a row"),
             **demanded(ETA), **more,
         )  # fmt: skip

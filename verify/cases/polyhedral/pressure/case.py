@@ -44,7 +44,8 @@ RIM = (
 )
 BORE = (
     "Lamé: the hoop stress at the bore is (1 + (d_e/d_i)²)/2 E j_D/d_e; "
-    f"± 1 to 2 times {thin_ring.CELL:g} (δ_1/d_m)² for the error of stresses at the edges of cells"
+    f"± f {thin_ring.CELL:g} (δ_1/d_m)², with f from 1 (thin wall) to 2 (thick wall), "
+    "for the error of stresses at the edges of cells"
 )
 OUTSIDE = (
     "Lamé: under the mean hoop stress σ_t, the outer diameter grows by d_i d_e/d_m² times σ_t d_m/E"
