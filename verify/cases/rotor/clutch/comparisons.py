@@ -22,19 +22,20 @@ from verify.case import (
     identity,
     limit,
 )
-from verify.cases.rotor.clutch.formulas import ENTRIES, FINE, ClutchStiffness
+from verify.cases.rotor.clutch.formulas import ENTRIES, FINE, UNEVEN, ClutchStiffness
 from verify.cases.rotor.clutch.reference import ANGLES, HARD, SMALL, STIFFER
 from verify.core.case import Check, Context
 from verify.judging.checks import Fact
 from verify.judging.misprints import Misprint
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
 
-SAME = "formula and struts solve the same problem, to round-off"
+SAME = "formula and struts solve the same problem and differ only by round-off"
 RIGID = "rigid races; each sprag is a strut with the deflection of line contacts"
 HELD = "sprags pinned to both races"
 DIFFERENCES = 1e-8  # relative error of a tangent by central differences
-INCLINED = "derived: effect of the inclination ν of the sprag forces (cos ψ − tan ν sin ψ in "\
-           "place of cos ψ in Eq. 3), and of their rotation with the race; each ± 5 %"  # fmt: skip
+INCLINED = "derived: two effects, each ± 5 %: the inclination ν of the sprag forces (cos ψ − tan "\
+           "ν sin ψ in place of cos ψ in Eq. 3), and the rotation of these forces with the "\
+           "race"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]
 link = ClutchStiffness
 
@@ -68,7 +69,7 @@ def _identical(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
 
 def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     """Rows of the entries of K under even and uneven load."""
-    leading = "derived: tan²ν, which Eq. 3 omits; uncertainty: twice the next term"
+    leading = "derived: −tan²ν, which Eq. 3 omits; the upper limit adds twice the next term, tan⁴ν"
     for one in (link.K_xx, link.K_yy):
         yield approximation(one, order=2, state=q.state(""), shares=RIGID,
                             expected=Computed(partial(bounds.leading, q.nu), leading))  # fmt: skip
@@ -78,7 +79,7 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     def first_order() -> bounds.Interval | None:
         return bounds.first_order(q.nu, q.e / q.delta_0, q.Z)
 
-    series = "derived: tan²ν, and the next term of the series in Δx/δ_0"
+    series = "derived: tan²ν, which Eq. 3 omits, and the next term of the series in Δx/δ_0"
     yield approximation(link.K_xz_first, "K_xz_offset", order=2, symbol="K_xz", shares=RIGID,
                         expected=Computed(first_order, series))  # fmt: skip
     for one, state in (
@@ -90,8 +91,8 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     yield _identical(q, link.K_zz, "gap")
     for entry in ENTRIES:
         yield _approximate(q, getattr(link, entry), "together")
-    tilted = "derived: effect of the inclination ν of the sprag forces, and of the radial and "\
-             "axial motion of the contact points as the race tilts; each ± 5 %"  # fmt: skip
+    tilted = "derived: two effects, each ± 5 %: the inclination ν of the sprag forces, and the "\
+             "radial and axial motion of the contact points as the race tilts"  # fmt: skip
     fine = q.clutch(n_s=FINE)
     for entry in PLACES:
         interval = partial(left_out, entry, fine, T=q.T, n_s=q.n_s, **q.aside)
@@ -108,15 +109,15 @@ def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
         for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
             whole = partial(getattr, q.in_state[state], scale)
             yield identity(one, order=2, state=q.state(state), sensitivity=demand, shares=RIGID,
-                           scale={f"{scale}, {state}": whole})  # fmt: skip
+                           scale={f"{scale} {UNEVEN[state][1]}": whole})  # fmt: skip
 
 
 def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
     def interval() -> bounds.Interval:
         return bounds.held_ends(q.nu, q.delta_0, q.R_e - q.R_i)
 
-    source = "derived: tan²ν and Q/(k l), with sprag force Q and length l between the contacts; "\
-             "the square of their sum is neglected"  # fmt: skip
+    source = "derived: Q/(k l) − tan²ν, with sprag force Q and length l between the contacts; "\
+             "uncertainty: the square of the sum of both terms"  # fmt: skip
     yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
                         expected=Computed(interval, source))  # fmt: skip
     yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
@@ -168,7 +169,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
                 points=over_yield, exponent=1, sensitivity=fine)  # fmt: skip
     yield limit(link.K_xz_first, "coupling of bending and torsion as the offset vanishes", "d_0",
                 points=over_offset, exponent=2,
-                sensitivity=(1e-6, "the next term of the series"))  # fmt: skip
+                sensitivity=(1e-6, "the next term of the series in Δx/δ_0"))  # fmt: skip
 
 
 def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
@@ -216,9 +217,10 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
                                         "clutch-element-dofs")):  # fmt: skip
         yield Fact(name=words, symbol=symbol, unit="1", margin=displacements(number),
                    fem_needed=False, printed=(f"huang2022:{id_}",))  # fmt: skip
-    exponent = Agreement(name="exponent of Palmgren's line contact", symbol="n", unit="1",
-                         pair=palmgrens, accepted=1e-12, source="the same exponent, to round-off",
-                         by="theory", fem_needed=False, everywhere=True,
+    exponent = Agreement(name="exponent of the force law of a line contact", symbol="n", unit="1",
+                         pair=palmgrens, accepted=1e-12,
+                         source="both exponents are equal, to round-off", by="theory",
+                         fem_needed=False, everywhere=True,
                          printed=("huang2022:exponent-numerator",
                                   "huang2022:exponent-denominator"))  # fmt: skip
     yield Comparison(check=exponent, quantity=link.n)
@@ -256,10 +258,10 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (
-            f"relative coupling under even load: {formula:.0e} by formulas, {struts:.0e} by "
-            f"struts; K_xz with an offset of {q.e * 1e6:g} µm is "
-            f"{abs(q.in_state['offset'].coupling):.2%} of √(K_xx K_zz), with {q.missing} sprags "
-            f"missing {abs(q.in_state['gap'].coupling):.2%}"
+            f"under even load, K_xz/√(K_xx K_zz) is {formula:.0e} by formulas, and the off-"
+            f"diagonal entries of K are at most {struts:.0e} K_xx by struts; K_xz/√(K_xx K_zz) is "
+            f"{abs(q.in_state['offset'].coupling):.2%} with an offset of {q.e * 1e6:g} µm and "
+            f"{abs(q.in_state['gap'].coupling):.2%} with {q.missing} of {q.Z} sprags missing"
         )
         return 1e-12 - max(formula, struts), words
 

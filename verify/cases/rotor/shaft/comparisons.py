@@ -32,8 +32,9 @@ FINE = 1e-5  # relative to a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
 DIGITS = 2e-12  # relative accuracy of both sides for this quantity
 FOUR, TWO = "the elements have convergence order four", "the elements have convergence order two"
-SOLVED = "exact frequency by Timoshenko's equation over that of the elastic cylinder; ± 5e-5"
-SERIES = "neglected terms of Timoshenko's equation, to second order"
+SOLVED = "derived: exact frequency by Timoshenko's equation divided by the frequency of the "\
+         "elastic cylinder, minus 1; uncertainty: ± 5e-5"  # fmt: skip
+SERIES = "derived: terms of Timoshenko's equation that the theory neglects, to second order"
 NEIGHBOURS = "sufficient to distinguish this order from the next integer"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 Points = tuple[list[float], list[float], list[float]]
@@ -75,7 +76,7 @@ def _theories(beam: BeamTheories) -> tuple[State, ...]:
 
 
 def _elasticity(beam: BeamTheories) -> State:
-    return State(beam.exact, "elasticity", "elasticity", "{}'")
+    return State(beam.exact, "elasticity", "elastic body", "{}'")
 
 
 def _beams(beam: BeamTheories) -> Iterator[Comparison]:
@@ -231,4 +232,8 @@ def _sense(context: Context) -> tuple[float, float, str]:
     share = [v[f"{name}_split"] / v[f"{name}_whirl_1_forward"]
              for name in ("beam_timoshenko", "weak_timoshenko", "solid")]  # fmt: skip
     named = v["beam_sense"] == 2  # the faster of the pair is +1, the slower -1
-    return min(share) if named else -1.0, 1e-9, f"by at least {min(share):.2%} of the frequency"
+    words = (
+        "the forward and the backward frequency of mode 1 differ by at least "
+        f"{min(share):.2%} of the forward frequency"
+    )
+    return min(share) if named else -1.0, 1e-9, words

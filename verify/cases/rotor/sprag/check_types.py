@@ -162,7 +162,7 @@ class FittedTo(Claim):
         r = entry.value * units.factor(entry.unit)
         status = Status.CALIBRATED if abs(v / r - 1) <= COARSE else Status.FAIL
         verdict = judge.Verdict(
-            status, f"error of the exact model {v / r - 1:+.1e}; {FITTED}", v - r
+            status, f"the relative error of the exact model is {v / r - 1:+.1e}; {FITTED}", v - r
         )
         return [
             self._row(

@@ -81,7 +81,7 @@ IDENTITIES = (
     Comparison(
         check=Accepted(
             name="largest error of natural frequencies 1 to 6 by 20 beam elements",
-            symbol="Δf/f", unit="1", margin=printed_bound, fitted="on a fitted system",
+            symbol="Δf/f", unit="1", margin=printed_bound, fitted="computed for a fitted system",
             printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies"),
         ),
         quantity=system.frequency(1), shares=BEAM,

@@ -40,11 +40,11 @@ class Bodies(Claim):
         u = judge.numerical_uncertainty(grid, 0.0)
         m, U = formula / values[-1] - 1, judge.expanded(u) / values[-1]
         wide = arrays(context)["solid, wide bands"][self.order - 1] / values[0] - 1
-        within = "within" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "not surely within"
+        within = "below" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "above"
         reason = (
-            f"error of the beams {m:+.2%} ± {100 * U:.1g} %; bearing seats 20 mm wide instead of "
-            f"10 mm change the frequency of the bodies by {wide:+.2%}: the error of the beams is "
-            f"{within} 0.3 %, the printed difference between beam models"
+            f"the error of the beams is {m:+.2%} ± {100 * U:.1g} %; bearing seats 20 mm wide "
+            f"instead of 10 mm change the frequency of the bodies by {wide:+.2%}; the sum of the "
+            f"three magnitudes is {within} 0.3 %, the printed difference between beam models"
         )
         verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [
@@ -72,7 +72,7 @@ def inertia(i: int) -> Callable[[Context], float]:
 
 ELASTIC: tuple[Comparison | Check, ...] = (
     *(Rounded(name=f"{what} of the elastic bodies with discs", symbol=symbol, unit="1",
-              residual=inertia(i), bound=1e-11, scale_name="value of beams and discs",
+              residual=inertia(i), bound=1e-11, scale_name="the value of beams with discs",
               bound_reason="Gauss quadrature is exact on straight cells")
       for i, (what, symbol) in enumerate((
           ("mass", "Δm/m"), ("polar moment of inertia", "ΔI_p/I_p"),

@@ -118,7 +118,7 @@ class CentralSystem(SpragRotorInputs):
     def critical_backward(self, k: int) -> float:
         return self._critical("backward", k)
 
-    @Quantity("Ω_1", "rad/s", "lowest of the forward critical speeds", role="step",
+    @Quantity("Ω_1", "rad/s", "lowest forward critical speed of the central system", role="step",
               source="Sec. 1, text before Fig. 6; forward critical speeds, written in r = x + iy",
               tex=r"\Omega,\quad M \ddot q + (C + \Omega G)\dot q + K q=f,\quad "
               r"K v=\Omega^2 (M - G_1) v,\quad C=\alpha M + \beta K,\quad "
@@ -134,7 +134,7 @@ class CentralSystem(SpragRotorInputs):
         response = transfer_unbalance_response(self._rotor, self.rig_speed, U)
         return float(response.amplitude(node - 1)[0])
 
-    @Quantity("f_c", "Hz", "torsional frequency of the clutch between both rotors")
+    @Quantity("f_c", "Hz", "torsional frequency of the clutch")
     def torsion_clutch(self) -> float:
         return float(self._torsion[1] / (2 * pi))
 
@@ -150,13 +150,12 @@ class CentralSystem(SpragRotorInputs):
     def across(self) -> float:
         return float(CENTRAL[K_C])
 
-    @Quantity(
-        "d_t", "mm", "ratio of the deflection of the sprags to the angle of twist", role="step"
-    )
+    @Quantity("d_t", "mm", "ratio of a sprag's deflection (both contacts) to the angle of twist",
+              role="step")  # fmt: skip
     def d_t(self) -> float:
         return float(layout(CENTRAL).d_t[0])
 
-    @Quantity("δ_0", "µm", "deflection of the sprags under T", role="step",
+    @Quantity("δ_0", "µm", "deflection of both contacts of a sprag under T", role="step",
               tex=r"\frac{m T}{2 d_t K_{xx}}")  # fmt: skip
     def delta_0(self) -> float:
         return float(yield_of_sprags(self.T, CENTRAL)[0])

@@ -68,11 +68,11 @@ class SpragRotorInputs(Case):
     )  # fmt: skip
     offset: float = given(
         0.2, "1", "Δx/δ_0", "ratio of the static offset of the clutch's rings to the deflection of "
-                            "the sprags (not printed)", ge=0.001, le=0.9,
+                            "a sprag (not printed)", ge=0.001, le=0.9,
     )  # fmt: skip
     anisotropy: float = given(
-        0.2, "1", "k_y/k_x − 1", "stiffness of the bearings to the ground: relative excess along "
-                                 "y over that along x (not printed)", ge=0, le=2,
+        0.2, "1", "k_y/k_x − 1", "relative excess of the stiffness along y over the stiffness "
+                                 "along x, bearings to the ground (not printed)", ge=0, le=2,
     )  # fmt: skip
 
     @model_validator(mode="after")

@@ -45,13 +45,14 @@ PARAMETERS = (
               low=100, high=300, reason="three to eight shaft diameters, with a disc between the "
                                         "bearings"),
     Parameter(symbol="l_2", what="distance from bearing 2 to bearing 3", unit="mm", factor=1e-3,
-              low=60, high=180, reason="overhang of the drum that carries the clutch"),
+              low=60, high=180, reason="assumed overhang of the drum that carries the clutch"),
     Parameter(symbol="l_3", what="distance from bearing 3 to bearing 4", unit="mm", factor=1e-3,
               low=40, high=100, reason="clutch about 10 mm long, with a bearing on either side"),
     Parameter(symbol="l_4", what="distance from bearing 4 to bearing 5", unit="mm", factor=1e-3,
-              low=150, high=450, reason="free part of the inner rotor with a disc"),
+              low=150, high=450, reason="assumed free part of the inner rotor, with a disc"),
     Parameter(symbol="d_1", what="shaft diameter of the outer rotor", unit="mm", factor=1e-3,
-              low=25, high=45, reason="seats of angular contact bearings for 36,000 r/min"),
+              low=25, high=45, reason="seat diameters of angular contact bearings for "
+                                     "36,000 r/min"),
     Parameter(symbol="D", what="drum diameter of the outer rotor", unit="mm", factor=1e-3,
               low=45, high=80, reason="about 52.5 mm in the clutch of the same authors (Ref. 9)"),
     Parameter(symbol="d_2", what="diameter of the inner rotor", unit="mm", factor=1e-3,

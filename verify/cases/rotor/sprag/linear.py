@@ -92,15 +92,15 @@ def never_between(context: Context) -> tuple[float, str]:
     rising = peaks[:, 1] > peaks[:, 0]
     if not rising.any():
         return -1.0, (
-            "the peak does not rise for unbalance 2 from 1e-5 to 3e-5 kg m in any of "
+            "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak rises in none of "
             f"{rising.size} sets with a peak"
         )
     step = peaks[rising, 2] / peaks[rising, 1] - 1
     words = (
-        "the peak rises for unbalance 2 from 1e-5 to 3e-5 kg m in "
-        f"{int(rising.sum())} of {rising.size} sets with a peak; in all of these sets it also "
-        f"rises from 3e-5 to 5e-5 kg m, by {100 * step.min():.0f} % or more; the peak falls from "
-        f"3e-5 to 5e-5 kg m in {int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
+        "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak rises in "
+        f"{int(rising.sum())} of {rising.size} sets with a peak; from 3e-5 to 5e-5 kg m, the peak "
+        f"rises in all of these sets, by {100 * step.min():.0f} % or more, and falls in "
+        f"{int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
     )
     return float(step.min()), words
 
@@ -115,7 +115,7 @@ def at_two_nodes(context: Context) -> tuple[float, str]:
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))
     moved = a | {"peaks": a["peaks, moved"][:, None]}
     words = (
-        f"{highest.name} in {held_of(highest, a)} (unbalance 1 at node 4), in "
+        f"{highest.name} in {held_of(highest, a)} (unbalance 1 at node 4), and in "
         f"{held_of(highest, moved)} (unbalance 1 at node 11)"
     )
     nodes = [published(f"huang2022:{key}").value
@@ -151,8 +151,9 @@ def at_one_speed(context: Context) -> tuple[float, str]:
     v = context.analytic
     off = [v[f"frequency_{2 * i + 2}"] * 2 * np.pi / v[f"critical_forward_{k}"] - 1
            for i, k in enumerate(ORDERS)]  # fmt: skip
-    words = "forward frequencies at 5000 r/min differ from the critical speeds by " + ", ".join(
-        f"{x:+.2%}" for x in off
+    words = (
+        "the forward natural frequencies at 5000 r/min differ from critical speeds 1, 3 and 5 by "
+        + ", ".join(f"{x:+.2%}" for x in off)
     )
     return min(map(abs, off)) - 1e-5, words
 
@@ -195,12 +196,12 @@ LINEAR_ROWS: tuple[Check, ...] = (
             bound_reason="stiffness of the drive, 0.1 N m/rad, over J_out Ω² at critical speed 1"),
     Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
               accepted=LINEAR,
-              source=suites("half of the required sensitivity, 1 %"),
+              source=suites("half of the required sensitivity of 1 %"),
               by="theory", everywhere=True),
     *(Spread(name=f"change of critical speed {k} without {what} stiffness of the clutch",
              symbol=f"Δn_{k}/n_{k}", unit="%", values=of_speed(key, i))
-      for key, what in (("without clutch", "lateral and tilting"),
-                        ("without clutch across", "lateral"), ("without clutch in tilt", "tilting"))
+      for key, what in (("without clutch", "radial and tilting"),
+                        ("without clutch across", "radial"), ("without clutch in tilt", "tilting"))
       for i, k in enumerate(ORDERS)),
     *(Spread(name="difference between backward and forward critical speed "
                   f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
@@ -222,6 +223,6 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Misprint(name="critical speeds computed at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
-    Misprint(name="reason given for the response nodes", symbol="", unit="1",
+    Misprint(name="reason given for the choice of the response nodes", symbol="", unit="1",
           erratum="huang2022:response-nodes-reason", margin=on_the_ground),
 )  # fmt: skip

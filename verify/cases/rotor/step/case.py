@@ -147,7 +147,7 @@ class SteppedBeam(SteppedShaft):
         for name, margin, more in (
             ("beam theory overestimates the frequencies of modes 1 to 3", self._too_fast, {}),
             ("the 45° rule removes more than half of the error of mode 1", self._helps, {}),
-            ("the error of mode 1 exceeds the printed 0.3 % between beam models",
+            ("the error of mode 1 exceeds the printed difference of 0.3 % between beam models",
              self._beyond_claim, {"printed": ("huang2022:frequency-deviation-bound",)}),
         ):  # fmt: skip
             check = Accepted(name=name, symbol="ω", unit="1", margin=margin, **more)  # type: ignore[arg-type]
@@ -176,7 +176,7 @@ class SteppedBeam(SteppedShaft):
                            sensitivity=(5e-4, fast), **options)  # fmt: skip
         yield identity(
             beam.split, "weak_cone_split", uncertainty=self._slice_error_of_split,
-            scale={"45° 2 forward": lambda: self.by_rule.whirl(2, "forward")},
+            scale={"ω_2f'": lambda: self.by_rule.whirl(2, "forward")},
             name="weak form, 45° rule: gyroscopic splitting of mode 2", sensitivity=(1e-4, fast),
             **options,
         )  # fmt: skip
@@ -234,13 +234,13 @@ class SteppedBeam(SteppedShaft):
         return (
             0.5 - abs(left / m),
             U / m,
-            f"{m:+.2%} with nominal diameters, {left:+.2%} by the 45° rule",
+            f"the error is {m:+.2%} with nominal diameters and {left:+.2%} by the 45° rule",
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
         """Amount by which the error at the step exceeds 0.3 %."""
         (m, *_), U = self._errors(context, self)
-        return float(m) - CLAIMED, U, f"{m:+.2%} in mode 1"
+        return float(m) - CLAIMED, U, f"the error of mode 1 is {m:+.2%}"
 
     def _without_step(self, levels: Any) -> Points:
         """Error of the beam at rest as d_2 approaches d_1."""

@@ -20,9 +20,9 @@ LIMITS = (0.01, 0.02, 0.05)
 
 
 MODE = Picture(
-    field="mode 1", data="stress along z", symbol="σ_z", unit="cut", factor=1.0, share=0.1,
-    caption="Axial stress of mode 1 in the plane of bending; the colour scale ends at the stress "
-            "that is not exceeded in 98 % of the volume",
+    field="mode 1", data="stress along z", symbol="σ_z/σ_{98}", unit="1", factor=1.0, share=0.1,
+    caption="Axial stress σ_z of mode 1 in the plane of bending, divided by the magnitude σ_{98} "
+            "that 98 % of the volume do not exceed; larger magnitudes are drawn as ±1",
 )  # fmt: skip
 
 

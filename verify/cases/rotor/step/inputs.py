@@ -16,8 +16,11 @@ SHARES = (0.05, 0.1, 0.2, 0.35, 0.5, 0.7)  # L_2/L of the map
 class SteppedShaft(Case):
     """A shaft of diameter d_1 with a thick part d_2, in two short elastic bearings at its ends."""
 
-    L: float = given("500 mm", "mm", "L", "length (not printed)", gt=0, le=1e5)
-    d_1: float = given("40 mm", "mm", "d_1", "diameter of the shaft (not printed)", gt=0, le=1e5)
+    L: float = given("500 mm", "mm", "L", "length of the shaft (not printed)", gt=0, le=1e5)
+    d_1: float = given(
+        "40 mm", "mm", "d_1", "diameter of the shaft outside the thick part (not printed)", gt=0,
+        le=1e5,
+    )  # fmt: skip
     d_2: float = given("80 mm", "mm", "d_2", "diameter of the thick part", gt=0, le=1e5)
     L_2: float = given("200 mm", "mm", "L_2", "length of the thick part", gt=0, le=1e5)
     a: float | None = given(

@@ -64,7 +64,8 @@ def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
     last = rotor.euler(FREQUENCIES)
     order = Order(name="convergence order of the highest compared frequency by Euler's theory",
                   symbol="p", unit="1", errors=errors_of(last), order=4, demand=0.05,
-                  demand_reason="terms of higher order matter on the coarsest level")  # fmt: skip
+                  demand_reason="terms of higher order affect the error of the coarsest "
+                                "mesh")  # fmt: skip
     yield Comparison(check=order, quantity=last)
 
 
