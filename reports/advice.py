@@ -60,7 +60,8 @@ def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
     if one.error is None or not found:
         return replace(one, error=None, U=None)
     error, U, row = max(found, key=lambda one: abs(one[0]) + one[1])
-    elsewhere = _STATED.sub(r"\1 at the inputs of another case", one.words)
+    worst = one.worst_row.partition("/")[0]
+    elsewhere = _STATED.sub(rf"\1 at the default inputs of {worst}", one.words)
     words = one.words if error == one.error else elsewhere
     return replace(one, error=error, U=U, worst_row=row, is_of_part=bool(part), words=words)
 

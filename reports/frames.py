@@ -118,12 +118,13 @@ def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
         Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)
         for i, colour in enumerate(drawn.ramp)
     )
+    unit = "" if picture.unit == "1" else f" [{picture.unit}]"
     parts = [
         Markup('<defs><linearGradient id="{}">{}</linearGradient></defs>').format(name, stops),
         Markup('<rect x="0" y="{:.1f}" width="{:g}" height="9" fill="url(#{})"/>').format(
             y, BAR, name
         ),
-        svg.text(BAR + 10, y + 9, f"{picture.symbol} [{picture.unit}]"),
+        svg.text(BAR + 10, y + 9, f"{picture.symbol}{unit}"),
     ]
     for value, words in _named(picture, drawn):
         x = BAR * (value - drawn.low) / ((drawn.high - drawn.low) or 1.0)

@@ -83,13 +83,14 @@ def test_a_case_has_the_largest_error_of_its_rows(report):
     foreign = next(r for r in others.rows if r.tolerance and r.scale)
     verdict = replace(
         RIGHT, error=9.0, U=0.1, is_of_part=True, rows=(first.id, foreign.id),
-        model_rows=(second.id,), words="+900 % ± 10 % at the default inputs",
+        model_rows=(second.id,), worst_row=foreign.id,
+        words="+900 % ± 10 % at the default inputs",
     )  # fmt: skip
     (found,) = of_case([verdict], case.id, case.rows)
     assert found.error == first.difference / first.scale
     assert first.tolerance / first.scale == found.U
     assert found.is_of_part
-    assert found.words == "+900 % ± 10 % at the inputs of another case"
+    assert found.words == "+900 % ± 10 % at the default inputs of ring-lame"
     named = replace(verdict, words="+900 % at the default inputs of ring-lame")
     assert of_case([named], case.id, case.rows)[0].words == named.words
     (model,) = of_case([replace(verdict, rows=(foreign.id,))], case.id, case.rows)

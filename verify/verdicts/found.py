@@ -161,4 +161,5 @@ def _model(found: Evidence) -> str:
         return "solves its idealisation to rounding error"
     if all(_is_sharp_identity(row) for row in found.rows):
         return f"solves its idealisation within {100 * worst.size:.2g} %"
-    return f"differs from its idealisation by {100 * worst.error:+.2g} ± {100 * worst.U:.2g} %"
+    size = f"{100 * worst.error:+.2g} ± {100 * worst.U:.2g} %"
+    return f"relative to a model with the same simplifications, the error is {size}"
