@@ -99,8 +99,8 @@ class SpragInputs(WedgeInputs):
                            gt=0, lt=1)  # fmt: skip
     gamma_b: float = quantity("1 s/m", "s/m", "γ_b", "decay constant of friction with the sliding "
                               "speed (Eq. 13)", gt=0, le=1e6)  # fmt: skip
-    K_1: float = quantity(1.0, "1", "K_1", "depth factor of the crown: ratio of the load with "
-                          "uniform pressure to Q", omitted=1.0, gt=0, le=100,
+    K_1: float = quantity(1.0, "1", "K_1", "depth factor of the crown: load that gives "
+                          "uniform pressure, divided by Q", omitted=1.0, gt=0, le=100,
                           claims="huang2018:fig12-best-k1")  # fmt: skip
     K_2: float = quantity(0.7, "1", "K_2", "crowned fraction of the length", omitted=0.7, gt=0,
                           le=1, claims="huang2018:fig12-best-k2")  # fmt: skip
@@ -109,12 +109,12 @@ class SpragInputs(WedgeInputs):
     Q: float | None = quantity("3407 N", "N", "Q", "design load of the crown; if omitted, the "
                                "static load of a sprag", omitted=None, gt=0, le=1e9)  # fmt: skip
     slices: int = count(41, "", "number of slices along the sprag", ge=5, le=161)
-    n: float = quantity("0 r/min", "r/min", "n", "speed of the outer race; it only expands this "
-                        "race", omitted=0.0, ge=0, le=1e6)  # fmt: skip
+    n: float = quantity("0 r/min", "r/min", "n", "speed of the outer race; it only causes the "
+                        "centrifugal growth of this race", omitted=0.0, ge=0, le=1e6)  # fmt: skip
     density: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density of the outer race",
                               omitted=7850.0, gt=0, le=1e5)  # fmt: skip
-    alpha_max: float = quantity("0.5 rad", "rad", "α_max", "sprag rotation at which the profile "
-                                "ends and the springs are slack", gt=0, le=3)  # fmt: skip
+    alpha_max: float = quantity("0.5 rad", "rad", "α_max", "rotation of the sprags at which the "
+                                "profile ends and the springs are slack", gt=0, le=3)  # fmt: skip
     p_lim: float | None = quantity("4500 MPa", "MPa", "p_lim", "permissible contact pressure",
                                    omitted=None, gt=0, le=1e6)  # fmt: skip
     R_p: float | None = quantity(None, "MPa", "R_p", "yield strength of both races; if omitted, "

@@ -51,8 +51,8 @@ class SpragClutch(ClutchFormulas):
         "stress, the sprag is a bar, contacts are slices by Palmgren's law. In the clutch of the "
         "paper, the sprags rotate by 7.2° with these deflections, and by 5.7° with those of "
         "elastic bodies (α_el)",
-        "the speed n only expands the outer race: centrifugal forces on the sprags and centrifugal "
-        "stresses of the races are neglected",
+        "the speed n only causes centrifugal growth of the outer race: centrifugal forces "
+        "on the sprags and centrifugal stresses of the races are neglected",
         "the stresses of the races are those by Lamé under uniformly distributed forces, in plane "
         "stress; R_p limits the Tresca stress at both bores",
         "a verdict without --dynamic applies to a slowly rising torque",

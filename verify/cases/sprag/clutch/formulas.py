@@ -121,7 +121,8 @@ class ClutchFormulas(EngagementInputs, Case):
     def safety(self) -> float:
         return self.mu_s / self.mu_req
 
-    @Quantity("α(T)", "deg", "sprag rotation relative to the radius through the outer contact",
+    @Quantity("α(T)", "deg", "rotation of the sprags relative to the radius through the outer "
+              "contact",
               equation="10",
               form="corrected", tex=r"\frac{1}{m} \ln\left(\frac{\rho_A}{\rho_0}\right)"
               r" - (\eta - \eta_0)")  # fmt: skip
@@ -136,12 +137,13 @@ class ClutchFormulas(EngagementInputs, Case):
         turn = float(rolled(clutch, float(found.N))) if np.isfinite(found.N) else math.nan
         return float(found.alpha_b), turn
 
-    @Quantity("α_el", "deg", "sprag rotation with elastic bodies", source="case sprag-wedge")
+    @Quantity("α_el", "deg", "rotation of the sprags with elastic bodies",
+              source="case sprag-wedge")  # fmt: skip
     def alpha_elastic(self) -> float:
         return math.nan if self.state is None else self._elastic[0]
 
     @Quantity(
-        "θ(T)", "deg", "wind-up of the clutch with rolling contacts", source="rolling contacts"
+        "θ(T)", "deg", "wind-up of the races with rolling contacts", source="rolling contacts"
     )
     def theta(self) -> float:
         return math.nan if self.state is None else float(rolled(model.built(self).clutch, self.N))
@@ -183,7 +185,7 @@ class ClutchFormulas(EngagementInputs, Case):
     def H(self) -> float:
         return self._deflection("H")
 
-    @Quantity("δ_ce", "µm", "expansion of the outer race by its speed", equation="8")
+    @Quantity("δ_ce", "µm", "centrifugal growth of the outer race", equation="8")
     def d_ce(self) -> float:
         return float(np.max(model.built(self).parts.d_ce))
 
@@ -286,11 +288,11 @@ class ClutchFormulas(EngagementInputs, Case):
     def dnu_0_per_dR_e(self) -> float:
         return slope(self.sprag, "dR_e")[0]
 
-    @Quantity("dα_0/dR_i", "deg/mm", "sensitivity of the no-load sprag rotation to R_i")
+    @Quantity("dα_0/dR_i", "deg/mm", "sensitivity of the sprags' rotation without load to R_i")
     def dalpha_per_dR_i(self) -> float:
         return slope(self.sprag, "dR_i")[1]
 
-    @Quantity("dα_0/dR_e", "deg/mm", "sensitivity of the no-load sprag rotation to R_e")
+    @Quantity("dα_0/dR_e", "deg/mm", "sensitivity of the sprags' rotation without load to R_e")
     def dalpha_per_dR_e(self) -> float:
         return slope(self.sprag, "dR_e")[1]
 
@@ -298,20 +300,18 @@ class ClutchFormulas(EngagementInputs, Case):
     def N_Liu(self) -> float:
         return model.normal_force(model.rigid(self))
 
-    @Quantity("α_L", "deg", "sprag rotation with rigid races", source="Liu")
+    @Quantity("α_L", "deg", "rotation of the sprags with rigid races", source="Liu")
     def alpha_Liu(self) -> float:
         return math.nan if (now := model.rigid(self)) is None else float(now.alpha_b)
 
-    @Quantity(
-        "θ_L", "deg", "wind-up of the clutch with rigid races and rolling contacts", source="Liu"
-    )
+    @Quantity("θ_L", "deg", "wind-up of rigid races with rolling contacts", source="Liu")
     def theta_Liu(self) -> float:
         if self.state is None:
             return math.nan
         force = model.normal_force(model.rigid(self))
         return float(rolled(model.built(self).clutch.rigid_races(), force))
 
-    @Quantity("α_9,10", "deg", "sprag rotation", equation="9, 10", form="as printed")
+    @Quantity("α_9,10", "deg", "rotation of the sprags", equation="9, 10", form="as printed")
     def alpha_printed(self) -> float:
         return math.nan if (now := model.literal(self)) is None else float(now.alpha_b)
 

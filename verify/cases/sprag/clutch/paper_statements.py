@@ -148,8 +148,8 @@ def grows(context: Context) -> tuple[float, float, str]:
     slope = math.log(p[-1] / p[-2]) / math.log(n[-1] / n[-2])
     words = (
         f"the peak pressure is {p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices and "
-        f"{p[-1] / 1e6:.0f} MPa with {n[-1]:.0f} slices; in logarithmic scales, the last slope is "
-        f"{slope:.2f}"
+        f"{p[-1] / 1e6:.0f} MPa with {n[-1]:.0f} slices; between the two largest numbers of "
+        f"slices, it grows with the power {slope:.2f} of this number"
     )
     return min(b - a for a, b in pairwise(rise)), 0.0, words
 
@@ -191,8 +191,8 @@ OF_THE_PAPER: tuple[Check, ...] = (
               by="Runge-Kutta steps"),
     OfPaper(name="length of the sprags is consistent with m_g and I_g of Table 1", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),
-    OfPaper(name="width b of a rectangular sprag changes N_max by less than 0.5 %", symbol="b",
-             unit="1", margin=width, fitted=FITTED),
+    OfPaper(name="N_max changes by less than 0.5 % with the width b of a rectangular sprag",
+             symbol="b", unit="1", margin=width, fitted=FITTED),
     Beside(name="wedge angle that gives the pressure printed for 25 N m with the optimal crown",
            symbol="ν_0", unit="deg",
            value=lambda c: float(measured(c)["fitted"][0]), figure=EngagementInputs().nu_0,

@@ -43,7 +43,7 @@ from verify.judging.profile_checks import Estimated
 
 DRAWN = "numerical profile"
 BOTH = "strips, at the force of computed engagements"
-UNEQUAL = "half of the errors of N by N_e = N_i in Eqs. 14-16 and by massless sprags"
+UNEQUAL = "half of the errors of N that N_e = N_i in Eqs. 14-16 and massless sprags cause"
 HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
@@ -101,10 +101,10 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
     most = max(printed, key=lambda c: printed[c])
     words = (
-        f"for the printed crowns, 1 % more z_m increases the mean drop by at most "
+        f"with 1 % more z_m, the mean drop of the printed crowns increases by at most "
         f"{printed[most]:.2f} % (crown {label(most)}) and by {printed[(1.0, 0.7, 1e-5)]:.3f} % "
-        f"for crown (1, 0.7, 10 µm), 1 % more K_1 by the rest of 1 %; z_m has a larger effect "
-        f"than K_1 for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
+        f"for crown (1, 0.7, 10 µm); with 1 % more K_1, it increases by 1 % minus this value; z_m "
+        f"has a larger effect than K_1 for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
     )
     return MOST - printed[most], 0.0, words
 
@@ -139,9 +139,9 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
     yield identity(c.share, name="increase of the mean drop for 1 % more z_m", **drawn)
     estimate: dict[str, Any] = {
         "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
-        "demand_reason": "accepted error of slices",
+        "demand_reason": "about twice the accepted errors of slices (2 %) and of strips (0.3 %)",
     }  # fmt: skip
-    check = Estimated(name="pressure at mid-length at the largest force of the engagement",
+    check = Estimated(name="pressure at mid-length at the first peak",
                       symbol="p_mid", analytic="p_mid_peak", fem="p_mid_peak", by=BOTH,
                       **estimate)  # fmt: skip
     yield Comparison(check=check, quantity=c.p_mid_peak, shares=HERTZ)
@@ -149,8 +149,7 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
         state = State(None, f"deep_{k}", f"of crown {label(other)}")
         key = key_of(c.p_peak, state)
         largest = OfPaperEstimated(
-            name=f"largest pressure of crown {label(other)} at the largest force of the "
-            "engagement",
+            name=f"largest pressure of crown {label(other)} at the first peak",
             symbol="p_max", analytic=key, fem=key, by=BY_STRIPS, **estimate,
         )  # fmt: skip
         numbers = {key: crown.peak_of(other)} if crown.is_default else {}
@@ -186,7 +185,7 @@ OF_FIGURES: tuple[Check, ...] = (
             "than with K_1 = 1", symbol="q", unit="1", margin=more_even, fitted=FITTED,
             printed=("huang2018:fig13b-k2", "huang2018:fig13b-zm")),
     *(
-        OfPaper(name=f"Fig. 14: crown {words} has the lower pressure of both crowns at {T} N m",
+        OfPaper(name=f"Fig. 14: of its two crowns, {words} has the lower pressure at {T} N m",
                 symbol="p_max", unit="1", margin=order_at(k), fitted=FITTED,
                 printed=(f"huang2018:fig14-torque-{T}",
                          *(f"huang2018:fig14-{T}nm-{x}" for x in ("k1", "k2", "zm"))))

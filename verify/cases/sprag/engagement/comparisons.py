@@ -27,7 +27,7 @@ ROLLED = 1e-4  # relative to the work, with cubics of the deflections
 LOADS = 13  # number of loads at which the contacts' pressures are compared
 NEAR = 0.5  # tolerance of the order, which is then closest to 4
 FITTED = "length, width, wedge angle and support are identified, not printed"
-UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
+UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,8 +163,8 @@ def liu(context: Context) -> tuple[float, float, str]:
     free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
     words = (
         f"rigid races change the largest force by {v['rigid'] - 1:+.1%}, without damping by "
-        f"{free:+.1%}; the rest arises because the shorter oscillation is damped less; the races "
-        f"account for {share:.0%} of the deflection"
+        f"{free:+.1%}; the difference arises because the shorter oscillation is damped less; the "
+        f"races account for {share:.0%} of the deflection"
     )
     return v["rigid"] - 1, LSODA, words
 
@@ -202,7 +202,8 @@ def rolling(context: Context) -> Pair:
 def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
     return Partnered(name=f"{name}: Runge-Kutta steps and LSODA", symbol=symbol, unit=unit,
                      fem=key, analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
-                     demand=LSODA, demand_reason="tolerance of the subject", **more)  # fmt: skip
+                     demand=LSODA, demand_reason="acceptance figure for this quantity",
+                     **more)  # fmt: skip
 
 
 def comparisons(q: EngagementFormulas) -> Iterator[Comparison | Check]:
@@ -261,7 +262,7 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
         name=f"work ∫T dθ with rolling contacts and n_s ∫(N dH_i + N_e dH_e) agree within "
         f"{ROLLED:.2%}",
         symbol="W", unit="1", pair=conjugate, accepted=ROLLED,
-        source=suites("cubic interpolation between the states"),
+        source=suites("limit of the error of cubic interpolation between the states"),
         by="work on the deflections", fem_needed=False,
     )  # fmt: skip
     yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)
@@ -280,15 +281,15 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
         order=2, name="frequency of small oscillations, √(k/I)", **more,
     )  # fmt: skip
     yield approximation(
-        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; massless sprags"), order=4,
+        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; mass of the sprags"), order=4,
         name="largest force by the model of two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
-        Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}, at both torques"), order=4,
+        Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}; effect at both torques"), order=4,
         name="ratio of the largest forces under 1.6 T and T by the model of two races on a spring",
         **more,
     )  # fmt: skip
-    asked = f"{UNEQUAL}; effect on the friction of either contact"
+    asked = f"{UNEQUAL}; effect on the friction coefficient of either contact"
     yield approximation(
         Of.mu_asked, "asked", expected=expected(q, lambda b: b.either_way(2), asked), order=4,
         name="friction coefficient required for rolling, tan ν", symbol="μ", **more,
@@ -297,7 +298,8 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
 
 def _findings() -> Iterator[Check]:
     force: dict[str, Any] = {"symbol": "N_max", "unit": "1", "fitted": FITTED}
-    yield Agreement(name=f"N_max if the contacts always roll (Xu, Liu) within {LSODA:.1%}",
+    yield Agreement(name=f"N_max changes by less than {LSODA:.1%} if the contacts always roll "
+                    "(Xu, Liu)",
                     symbol="N_max", unit="N", pair=rolling, accepted=LSODA,
                     source=suites("same tolerance as between Runge-Kutta steps and LSODA"),
                     by=f"{BY}, contacts may slip")  # fmt: skip

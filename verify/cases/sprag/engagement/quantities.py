@@ -10,7 +10,7 @@ from verify.cases.sprag.engagement.formulas import analytic
 from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 
-SPRING = "two races on the clutch as a spring"
+SPRING = "two races on a spring"
 
 
 class EngagementFormulas(EngagementInputs, Case):

@@ -28,7 +28,7 @@ BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
 CLOSURE = "closure of Eqs. 9 and 10, static normal force"
 SPREAD = 0.1  # least spread, relative to the correct force, for nearly equal torques
 WEAK = "the springs have the stiffness K_r/25, with which the sprags slip at the start"
-UNEQUAL = "N_e = N_i in Eqs. 14-16; statics requires N_e/N_i = cos ω/cos ν"
+UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,7 +118,7 @@ def never_idle(context: Context) -> tuple[float, float, str]:
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
     words = (
         f"the guard rejects {len(stopped)} of {len(all_of_them)} pairs of band and time step; "
-        f"their median errors of N_max are at least {least:.0%}"
+        f"the median error of N_max of each rejected pair is at least {least:.0%}"
     )
     return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "the guard rejects no pair"
 
@@ -149,7 +149,8 @@ def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
 
     yield approximation(
         FrictionFormulas.mu_b,
-        expected=Computed(boundary, f"{UNEQUAL}; effect on the friction of either contact"),
+        expected=Computed(boundary, f"{UNEQUAL}; effect on the friction coefficient of either "
+                          "contact"),
         name="friction coefficient above which the clutch locks, T/(n_s OA N)", by=BY,
         shares=CLOSURE,
     )  # fmt: skip
@@ -188,14 +189,15 @@ def _partners() -> Iterator[Check]:
     yield Partnered(name="largest force if μ is sufficient at rest, not at the peak: Runge-Kutta "
                     "steps and LSODA",
                     fem="N_max slipped", analytic="LSODA N_max slipped",
-                    demand_reason="tolerance of the subject", **force)  # fmt: skip
+                    demand_reason="acceptance figure for this quantity", **force)  # fmt: skip
 
 
 def _guard() -> Iterator[Check]:
     yield Agreement(name=f"N_max with automatic speed bands within {GUARDED:.1%} of LSODA",
                     symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
                     by=BY)  # fmt: skip
-    yield Accepted(name=f"the guard rejects D_V = {NARROW:g} m/s at 1.6 T with weak springs",
+    yield Accepted(name=f"the guard rejects the speed band D_V = {NARROW:g} m/s under 1.6 T "
+                   "with weak springs",
                    symbol="D_V", unit="1", margin=refused)  # fmt: skip
     yield Accepted(name="largest force without the guard of the time step is ill-conditioned",
                    symbol="N_max", unit="1", margin=unguarded)  # fmt: skip

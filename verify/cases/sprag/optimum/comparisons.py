@@ -122,8 +122,8 @@ def over_K_1(context: Context) -> tuple[float, float, str]:
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
-        f"on {len(found)} lines over K_1, the smallest rise from the minimum to the lower end is "
-        f"{found.min():.2%}; one line is not judged: at z_m = "
+        f"on {len(found)} lines over K_1, p_max at both ends exceeds the minimum of the line by "
+        f"at least {found.min():.2%}; one line is not judged: at z_m = "
         f"{context.inputs.z_m_low * 1e6:g} µm in the map over z_m, p_max {course(shallow)}"
     )
     return float(found.min()), SURE, words
@@ -227,7 +227,8 @@ def made_for(context: Context) -> tuple[float, float, str]:
     return (
         p / best(context) - 1,
         SURE,
-        f"the optimal crown for 25 N m changes p_max by {p / best(context) - 1:+.1%}",
+        f"p_max of the optimal crown for 25 N m differs by {p / best(context) - 1:+.1%} from that "
+        "of the optimal crown for 40 N m",
     )
 
 

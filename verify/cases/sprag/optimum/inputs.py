@@ -42,8 +42,8 @@ class OptimumInputs(EngagementInputs):
     mutation: float = quantity(0.01, "1", "", "probability of mutation of a bit",
                                omitted=0.01, ge=0, le=1,
                                claims="huang2018:ga-mutation")  # fmt: skip
-    T_less: float | None = quantity(None, "N m", "T'", "second torque; both optimal crowns are "
-                                    "compared", omitted=None, gt=0, le=1e9,
+    T_less: float | None = quantity(None, "N m", "T'", "second torque; the optimal crowns for "
+                                    "both torques are compared", omitted=None, gt=0, le=1e9,
                                     example="15 N m")  # fmt: skip
 
     @model_validator(mode="after")
@@ -101,6 +101,6 @@ class Optimum40Inputs(OptimumInputs):
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip
     z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-40nm-zm")  # fmt: skip
-    T_less: float | None = quantity("25 N m", "N m", "T'", "second torque; both optimal crowns "
-                                    "are compared", omitted=None, gt=0, le=1e9,
+    T_less: float | None = quantity("25 N m", "N m", "T'", "second torque; the optimal crowns for "
+                                    "both torques are compared", omitted=None, gt=0, le=1e9,
                                     claims="huang2018:torque-25")  # fmt: skip

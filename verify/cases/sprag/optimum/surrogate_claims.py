@@ -235,13 +235,13 @@ SURROGATE = (
                             "each design has six times this tolerance"),
               whole="pressure of an engagement",
               by="surrogate", everywhere=True),
-    agrees(f"pressure at the optimal crown by surrogate and by engagement within {AGREE:.1%}", "Y",
-           at_best, AGREE, "engagement", SUBJECT),
-    agrees("lowest pressure by genetic algorithm and by differential evolution within "
+    agrees(f"pressures at the optimal crown by surrogate and by engagement agree within "
+           f"{AGREE:.1%}", "Y", at_best, AGREE, "engagement", SUBJECT),
+    agrees("lowest pressures by genetic algorithm and by differential evolution agree within "
            f"{SEARCHES:.1%}", "Y", searched, SEARCHES, "differential evolution",
            suites("one fifth of the tolerance between surrogate and engagement")),
-    agrees(f"lowest pressure with surrogate and by a search without surrogate within {AGREE:.1%}",
-           "Pre_max", directly, AGREE, "search without surrogate",
+    agrees("lowest pressures with surrogate and by a search without surrogate agree within "
+           f"{AGREE:.1%}", "Pre_max", directly, AGREE, "search without surrogate",
            suites("same tolerance as between surrogate and engagement")),
     Displayed(name="number of engagements of a search with and without kriging", symbol="n",
               unit="1", words=asked),

@@ -17,17 +17,20 @@ from verify.judging.tolerance_checks import Agreement, suites
 
 Bound = Callable[[Bounds], Interval]
 
-BENDS = "effects of bending of the column and of rolling of its ends (complex potentials), ± 25 %"
-YIELDS = "errors of 1e-3, (a/r)² and tan²ν/2 of the elastic solutions of all parts"
-TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
-HERTZ = "2e-3 and 2 (a/h)², where h is the smallest radius, wall thickness or width"
-BETTI = "by reciprocity, Lamé's mean applies to any position of the forces; 1e-3 for second order"
+BENDS = "bending of the sprag and rolling of its ends, by complex potentials with ± 25 %"
+YIELDS = "errors of elastic solutions: 1e-3, (a/r)², tan²ν/2 and lateral motion of the sprag ends"
+TANGENTIAL = f"{YIELDS}; tangential deformation increases the wind-up by 0.4 to 1.2 tan²ν"
+HERTZ = "sum of 2e-3 and 2 (a/h)², where h is the smallest radius, wall thickness or width"
+BETTI = (
+    "by reciprocity, Lamé's mean applies to any position of the forces; 1e-3 for effects of second "
+    "order"
+)
 PALMGREN = "Palmgren's law applies to rollers of finite length"
 RIGID = "races and sprag are rigid"
 HALF_ARMS = "the printed lever arms are half of the radii"
 PAPER = "the deflections are one quarter too large, but Eqs. 9, 10 omit one eighth of them"
 FULL, MOST = "N_0", "1.8 N_0"
-WIDTH = f"{HERTZ}, at least the accepted 1 %"
+WIDTH = f"{HERTZ}; at least 1 %, the accepted error"
 ONE = 0.02, "a difference of 1 % from Hertz is accepted"
 BLUNT = 0.02, "the excess is only 0.1 %; twice the required sensitivity of the angles is sufficient"
 AS_FORCE = 0.02, "same required sensitivity as N(T)"
@@ -84,7 +87,8 @@ def _angles(q: Wedge) -> Iterator[Comparison]:
     yield from through(q, Wedge.mu_e, f"{tan_omega} (Eq. 10)", "tan ω", Bounds.angle, BENDS)
     races = (("inner", "ν", Wedge.mu_i), ("outer", "ω", Wedge.mu_e))
     for race, angle, mu in races:
-        yield agrees(f"force ratio on the {race} race against tan {angle} up to N_0",
+        yield agrees(f"force ratio on the {race} race against tan {angle}, largest difference "
+                     "up to N_0",
                      f"tan {angle}", found.force_ratio(mu.name), found.RATIO, mu)  # fmt: skip
     for race, angle, mu in races:
         yield agrees(f"force ratio on the {race} race at 1.8 N_0, corrected for sprag bending",
@@ -122,8 +126,9 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
                        "θ(N)", Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
     yield from through(q, Wedge.alpha_plane,
                        "rotation of the sprags with half planes and Eq. 6 for long races", "α(N)",
-                       Bounds.plane, "elastic solutions of the same parts", **at_full,
-                       shares=PLANE)  # fmt: skip
+                       Bounds.plane, "deflections of half planes and uniformly loaded rings, "
+                       "compared with elastic solutions of the same parts",
+                       **at_full, shares=PLANE)  # fmt: skip
     yield from through(q, Wedge.alpha_printed,
                        "rotation of the sprags with Eqs. 9, 10 as printed and elastic deflections",
                        "α(N)", Bounds.lost, "the equations omit half of δ_HI and of δ_g",
@@ -171,18 +176,20 @@ def _races(q: Wedge) -> Iterator[Comparison]:
         at_full: dict[str, Any] = {"points": (FULL,)}
         yield from through(
             q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, for thin races)",
-            symbol, partial(Bounds.thin, which=which), "plane stress, not plane strain",
+            symbol, partial(Bounds.thin, which=which), "Eq. 6 as printed is for plane stress, the "
+            "reference is in plane strain",
             reference=mean.name, shares="", **at_full,
         )  # fmt: skip
         yield from through(
             q, under, f"displacement of the {race} race under a sprag", symbol,
             partial(Bounds.race, which=which),
-            "a ring under single loads; 1e-3 and the square of a over the wall thickness",
+            "sum of 1e-3 (effects of second order) and (a/h)², where h is the wall thickness",
             shares=PLANE, **at_full,
         )  # fmt: skip
         yield from through(
             q, thin, f"displacement of the {race} race under a sprag by Eq. 6 alone", symbol,
-            partial(Bounds.thin_at_contact, which=which), "a ring under single loads",
+            partial(Bounds.thin_at_contact, which=which), "mean displacement by Eq. 6, "
+            "compared with the displacement of a ring under single loads",
             reference=under.name, shares="", **at_full,
         )  # fmt: skip
 

@@ -138,7 +138,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def torque(self) -> float:
         return float(self.state.T)
 
-    @Quantity("T", "N m", "torque by the lever arms", equation="16",
+    @Quantity("T", "N m", "torque with the lever arm", equation="16",
               form="as printed", form_of="T")  # fmt: skip
     def torque_printed(self) -> float:
         inner, _ = printed.lever_arms(self.clutch.sprag, self.state.yields)
@@ -165,28 +165,29 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha(self) -> float:
         return float(self.state.alpha_b)
 
-    @Quantity("α", "deg", "sprag rotation with contacts of half planes, and Eq. 6 of long races",
+    @Quantity("α", "deg", "rotation of the sprags with half planes and Eq. 6 for long races",
               form_of="alpha",
               source="Eqs. 6, 10")  # fmt: skip
     def alpha_plane(self) -> float:
         return float(self.state_of(self.bodies.plane).alpha_b)
 
-    @Quantity("α", "deg", "sprag rotation by Eqs. 9, 10 with elastic deflections",
+    @Quantity("α", "deg", "rotation of the sprags with elastic deflections and Eqs. 9, 10",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
     def alpha_printed(self) -> float:
         return float(self.printed_state_of(self.clutch).alpha_b)
 
-    @Quantity("α", "deg", "sprag rotation with Palmgren's law and Eqs. 6, 7", form_of="alpha",
-              source="Eqs. 6, 7, 10")  # fmt: skip
+    @Quantity("α", "deg", "rotation of the sprags with Palmgren's law, Eqs. 6 and 7",
+              form_of="alpha", source="Eqs. 6, 7, 10")  # fmt: skip
     def alpha_composite(self) -> float:
         return float(self.state_of(self.bodies.composite).alpha_b)
 
-    @Quantity("α", "deg", "sprag rotation with Palmgren's law and Eq. 6", form_of="alpha",
-              source="Eqs. 6, 10")  # fmt: skip
+    @Quantity("α", "deg", "rotation of the sprags with Palmgren's law and Eq. 6, without Eq. 7",
+              form_of="alpha", source="Eqs. 6, 10")  # fmt: skip
     def alpha_contacts(self) -> float:
         return float(self.state_of(self.bodies.by_contacts_and_races).alpha_b)
 
-    @Quantity("α", "deg", "sprag rotation by Eqs. 9, 10 with Palmgren's law and Eqs. 6, 7",
+    @Quantity("α", "deg", "rotation of the sprags as in the paper, with Palmgren's law in "
+              "Eqs. 9, 10",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:
         return float(self.printed_state_of(self.bodies.composite).alpha_b)
@@ -197,7 +198,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def theta(self) -> float:
         return float(rolled(self.clutch, np.asarray(self.N)))
 
-    @Quantity("θ", "deg", "wind-up of rigid races, contacts by Palmgren's law", form_of="theta",
+    @Quantity("θ", "deg", "wind-up of rigid races by Palmgren's law", form_of="theta",
               source="Huang 2022, Eqs. 2 and 4")  # fmt: skip
     def theta_rigid_races(self) -> float:
         found = self.bodies.composite.compliance.yields(self.N)
@@ -207,7 +208,7 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity(
         "T/θ",
         "N m/rad",
-        "torsional secant stiffness with rigid races, by Palmgren's law",
+        "torsional secant stiffness of rigid races by Palmgren's law",
         source="Huang 2022, Eq. 11",
     )
     def secant(self) -> float:
@@ -249,12 +250,12 @@ class WedgeFormulas(WedgeInputs, Case):
     def a_e(self) -> float:
         return float(self.widths[1])
 
-    @Quantity("u_i", "µm", "mean displacement of the inner race, plane strain", equation="6",
+    @Quantity("u_i", "µm", "mean displacement of a long inner race", equation="6",
               tex=mean_of("E'", "N", INNER, r"- \nu'"))  # fmt: skip
     def mean_i(self) -> float:
         return float(self.unit * self.bodies.races[0].mean * self.N)
 
-    @Quantity("u_e", "µm", "mean displacement of the outer race, plane strain", equation="6",
+    @Quantity("u_e", "µm", "mean displacement of a long outer race", equation="6",
               tex=mean_of("E'", "N_e", OUTER, r"+ \nu'"))  # fmt: skip
     def mean_e(self) -> float:
         return float(self.unit * self.bodies.races[1].mean * self.state.N_e)
