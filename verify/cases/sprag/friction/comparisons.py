@@ -196,8 +196,8 @@ def _guard() -> Iterator[Check]:
     yield Agreement(name=f"N_max with automatic speed bands within {GUARDED:.1%} of LSODA",
                     symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
                     by=BY)  # fmt: skip
-    yield Accepted(name=f"the guard rejects the speed band D_V = {NARROW:g} m/s under 1.6 T "
-                   "with weak springs",
+    yield Accepted(name=f"the guard of the time step rejects the speed band D_V = {NARROW:g} m/s "
+                   "under 1.6 T with weak springs",
                    symbol="D_V", unit="1", margin=refused)  # fmt: skip
     yield Accepted(name="largest force without the guard of the time step is ill-conditioned",
                    symbol="N_max", unit="1", margin=unguarded)  # fmt: skip

@@ -92,10 +92,10 @@ def lundberg(context: Context) -> tuple[float, float, str]:
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
-        f"with K_1 = N_max/Q = {K_1:.2f}, p_max differs by {p / best(context) - 1:+.2%} from the "
-        f"lowest; the optimal K_1 is {measured(context)['best'][0]:.2f}; p_max is within "
-        f"{FLAT:.1%} of the lowest for every K_1 from {low:.2f} to {high:.2f}, which makes this "
-        f"row weak evidence for K_1 = N_max/Q"
+        f"with K_1 = N_max/Q = {K_1:.2f}, p_max differs by {p / best(context) - 1:+.2%} from that "
+        f"of the optimal crown; the optimal K_1 is {measured(context)['best'][0]:.2f}; p_max is "
+        f"within {FLAT:.1%} of the lowest for every K_1 from {low:.2f} to {high:.2f}, which makes "
+        f"this row weak evidence for K_1 = N_max/Q"
     )
     return FLAT - abs(float(p) / best(context) - 1), 0.0, words
 

@@ -105,7 +105,8 @@ def of_both(fields: Touched, times: float) -> Numbers:
 HERE: Any = {"allowed": 5e-3, "why": PENALTY}
 DRAWN: Any = {
     "allowed": CONTACT,
-    "why": f"{PENALTY}; and the radii of the races are changed by the overlap, 1e-3 of a radius",
+    "why": f"{PENALTY}; the radii of the races are changed by the overlap with the sprag, 1e-3 of a "
+    "radius",
 }
 
 
