@@ -187,4 +187,6 @@ def test_a_part_is_as_uncertain_as_its_meshes_differ_or_one_is_coarse():
         part = balance.removed("x", pairs, finest=finest, shared=False)
         assert (part.contribution, part.u) == pytest.approx((contribution, u))
     none = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
-    assert (none.contribution, none.u, none.note) == (None, None, "values on the finest mesh alone")
+    assert (none.contribution, none.u, none.note) == (
+        None, None, "the row has no value on the coarser meshes"
+    )  # fmt: skip

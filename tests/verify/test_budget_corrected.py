@@ -31,7 +31,7 @@ def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
     row = budgets_of(Plan(CASE, statement, rows(CASE)))[0]
     part, *others = row.balance.parts
     fe = K / (1 + right.total)
-    assert (part.name, part.u) == ("formula: as printed, beside the corrected one", 0.0)
+    assert (part.name, part.u) == ("formula: printed form instead of the corrected form", 0.0)
     assert part.contribution == pytest.approx((PRINTED - K) / fe)
     assert row.balance.total == pytest.approx(PRINTED / fe - 1)
     assert (row.pair.name, row.pair.analytic) == ("stiffness", "k")  # the formula of the row

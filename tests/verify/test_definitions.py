@@ -35,9 +35,9 @@ def planted(**changed):
 
 def test_a_planted_reading_is_found_and_named():
     for changed, *names in (
-        ({"r": 8.04}, "2 r for r"),
-        ({"a": math.atan(math.sin(0.2))}, "sin a for tan a"),
-        ({"r": 8.04, "n": 11}, "2 r for r", "n − 1 for n"),
+        ({"r": 8.04}, "2 r instead of r"),
+        ({"a": math.atan(math.sin(0.2))}, "sin a instead of tan a"),
+        ({"r": 8.04, "n": 11}, "2 r instead of r", "n − 1 instead of n"),
     ):
         most = len(changed)
         found = search(formula, INPUTS, planted(**changed), READINGS, most=most, digits=False)
@@ -54,7 +54,7 @@ def test_the_window_is_half_a_last_digit_and_what_rounded_inputs_move_the_result
     assert not search(formula, INPUTS, printed, READINGS, most=1).hits
     # 4.02 ± 0.005, squared: 0.25 %
     found = search(formula, INPUTS, printed, READINGS, most=1, rounding={"r": 0.005})
-    assert found.best.readings == ("2 r for r",)
+    assert found.best.readings == ("2 r instead of r",)
     assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * EXACT, rel=2e-3)
 
 
@@ -69,7 +69,7 @@ def test_a_number_is_met_unchanged_or_by_no_reading():
     raising = Reading(name="no root", of="y", result=lambda v, _q: math.sqrt(-v))
     found = search(formula, INPUTS, planted(r=8.04), (broken, raising, *length("r")), most=1)
     assert (found.without_value, found.tried) == (2, 5)
-    assert found.best.readings == ("2 r for r",)
+    assert found.best.readings == ("2 r instead of r",)
     for printed in ("0", "abc"):
         with pytest.raises(ValueError, match="number"):
             search(formula, INPUTS, printed, READINGS)
@@ -119,7 +119,12 @@ PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
 def test_errata_of_the_ledger_are_found_again():
     """With three changes so many other combinations are near that the hit is no evidence."""
     for reference, *names in (
-        ("wang2023:k1-theory", "L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
+        (
+            "wang2023:k1-theory",
+            "L_1 instead of 2 L_1 in L_2",
+            "b instead of h in L_2",
+            "alternating sign of the term F x in M_2",
+        ),
         ("huang2018:table-2-relative-error", "relative to the predicted value"),
     ):
         found = PROBLEMS[reference].search()
@@ -145,10 +150,11 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     command += ["--changes", "1"]
     assert run([*command, "--json"]) == 0
     hits = [hit["readings"] for hit in json.loads(capsys.readouterr().out)["hits"]]
-    assert sorted(hits) == [["2 r_o for r_o"], ["r_i/2 for r_i"]]  # a stress knows their ratio
+    # a stress knows their ratio
+    assert sorted(hits) == [["2 r_o instead of r_o"], ["r_i/2 instead of r_i"]]
     assert run(["init", "ring-lame", "--out", str(tmp_path / "my.toml")]) == 0
     assert run([*command, "--file", str(tmp_path / "my.toml")]) == 0
-    assert "2 r_o for r_o" in capsys.readouterr().out
+    assert "2 r_o instead of r_o" in capsys.readouterr().out
     # without a reading that gives the number the status is one
     assert run(["search", "wang2023:k1-fea"]) == 1
     assert "no reading reproduces the number" in capsys.readouterr().out

@@ -101,7 +101,7 @@ class Corrected:
 
     row: str
     key: str
-    what: str = "as printed, beside the corrected one"
+    what: str = "printed form instead of the corrected form"
 
     @property
     def name(self) -> str:

@@ -154,7 +154,7 @@ class FemClaim(Claim):
     formal: float | None = None
     scale: str = ""  # analytic key of the natural magnitude; if empty, the reference
     own_demand: float = judge.DEMAND
-    own_reason: str = "user inputs: the suite's default"
+    own_reason: str = "the suite's default for user inputs"
 
     def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
         """Grid convergence, u_num of the finest value, and the largest u_it of all levels [SI]."""

@@ -11,7 +11,7 @@ from verify.judging.claims import Claim, beside
 from verify.papers.entries import Value
 from verify.papers.ledger import erratum, published
 
-NO_UNCERTAINTY = "compared but not judged, because scatter, supports and mesh are not stated"
+NO_UNCERTAINTY = "not judged, because scatter, supports and mesh are not stated"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +59,7 @@ class PrintedTheory(PrintedClaim):
         r, u = entry.value * f, entry.standard_uncertainty
         fields = {"analytic": v, "published": self._beside()}
         if u is None:
-            verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
+            verdict = judge.Verdict(Status.SHOWN, "the value is printed as approximate", v - r)
             return self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **fields)
         verdict = judge.difference(
             v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
@@ -80,7 +80,7 @@ class PrintedMeasurement(PrintedClaim):
     def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], self._printed_value()
         r = entry.value * units.factor(entry.unit)
-        reason = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
+        reason = f"difference of the formula {100 * (v / r - 1):+.1f} %, {NO_UNCERTAINTY}"
         verdict = judge.Verdict(Status.SHOWN, reason, v - r)
         return self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),

@@ -44,7 +44,7 @@ def identity(row: Row) -> Derivation:
     found += [
         *uncertainty_steps(row.grid),
         ("u_ref", evaluated if u_ref else "0: the formula is evaluated to round-off"),
-        ("u_input", "0: both sides take the same inputs"),
+        ("u_input", "0: formula and reference use the same inputs"),
         expanded(row.unit, u_num, u_ref, 0.0, U),
         *difference_steps(row, verdict, f"formula − {name}"),
     ]
@@ -96,7 +96,7 @@ def approximation(row: Row) -> Derivation:
     found += [
         *uncertainty_steps(row.grid),
         ("u_ref", f"0: the reference is {reference_name(row)}, whose uncertainty is u_num"),
-        ("u_input", "0: both sides take the same inputs"),
+        ("u_input", "0: formula and reference use the same inputs"),
         expanded(row.unit, u_num, 0.0, 0.0, U),
         *_model_error(row, formula, v, U, verdict),
     ]

@@ -62,7 +62,7 @@ def _printed(row: Row, entry: Published) -> Step:
     """Line of the explanation: a published value, and formula and finite elements divided by it."""
     computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
     ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
-    ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]
+    ratios = [f"{who}/printed = {v / entry.value:.5f}" for who, v in ours if v and entry.value]
     unit = "" if entry.unit == "1" else f" {entry.unit}"
     text = f"{entry.printed}{unit} ({entry.kind}, {entry.document}, {entry.place})"
     if entry.unit != row.unit:

@@ -93,7 +93,7 @@ def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order
     """
     change = finest - beyond
     if not math.isfinite(change):
-        return Part(name, None, None, note="no value on that mesh")
+        return Part(name, None, None, note="the row has no value on the finer mesh")
     left = 1.0
     if math.isfinite(order) and h[0] > h[1]:
         left = min(1.0, 1 / ((h[0] / h[1]) ** order - 1))
@@ -106,10 +106,15 @@ def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: 
     The extrapolation uses the order of convergence of the three finest meshes.
     """
     if not all(map(math.isfinite, errors[-3:])):
-        return Part(name, None, None, note="values on the finest mesh alone")
+        return Part(name, None, None, note="the row has no value on the coarser meshes")
     if not math.isfinite(order):
         spread = max(errors[-3:]) - min(errors[-3:])
-        return Part(name, 0.0, spread, note="no order: the spread of three meshes")
+        return Part(
+            name,
+            0.0,
+            spread,
+            note="no order of convergence: the uncertainty is the spread of three meshes",
+        )
     change = (errors[-1] - errors[-2]) / ((h[-2] / h[-1]) ** order - 1)
     return Part(name, -change, abs(change))
 

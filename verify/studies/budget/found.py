@@ -57,7 +57,11 @@ class _Reader:
     def why(self, causes: tuple[str, ...], level: int) -> str:
         """Reason why the value with `causes` removed does not exist."""
         found = self.solutions.get(Step(self.plan.case.id, causes, level))
-        return "not run" if found is None else found.problem or "no such value without it"
+        return (
+            "the rerun was not solved"
+            if found is None
+            else found.problem or "the row has no value without this cause"
+        )
 
     def parts(self, pair: Pair) -> list[Part]:
         found = [self.discretisation(pair), self.iteration(pair)]

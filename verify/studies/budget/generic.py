@@ -46,9 +46,9 @@ def without(case: Case) -> tuple[Without, ...]:
     modules = reached(case)
     found = []
     if not any(name in modules for name in CONTACT):
-        found.append(Without(Cause.CONTACT, "no contact in it"))
+        found.append(Without(Cause.CONTACT, "the reference model contains no contact"))
     if not any(name.startswith(("fem.plane", "fem.contact.problem")) for name in modules):
-        found.append(Without(Cause.PLANE, "no plane model"))
+        found.append(Without(Cause.PLANE, "the reference is not a plane model"))
     return tuple(found)
 
 
@@ -57,7 +57,7 @@ def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
     modules = reached(case)
     return tuple(
         Rerun(
-            cause=Cause.CONTACT, what="exact law, integrated at twice as many points",
+            cause=Cause.CONTACT, what="exact contact law, integrated at twice as many points",
             changes=(Constant(target, 2),), levels=levels,
         )
         for target in INTEGRATED if target.partition(":")[0] in modules

@@ -33,8 +33,8 @@ def _half_angle_readings() -> tuple[Reading, ...]:
         switched("root", "without the root", root=False),
         switched("inverse", "sin instead of cos", inverse=math.asin),
         switched("inverse", "tan instead of cos", inverse=math.atan),
-        switched("share", "2 α for α", share=2.0),
-        switched("share", "α for 2 α", share=0.5),
+        switched("share", "2 α instead of α", share=2.0),
+        switched("share", "α instead of 2 α", share=0.5),
         doubled("R"),
         doubled("r"),
         doubled("X"),
@@ -52,8 +52,8 @@ def _loaded_angle_readings() -> tuple[Reading, ...]:
         switched("below", "− r in the denominator", below=-1.0),
         switched("above", "− r in the numerator", above=-1.0),
         switched("ring", "outer radius of the ring, 22 mm", ring=22.0),
-        switched("share", "2 α for α", share=2.0),
-        switched("share", "α for 2 α", share=0.5),
+        switched("share", "2 α instead of α", share=2.0),
+        switched("share", "α instead of 2 α", share=0.5),
         doubled("r"),
         doubled("X"),
         doubled("ring", "R"),
@@ -68,10 +68,10 @@ def torque_of_one(q: Mapping[str, Any]) -> float:
 
 def _torque_readings() -> tuple[Reading, ...]:
     return (
-        switched("lever", "R for X", lever="R"),
-        switched("lever", "r for X", lever="r"),
+        switched("lever", "R instead of X", lever="R"),
+        switched("lever", "r instead of X", lever="r"),
         switched("of", "sin α instead of tan α", of=math.sin),
-        switched("times", "2 α for α", times=2.0),
+        switched("times", "2 α instead of α", times=2.0),
         *result()[:2],
     )
 
@@ -121,7 +121,8 @@ def _first_torque_readings() -> tuple[Reading, ...]:
 
 PROBLEMS = (
     Problem(
-        reference="nagler2021:eq-4-numerator", case="freewheel-torque", what="Eq. 4 as printed",
+        reference="nagler2021:eq-4-numerator", case="freewheel-torque",
+        what="clamping angle without load by Eq. 4 as printed",
         formula=half_angle, readings=_half_angle_readings, derived="3.5000", unit="deg",
         inputs=lambda: EXAMPLE | {
             "numerator": "r", "root": True, "inverse": math.acos, "share": 1.0},
@@ -129,28 +130,29 @@ PROBLEMS = (
     ),
     Problem(
         reference="nagler2021:eq-5-denominator-signs", case="freewheel-torque",
-        what="angle without load, Eq. 5 as printed", formula=loaded_angle, derived="3.5000",
-        unit="deg",
+        what="clamping angle without load by Eq. 5 as printed", formula=loaded_angle,
+        derived="3.5000", unit="deg",
         inputs=lambda: {"X": 11.39565, "r": 2.5, "ring": 16.5, "above": 1.0, "below": 1.0,
                         "share": 1.0},
         readings=_loaded_angle_readings, rounding=LAST_OF_X, errata=("eq-5-denominator-signs",),
     ),
     Problem(
         reference="nagler2021:eq-3-lever-on-the-flat", case="freewheel-torque",
-        what="torque of one roller on the star, Eq. 3 as printed", formula=torque_of_one,
+        what="torque of one roller on the star by Eq. 3 as printed", formula=torque_of_one,
         derived="1.00916",
         inputs=lambda: EXAMPLE | {"lever": "X", "of": math.tan, "times": 1.0}, unit="N mm",
         readings=_torque_readings, rounding=LAST_OF_X, errata=("eq-3-lever-on-the-flat",),
     ),
     Problem(
         reference="belcin:eq-13-side-force", case="polyhedral-locking",
-        what="force on a side of a hexagon under 1 MPa, Eq. 13 as printed", formula=side_force,
+        what="force on one side of a hexagon under 1 MPa by Eq. 13 as printed", formula=side_force,
         derived="1080.0",
         inputs=lambda: POLYGON | {"chord": False, "across": 1.0}, unit="N",
         readings=_side_readings, errata=("eq-13-side-force",),
     ),
     Problem(
-        reference="belcin:eq-21-factor", case="polyhedral-clutch", what="Eq. 21 as printed",
+        reference="belcin:eq-21-factor", case="polyhedral-clutch",
+        what="torque of one roller by Eq. 21 as printed",
         formula=first_torque, inputs=lambda: POLYGON | {"chord": False}, derived="443.9",
         unit="N m", readings=_first_torque_readings,
         errata=("eq-21-factor", "eqs-17-20-side-force"),

@@ -128,11 +128,11 @@ def lever(q: Mapping[str, Any]) -> float:
 
 def _arm_readings() -> tuple[Reading, ...]:
     return (
-        switched("share", "the whole bracket", share=1.0),
-        switched("share", "a quarter of the bracket", share=0.25),
-        switched("radius", "bore R_id", radius="R_id"),
-        switched("radius", "outside R_ed", radius="R_ed"),
-        switched("radius", "sprag's radius r_i", radius="r_i"),
+        switched("share", "the whole bracket instead of half of it", share=1.0),
+        switched("share", "a quarter of the bracket instead of half of it", share=0.25),
+        switched("radius", "radius R_id of the bore", radius="R_id"),
+        switched("radius", "outer radius R_ed", radius="R_ed"),
+        switched("radius", "radius r_i of the sprag", radius="r_i"),
         *result()[2:],
     )
 
@@ -178,14 +178,15 @@ PROBLEMS = (
     _column("table-2-mse", tuple(map(_squares, ROWS))),
     _problem(
         "stress-40nm-reduction", case="sprag-clutch",
-        what="reduction from the two printed pressures",
+        what="reduction computed from the two printed pressures",
         formula=reduction, inputs=lambda: _reduction(40), rounding=_rounded_pair(40),
         readings=_reduction_readings, errata=("sec-4-2-2-percentage",),
     ),
     *(
         _problem(
             f"stress-40nm-{kind}", case="sprag-clutch",
-            what="pressure at 25 N m times the square root of the torque ratio", formula=raised,
+            what="printed pressure at 25 N m times the square root of the torque ratio",
+            formula=raised,
             inputs=lambda kind=kind: _raised(kind),
             readings=lambda kind=kind: _raised_readings(kind),
             rounding={"pressure": half(f"stress-25nm-{kind}")}, errata=("sec-4-2-force-ratio",),

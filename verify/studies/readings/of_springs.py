@@ -52,15 +52,15 @@ ADOPTED = STATICS | {"arcs": 0.0}
 def _stiffness_readings() -> tuple[Reading, ...]:
     """Readings of ambiguous terms in Eqs. 1 to 9, and general readings for a bent strip."""
     return (
-        switched("leaves", "L_1 for 2 L_1 in L_2", leaves=1.0),
-        switched("leaves", "L_1/2 for 2 L_1 in L_2", leaves=0.5),
-        switched("thickness", "b for h in L_2", thickness="b"),
-        switched("halves", "r for r + h/2 in L_2", halves=0.0),
-        switched("halves", "r + h for r + h/2 in L_2", halves=2.0),
-        switched("arcs", "arcs with r + b/2", arcs=1.0),
-        switched("signs", "± before F x in M_2", signs="alternating"),
-        switched("signs", "+ for every segment", signs="all plus"),
-        switched("start", "first couple F L_1/2", start=0.0),
+        switched("leaves", "L_1 instead of 2 L_1 in L_2", leaves=1.0),
+        switched("leaves", "L_1/2 instead of 2 L_1 in L_2", leaves=0.5),
+        switched("thickness", "b instead of h in L_2", thickness="b"),
+        switched("halves", "r instead of r + h/2 in L_2", halves=0.0),
+        switched("halves", "r + h instead of r + h/2 in L_2", halves=2.0),
+        switched("arcs", "radius r + b/2 in the arcs", arcs=1.0),
+        switched("signs", "alternating sign of the term F x in M_2", signs="alternating"),
+        switched("signs", "sign + in every segment", signs="all plus"),
+        switched("start", "moment F L_1/2 at the first inner segment", start=0.0),
         *elastic("E", "nu")[:1],
         *result()[:2],
     )
@@ -74,7 +74,7 @@ def _arc_readings() -> tuple[Reading, ...]:
         switched("halves", "r in L_2", halves=0.0),
         switched("halves", "r + b in L_2", halves=2.0),
         switched("leaves", "2 L_1 in L_2", leaves=2.0),
-        switched("start", "first couple F L_1/2", start=0.0),
+        switched("start", "moment F L_1/2 at the first inner segment", start=0.0),
         switched("head", "semicircle in the head", head=SEMICIRCLE),
         switched("tail", "semicircle in the tail", tail=SEMICIRCLE),
         *elastic("E", "nu")[:1],
@@ -87,9 +87,9 @@ def _end_readings() -> tuple[Reading, ...]:
     return (
         switched("head", "quarter circle in the head", head=QUARTER),
         switched("tail", "quarter circle in the tail", tail=QUARTER),
-        switched("arcs", "arcs with r + b/2", arcs=1.0),
+        switched("arcs", "radius r + b/2 in the arcs", arcs=1.0),
         switched("halves", "r in L_2", halves=0.0),
-        switched("start", "first couple F L_1/2", start=0.0),
+        switched("start", "moment F L_1/2 at the first inner segment", start=0.0),
         *elastic("E", "nu")[:1],
         *result()[:2],
     )
@@ -112,8 +112,8 @@ def _stage_readings() -> tuple[Reading, ...]:
     return (
         switched("tail", "tail clamped at mid-leaf", tail="mid-leaf"),
         switched("head", "head guided", head="guided"),
-        switched("arcs", "arcs with r + b/2", arcs=1.0),
-        switched("wide", "E I/(1 − ν²) for E I", wide=1.0),
+        switched("arcs", "radius r + b/2 in the arcs", arcs=1.0),
+        switched("wide", "E I/(1 − ν²) instead of E I", wide=1.0),
     )
 
 
@@ -147,7 +147,7 @@ def _error_readings() -> tuple[Reading, ...]:
         switched("forces", "mean over stage OA", forces=tuple(F for F in every if A > F)),
         Reading(name="root mean square over 1 to 11 N", of="forces",
                 inputs=lambda _q: {"forces": every, "rms": True}),
-        switched("of_theory", "relative to the force of the theory", of_theory=True),
+        switched("of_theory", "relative to the theoretical force", of_theory=True),
     )  # fmt: skip
 
 
@@ -168,7 +168,7 @@ def _small_readings() -> tuple[Reading, ...]:
         switched("F", "at 2 N", F=2.0),
         switched("c", "without the constant of Eq. 10", c=0.0),
         switched("c", "ten times the constant of Eq. 10", c=0.055),
-        switched("k", "theory's k_1", k=printed("k1-theory")),
+        switched("k", "k_1 of the theory", k=printed("k1-theory")),
         switched("k", "k_2 of Eq. 10", k=printed("k2-fea")),
         switched("k_test", "k_2 of the tests", k_test=printed("k2-test")),
         switched("of_fe", "relative to the force of the finite elements", of_fe=True),
@@ -182,17 +182,19 @@ def _problem(name: str, **more: Any) -> Problem:
 
 PROBLEMS = (
     _problem(
-        "k1-theory", case="spring-accordion", what="Eqs. 1 to 9 as printed in the text",
+        "k1-theory", case="spring-accordion", what="stiffness k_1 by Eqs. 1 to 9 as printed",
         formula=energy_stiffness, inputs=lambda: spring() | LITERAL, readings=_stiffness_readings,
         errata=("eq-3-leaf-length", "eq-3-leaf-moment"), most=3,
     ),
     _problem(
-        "arc-radius", case="spring-accordion", what="Eqs. 1 to 9 on the strip's centre line",
+        "arc-radius", case="spring-accordion",
+        what="k_1 by Eqs. 1 to 9 on the centre line of the strip",
         formula=energy_stiffness, inputs=lambda: spring() | STATICS, readings=_arc_readings,
         derived=published("wang2023:k1-theory").printed, unit="N/mm", errata=("arc-radius",),
     ),
     _problem(
-        "s-i-arc-angle", case="spring-accordion", what="Eqs. 1 to 9 with semicircles at the ends",
+        "s-i-arc-angle", case="spring-accordion",
+        what="k_1 by Eqs. 1 to 9 with semicircles at the ends",
         formula=energy_stiffness, readings=_end_readings,
         inputs=lambda: spring() | ADOPTED | {"head": SEMICIRCLE, "tail": SEMICIRCLE},
         derived=published("wang2023:k1-theory").printed, unit="N/mm",
@@ -200,7 +202,7 @@ PROBLEMS = (
     ),
     *(
         _problem(
-            f"{key}-fea", case="spring-stages", what=f"{key[0]}_{key[1]} of the linear stages",
+            f"{key}-fea", case="spring-stages", what=f"{key[0]}_{key[1]} by linear theory",
             formula=lambda q, key=key: staged(key, q),
             inputs=lambda: spring() | {"tail": "arc", "head": "free", "arcs": 0.0, "wide": 0.0},
             readings=_stage_readings, most=4,
@@ -208,14 +210,15 @@ PROBLEMS = (
         for key in ("k1", "k2")
     ),
     _problem(
-        "theory-fea-error-max", case="spring-map", what="difference of k_1 U from Eq. 10 at 11 N",
+        "theory-fea-error-max", case="spring-map",
+        what="error of the force k_1 U at 11 N, relative to Eq. 10",
         formula=force_error, readings=_error_readings,
         inputs=lambda: _eq_10() | {"k": printed("k1-theory"), "forces": (11.0,)},
         errata=("theory-error-six-percent",),
     ),
     _problem(
         "fea-test-error-small-compression", case="spring-stages",
-        what="difference between Eq. 10 and a test line through zero, at 1 N",
+        what="difference between Eq. 10 and a straight test line through zero, at 1 N",
         formula=small_error, inputs=_small, readings=_small_readings,
         errata=("fea-error-small-compression",),
     ),
