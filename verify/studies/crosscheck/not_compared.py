@@ -10,22 +10,25 @@ _STRIPS = (
     "the model is coupled strips on a half-space, which tamaas and calculix do not have; case "
     "contact-roller compares the strips with tamaas"
 )
-_ALONG = "displacement along the axis at uniform strain, which plane cells of calculix do not have"
-_FRAME = "the frames have the beams that are compared with strips of calculix in "
+_ALONG = (
+    "the model has axial displacements that are uniform along the axis, which plane cells of "
+    "calculix do not have"
+)
+_FRAME = "the frames consist of beams; such beams are compared with strips of calculix in "
 
 ALONE: Mapping[str, str] = {
-    "ring-loads-map": "the sectors are those of ring-loads, which calculix solves, with other "
+    "ring-loads-map": "the sectors are those of ring-loads, which calculix solves, but with other "
     "numbers of loads n and other wall thicknesses",
-    "polyhedral-map": "the sectors are those of polyhedral-ring, which calculix solves, with "
-    "other numbers of flats, walls and fillets",
+    "polyhedral-map": "the sectors are those of polyhedral-ring, which calculix solves, but "
+    "with other numbers of flats, walls and fillets",
     "polyhedral-wedge": "the sticking of a released roller depends on the history of loading; "
     "calculix models sticking by a tangential stiffness, so that the half-width is not accurate",
-    "polyhedral-clutch": "the ring is that of polyhedral-locking, which calculix solves, under a "
-    "torque",
+    "polyhedral-clutch": "the ring is that of polyhedral-locking, which calculix solves, but "
+    "under a torque",
     "freewheel-friction": _ALONG,
     "freewheel-paths": _ALONG,
     "freewheel-clutch": "the model is one pitch as in freewheel-torque, which calculix solves, "
-    "with other dimensions",
+    "but with other dimensions",
     "sprag-engagement": _IN_TIME,
     "sprag-friction": _IN_TIME,
     "sprag-clutch": _STRIPS,
@@ -34,6 +37,6 @@ ALONE: Mapping[str, str] = {
     "sprag-optimum-40": _STRIPS,
     "spring-stages": f"{_FRAME}spring-accordion; the rigid links of the tips are not compared",
     "spring-map": f"{_FRAME}spring-curve and spring-buckling, with other dimensions",
-    "contact-roller-end": "contact of an end face around the circumference: the corner requires "
-    "too many bricks",
+    "contact-roller-end": "the edge of the end face requires small cells; around the complete "
+    "circumference, these would be too many solid elements of calculix",
 }
