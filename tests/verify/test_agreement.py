@@ -92,4 +92,4 @@ def test_user_inputs_are_judged_only_where_the_figure_holds_for_any(make):
 def test_the_farthest_of_many_pairs_is_the_one_that_is_judged():
     found = farthest(np.array([[1.0, 2.0], [3.0, 3.9]]), np.array([[1.0, 2.01], [3.0, 4.0]]), 0.01)
     assert (found.value, found.reference, found.U) == (3.9, 4.0, 0.04)
-    assert found.words == "largest error -0.025 among 4 values"
+    assert found.words == "largest error -0.025 of 4"

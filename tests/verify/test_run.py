@@ -38,7 +38,7 @@ def late(*_):
 
 
 BOOM = ("FAIL", "KeyError: 'no such\\n key'")
-HELD = ("PASS", "the condition holds")
+HELD = ("PASS", "held")
 
 
 def holds(name, margin=lambda _context: (1.0, 0.0), **more):

@@ -89,10 +89,7 @@ def approximation(
         )
     if ratio == 0:
         return Verdict(
-            Status.FAIL,
-            "the formula gives zero: a relative change of zero cannot be judged",
-            None,
-            U,
+            Status.FAIL, "the formula gives zero: its relative change cannot be judged", None, U
         )
     if not low + U_m <= m <= high - U_m:
         error, u, ends = 100 * m, 100 * U_m, f"[{100 * low:+.3f} %, {100 * high:+.3f} %]"
@@ -114,12 +111,8 @@ def fact(margin: float, U: float) -> Verdict:
     if not (math.isfinite(margin) and math.isfinite(U)):
         return Verdict(Status.FAIL, "not converged")
     if margin > U:
-        return Verdict(Status.PASS, "the condition holds", margin, U)
-    reason = (
-        "the condition does not hold"
-        if margin < -U
-        else f"undecided: margin {margin:.2g} within ± {U:.2g}"
-    )
+        return Verdict(Status.PASS, "held", margin, U)
+    reason = "not held" if margin < -U else f"undecided: margin {margin:.2g} within ± {U:.2g}"
     return Verdict(Status.FAIL, reason, margin, U)
 
 

@@ -138,7 +138,7 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
     if np.isfinite(size[k]):
         k = int(np.argmax(size >= (1 - EQUAL) * size[k]))
     value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
-    words = f"largest error {off[k]:+.2g} among {off.size} values"
+    words = f"largest error {off[k]:+.2g} of {off.size}"
     return Pair(value, reference, u * abs(reference), words)
 
 
