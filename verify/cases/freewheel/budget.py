@@ -43,8 +43,8 @@ LIGHT = rerun(what="a quarter of the load: contacts half as wide", inputs=light,
 WALL = rerun(what="a ring with four times the wall thickness", inputs=thick_ring, levels=(4,))
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               changes=plane_stress(PROBLEM), levels=(4,))  # fmt: skip
-BOTH = Without(Cause.PLANE, "plane strain in both formula and reference")
-ALONG = Without(Cause.PLANE, "plane strain and axial displacement")
+BOTH = Without(Cause.PLANE, "formula and reference are both in plane strain")
+ALONG = Without(Cause.PLANE, "the model combines plane strain with axial displacement")
 
 ROLLED = ("wind-up by exact rolling*",)
 UNTURNED = (

@@ -52,7 +52,10 @@ BEAM = (
     "frequency of Timoshenko*", "frequency of Euler*", "frequency of Rayleigh*", "beam with*",
     "beam by*",
 )  # fmt: skip
-SOLID = (Without(Cause.PLANE, "a body of revolution"), Without(Cause.CONTACT, "none"))
+SOLID = (
+    Without(Cause.PLANE, "both models are bodies of revolution"),
+    Without(Cause.CONTACT, "the models contain no contact"),
+)
 
 STATEMENTS: Mapping[str, Statement] = {
     "rotor-clutch": Statement(
@@ -73,8 +76,8 @@ STATEMENTS: Mapping[str, Statement] = {
                  "with a smaller wedge angle the difference changes its sign: two effects of "
                  "opposite sign partly cancel each other"),
         ),
-        without=(Without(Cause.PLANE, "struts"),
-                 Without(Cause.CONTACT, "none: the same contact law in both")),
+        without=(Without(Cause.PLANE, "the sprags are struts, not plane bodies"),
+                 Without(Cause.CONTACT, "both models use the same contact law")),
         finer=256,
     ),
     "rotor-shaft": Statement(
