@@ -11,10 +11,12 @@ from verify.cases.freewheel.star import Star
 WIDEST = 8e-3  # interval with which a row of a user's star is sharp enough
 
 BRACKET = (
-    "compliance of the star between those of a layer and of two discs; wind-up of the star; terms "
-    "of the order (a/r)² in Hertz's theory"
+    "compliance of the star, which lies between the compliances of a layer and of two discs; "
+    "wind-up of the star; terms of the order (a/r)², which Hertz's theory omits"
 )
-TANGENTIAL = f"{BRACKET}; rotation by tangential forces, 0.5 tan²α to tan²α of the wind-up"
+TANGENTIAL = (
+    f"{BRACKET}; rotation by the tangential forces, which is 0.5 tan²α to tan²α times the wind-up"
+)
 
 
 def parts(q: OneClutch) -> FreewheelParts:

@@ -39,7 +39,7 @@ class Pulled(Star):
         loads = {"T": self.T, "F_ax": self.F_ax, "R": self.R}
         return float(criterion.required_friction(alpha=self.state.alpha, **loads))
 
-    @Quantity("F_lim", "N", "axial load on the clutch at slip", equation="9", safe="too low",
+    @Quantity("F_lim", "N", "axial load at slip", equation="9", safe="too low",
               when=lambda q: q.bears_axial_load,
               tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}")  # fmt: skip
     def F_lim(self) -> float:

@@ -11,9 +11,9 @@ from verify.cases.freewheel.bodies import OneClutch
 from verify.core.case import Context
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
 
-TORQUE = suites("the same tolerance as for the torque")
+TORQUE = suites("the same tolerance as for the torque compared with the forces on the race")
 BOTH = suites("twice the tolerance of 2e-3 for F_t/F_n at one contact")
-OTHER = suites("the same tolerance as for the torque on the race")
+OTHER = suites("the same tolerance as for the torque compared with the forces on the race")
 NOISE = 5e-6  # least difference of F_t/N between meshes
 
 Points = tuple[list[float], list[float], list[float]]

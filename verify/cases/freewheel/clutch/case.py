@@ -18,7 +18,7 @@ from verify.core.case import Values
 from verify.form.adapter import adapted
 
 PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
-BELOW = "that {0} % of the random clutches with a wedge do not exceed"
+BELOW = "that {0} % of the random clutches whose rollers can wedge do not exceed"
 WITHIN = "share of the random clutches that"
 
 
@@ -100,7 +100,7 @@ class FreewheelClutch(ClutchInputs):
     d_o = Quantity(
         "d_o", "µm", "elastic approach of roller and outer part",
     ).reads(lambda q: q._of_state("d_o"))  # fmt: skip
-    s = Quantity("s", "µm", "travel of the rollers along the cam",
+    s = Quantity("s", "µm", "travel of the rollers' centres about the axis",
                  equation="6").reads(lambda q: q._of_state("s"))  # fmt: skip
     phi = Quantity(
         "φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
@@ -183,13 +183,14 @@ class FreewheelClutch(ClutchInputs):
         "T_pop", "N m", "torque at which the rollers pop through", safe="too low",
     ).reads(lambda q: q._torques.get("pop_through", math.nan))  # fmt: skip
 
-    @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of the clamping angle without load to {0}").over(
-        ("X", "r", "R")
-    )
+    @Quantity(
+        "dα_0/d{0}", "deg/mm", "derivative of the clamping angle without load with respect to {0}"
+    ).over(("X", "r", "R"))
     def dalpha_0_d(self, dimension: str) -> float:
         return next(s.slope for s in self.slopes if s.name == dimension)
 
-    @Quantity("dα(T)/dX", "deg/mm", "sensitivity of the clamping angle under torque to X")
+    @Quantity("dα(T)/dX", "deg/mm", "derivative of the clamping angle under torque with "
+                                  "respect to X")  # fmt: skip
     def dalpha_dX(self) -> float:
         if self.duty.under is None:
             return math.nan
@@ -205,7 +206,7 @@ class FreewheelClutch(ClutchInputs):
         "P(slip)", "%", "share of the random clutches that slip",
     ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
     P_no_wedge = Quantity(
-        "P(gap)", "%", "share of the random clutches that have no wedge",
+        "P(gap)", "%", "share of the random clutches whose rollers cannot wedge",
     ).reads(lambda q: q._scattered.get("P_no_wedge", math.nan))  # fmt: skip
     P_no_state = Quantity(
         "P(through)", "%", f"{WITHIN} have no equilibrium: pop-through, or contacts too wide for "

@@ -98,7 +98,8 @@ class ClutchInputs(Case):
     s_mu: float = given(0.004, "1", "s_μ", "standard deviation of μ", omitted=0.0, ge=0, lt=1)
     spread: Spread = word(
         "normal",
-        "distribution within the tolerances: normal (± is three standard deviations) or uniform",
+        "distribution of the dimensions: normal (a tolerance is three standard deviations) or "
+        "uniform",
     )
 
     @model_validator(mode="after")

@@ -40,15 +40,18 @@ COURSE = 3e-5  # relative error of splines between states
 BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
 BRACKET = (
-    "compliance of the cup between those of two rings (the thinner ring with a column below the "
-    "flat); wind-up of shaft and cup; terms of the order (a/r)² in Hertz's theory"
+    "compliance of the cup, which lies between the compliances of two rings (the thinner ring has "
+    "a column below the flat); wind-up of shaft and cup; terms of the order (a/r)², which Hertz's "
+    "theory omits"
 )
-TANGENTIAL = f"{BRACKET}; rotation by tangential forces, 0.5 tan²α to tan²α of the wind-up"
+TANGENTIAL = (
+    f"{BRACKET}; rotation by the tangential forces, which is 0.5 tan²α to tan²α times the wind-up"
+)
 NOT_LOADED = f"ratio α_0/α, with α under load by Eq. 5 for a cup; {BRACKET}"
-ON_FLAT = "factor (R_s + X_o)/(2X_o): Eq. 7 assumes rolling on a circle instead of on a flat"
+ON_FLAT = "factor (R_s + X_o)/(2 X_o): Eq. 7 assumes rolling on a circle instead of on a flat"
 ENCLOSED = (
-    "the compliance of a cup is known to a few per cent from two rings; near the largest torque, "
-    "its error causes larger errors of the results"
+    "two rings bound the compliance of a cup to a few per cent; near the largest torque, an error "
+    "of the compliance causes larger errors of the results"
 )
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
 WIDE = 0.12  # largest a/r at which finite elements (small displacements) are judged at the summit

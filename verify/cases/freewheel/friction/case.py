@@ -30,12 +30,12 @@ from verify.form.comparisons import Options
 
 CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
 ANGLE = (
-    "compliance of the star between those of a layer and of two discs; effect of the friction "
-    "forces on α"
+    "compliance of the star, which lies between the compliances of a layer and of two discs; "
+    "effect of the friction forces on α"
 )
 TILTED = f"{ANGLE}; tilt of the surfaces under the normal force"
 HEAVY: Any = Options(own=(0.03, "the tilt of the surfaces increases with the load"))
-LIMITED = "an error of tan α causes a larger error of the limit, which contains √((μ/tan α)² − 1)"
+LIMITED = "an error of tan α causes a larger error of the load, which contains √((μ/tan α)² − 1)"
 CREEPS = "an error of tan α causes a larger error of the ratio, which contains 1/√((μ/tan α)² − 1)"
 ROOT = 0.015, 0.05  # required of a root of a small difference, by default and for user inputs
 STATICS: Any = {"sensitivity": (1e-6, "equilibrium of forces is satisfied on any mesh")}
@@ -149,7 +149,7 @@ class FreewheelFriction(Pulled):
         return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows on forces, required friction, limit of the axial load, and onset of slip."""
+        """Rows on forces, required friction, axial load at slip, and onset of slip."""
         law, bounds = FreewheelFriction, self.within
         more: Any = {"order": 2, "shares": SHARED}
         yield identity(law.F_t, name="tangential force of a roller (Eq. 3, corrected)", **STATICS)
@@ -175,7 +175,7 @@ class FreewheelFriction(Pulled):
                             expected=expected(bounds.two_tangents(), tangent), **more)  # fmt: skip
         least, own = ROOT
         yield approximation(
-            law.F_lim, name="limit of the axial load (Eq. 9)", symbol="F_ax,lim",
+            law.F_lim, name="axial load at slip (Eq. 9)", symbol="F_ax,lim",
             expected=expected(bounds.limit_load()), sensitivity=(least, LIMITED),
             own=(own, LIMITED), **more,
         )  # fmt: skip

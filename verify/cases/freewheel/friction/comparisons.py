@@ -1,4 +1,4 @@
-"""Rows on the onset of slip of a freewheel, at the angle of the finite elements."""
+"""Rows on the onset of slip of a freewheel, at the clamping angle by finite elements."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -44,8 +44,8 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
     )  # fmt: skip
     for where, part in enumerate(("star", "ring")):
         yield judged(
-            Agreement(name=f"required friction on the {part}, at the angle of the finite elements "
-                           "(Eqs. 8, 9)",
+            Agreement(name=f"required friction on the {part}, at the clamping angle by finite "
+                           "elements (Eqs. 8, 9)",
                       symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
                       accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip
@@ -63,7 +63,7 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
 
 
 def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
-    """mu_req by Eq. 9 at the angle of the finite elements, with the load ratio of the inputs.
+    """mu_req by Eq. 9 at the clamping angle by finite elements, with the load ratio of the inputs.
 
     With `of_mesh`, the angle follows from the normals of the mesh, as in the solver's friction.
     """

@@ -119,8 +119,8 @@ class LoadPaths(Pulled):
             )
         return self
 
-    @Quantity("T_c", "N m", "torque of load case 3 at which the smallest amplitude of the axial "
-                            "load causes slip",
+    @Quantity("T_c", "N m", "torque at the instant of slip in load case 3, at the amplitude "
+                            "F_lim3 of the axial load",
               role="geometry")  # fmt: skip
     def T_critical(self) -> float:
         # About zero it is the peak, F_ax/T is the same all the time and alpha largest; about a mean

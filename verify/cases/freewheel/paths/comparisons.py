@@ -27,8 +27,8 @@ STATICS = "the same tolerance as for F_t/F_n compared with tan(ψ/2)"
 SETTLES = 1 / 3  # creep of the last cycle over the first
 GOES_ON = 0.9  # creep of a cycle over the cycle before
 ANGLE = (
-    "compliance of the star between those of a layer and of two discs; tilt of the surfaces under "
-    "the normal force"
+    "compliance of the star, which lies between the compliances of a layer and of two discs; tilt "
+    "of the surfaces under the normal force"
 )
 COULOMB = "Coulomb's law of friction"
 RULE = (
@@ -114,8 +114,8 @@ def walks(context: Context) -> tuple[float, float, str]:
     rate, spread = ends[-1], abs(ends[1] - ends[0])
     words = (
         f"at 0.8 of the axial load at slip, the bore of the ring creeps by {rate:.0f} nm in the "
-        f"last cycle (difference between meshes {spread:.0f} nm), {now:.3f} of the creep in the "
-        "cycle before"
+        f"last cycle (difference between meshes {spread:.0f} nm), which is {now:.3f} times the "
+        "creep in the cycle before"
     )
     return now - GOES_ON, abs(now - before), words
 
@@ -172,8 +172,8 @@ def slips_in_time(q: Quantity, case: int) -> Comparison:
     check = Agreement(
         name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites(f"times at which the axial load is {SLIP:.0%} below and above the axial load "
-                      "at slip by finite elements"),
+        source=suites("times at which the axial load is below and above the axial load at slip by "
+                      f"finite elements by {SLIP:.0%}"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 
@@ -198,12 +198,13 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
     yield agrees(
-        path.mu_req, "required friction along load case 1, at the angle of the finite elements "
-        "(Eqs. 8, 9)", lambda c: along(c, "ramp"), MU, STATICS, "1",
+        path.mu_req, "required friction along load case 1, at the clamping angle by finite "
+        "elements (Eqs. 8, 9)", lambda c: along(c, "ramp"), MU, STATICS, "1",
     )  # fmt: skip
     yield agrees(
-        path.mu_req, "required friction at the extremes of load case 2, at the angle of the finite "
-        "elements (Eqs. 8, 9)", lambda c: along(c, "growing"), MU, STATICS, "1",
+        path.mu_req, "required friction at the peaks of the axial load in load case 2, at the "
+        "clamping angle by finite elements (Eqs. 8, 9)", lambda c: along(c, "growing"), MU,
+        STATICS, "1",
     )  # fmt: skip
     for case in (1, 2, 3):
         yield slips_in_time(path.slip(case), case)
@@ -266,6 +267,6 @@ def _adopted(path: Any) -> Iterator[Comparison | Check]:
     yield Adopted(
         name="number of test runs with each clutch", symbol="n", unit="1",
         reference="nagler2021:test-runs-per-clutch",
-        why="the text does not contain the settings (Table 1): three paths represent the load "
-            "cases",
+        why="the paper does not print the settings of the test runs (Table 1): three paths "
+            "represent the load cases",
     )  # fmt: skip

@@ -120,7 +120,10 @@ def plane(context: Context) -> Curves:
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
         curves += _path(q.courses[case], q.R, f"load case {case}", colour, drawn)
-    for name, colour, of in (("growing", 2, "extremes of load case 2"), ("ramp", 0, "load case 1")):
+    for name, colour, of in (
+        ("growing", 2, "axial load peaks, load case 2"),
+        ("ramp", 0, "load case 1"),
+    ):
         table = last[name]
         curves.append(dots(f"FE, {of}", table[:, 1:3].mean(axis=1), table[:, 3], colour))
     return plot(
@@ -172,13 +175,14 @@ def creeping(context: Context) -> Curves:
 
 
 def walked(context: Context) -> Curves:
-    """Figure of the fraction of F_n that slipping nodes carry, at extremes of the axial load."""
+    """Figure of the fraction of F_n that slipping nodes carry, at peaks of the axial load."""
     last = context.fem[-1].arrays
     return plot(
         "Share of the normal force on slipping nodes, up to slip, finite elements", "|F_ax|/F_lim",
         "share of F_n on slipping nodes",
         line("load case 1", last["ramp"][:, 0], last["ramp"][:, 7]),
-        dots("extremes of load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7], 2),
+        dots("axial load peaks, load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7],
+             2),
         note="The torque alone requires most of the available friction, so that only a small part "
              "of the contacts sticks even without axial load.",
     )  # fmt: skip

@@ -22,7 +22,7 @@ from verify.cases.freewheel.pulled_sector import field, one_pulled
 
 LEVELS = (3, 4, 5)  # cells on the half-width of the fine zones
 RAMP = (0.3, 0.6, 0.95)  # axial loads over their limit, load case 1
-GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
+GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the peaks of the axial load, load case 2
 QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # constant amplitudes and their number of cycles
 MU_REQ = {1.0: "mu_req_high", 0.3: "mu_req_low"}  # by sines of load case 3
 SOLVED = 1e-6  # relative tolerance of mu_req
