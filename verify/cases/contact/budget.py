@@ -132,7 +132,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "contact-roller-end": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="overhang of the races × 4",
-                  rows=("*, end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
+                  rows=("*: end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
         ),
         left=(
             Left(("*end face", "*beyond the ends"), "only the overhang of the races was varied; "

@@ -59,7 +59,7 @@ class FitFormulas(FitInputs):
         return 0.0
 
     hoop_inner_bore = Quantity(
-        "σ_i(r_i)", "MPa", "hoop stress at the inner ring's bore", source=LAME, safe="too high",
+        "σ_i(r_i)", "MPa", "hoop stress at the inner wall's bore", source=LAME, safe="too high",
         tex=r"\frac{p_i (r_f^2 + r_i^2) - 2 p r_f^2}{r_f^2 - r_i^2}",
     ).reads(lambda q: q.loaded[0].hoop_bore)  # fmt: skip
     hoop_inner_rim = Quantity(
@@ -75,7 +75,7 @@ class FitFormulas(FitInputs):
         tex=r"\frac{2 p r_f^2 - p_o (r_o^2 + r_f^2)}{r_o^2 - r_f^2}",
     ).reads(lambda q: q.loaded[1].hoop_rim)  # fmt: skip
     u_inner_bore = Quantity(
-        "u_i(r_i)", "µm", "displacement of the inner ring's bore", source=LAME,
+        "u_i(r_i)", "µm", "displacement of the inner wall's bore", source=LAME,
         tex=r"\frac{r_i}{E_i} (\sigma_i(r_i) + \nu_i p_i)",
     ).reads(lambda q: q.loaded[0].u_bore)  # fmt: skip
     u_inner_rim = Quantity(

@@ -41,23 +41,23 @@ class FitInputs(Case):
     ends: ClassVar[Assumption] = "plane stress"
 
     r_i: float = given(
-        "19.44 mm", "mm", "r_i", "bore radius of the inner ring", gt=0, le=1e5,
+        "19.44 mm", "mm", "r_i", "bore radius of the inner wall", gt=0, le=1e5,
         claims="huang2018:table1-r-e",
     )  # fmt: skip
     r_f: float = given(
         "26.23 mm", "mm", "r_f", "nominal radius of the fit", gt=0, le=1e5,
         claims="huang2018:table1-r-ed",
     )  # fmt: skip
-    r_o: float = given("40 mm", "mm", "r_o", "rim radius of the outer ring", gt=0, le=1e5)
+    r_o: float = given("40 mm", "mm", "r_o", "rim radius of the outer wall", gt=0, le=1e5)
     delta: float = given(
         "15 µm", "µm", "δ", "interference of the radii (half of the diametral interference)",
         gt=0, le=1e6,
     )  # fmt: skip
     p_i: float = given(
-        "37 MPa", "MPa", "p_i", "pressure in the inner bore", omitted=0.0, ge=0, le=1e5
+        "37 MPa", "MPa", "p_i", "pressure in the bore of the inner wall", omitted=0.0, ge=0, le=1e5
     )
     p_o: float = given(
-        "5 MPa", "MPa", "p_o", "pressure on the outer rim", omitted=0.0, ge=0, le=1e5
+        "5 MPa", "MPa", "p_o", "pressure on the rim of the outer wall", omitted=0.0, ge=0, le=1e5
     )
     E_i: float = given("206 GPa", "GPa", "E_i", "Young's modulus, inner wall", gt=0, le=1e5)
     nu_i: float = given(0.3, "1", "ν_i", "Poisson's ratio, inner wall", ge=0, le=0.45)

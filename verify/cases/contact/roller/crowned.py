@@ -58,7 +58,8 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(Crown.gap(self, np.array(self.L / 2 - self.d)))
 
     best_K_1 = Quantity("K_1*", "1",
-                        "K_1 of the optimal crown for Q = F with unloaded ends (flat optimum)",
+                        "K_1 of the optimal crown for Q = F with unloaded ends; the pressure "
+                        "changes little near the optimum",
                         source="search", role="step").reads(lambda q: q._best.K_1)  # fmt: skip
     best_K_2 = Quantity("K_2*", "1", "K_2 of the optimal crown", source="search",
                         role="step").reads(lambda q: q._best.K_2)  # fmt: skip

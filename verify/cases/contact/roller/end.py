@@ -122,7 +122,7 @@ class EndFace(Crown):
     def end_share(self) -> float:
         return self.F_d / self.F
 
-    @Quantity("λ", "1", "exponent of the stress field at a right-angled edge",
+    @Quantity("λ", "1", "exponent of the displacement field at a right-angled edge",
               source="Williams; Dundurs and Lee", role="step",
               tex=r"\lambda_{90},\quad p \propto r^{\lambda - 1}")  # fmt: skip
     def exponent(self) -> float:
@@ -165,8 +165,9 @@ class EndFace(Crown):
         local = local_pressure(b=self.b, R=self.R_1, length=self.L)
         for crown in CROWNS:
             yield Comparison(quantity=q.p_0, numbers={"one": 1.0}, check=Approximation(
-                name="pressure at mid-length over Hertz's pressure of the local line load, "
-                f"{crown}, {BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
+                name="ratio of the pressure at mid-length to Hertz's pressure of the local line "
+                f"load, {crown} roller; reference: {BODIES['end']}",
+                symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
                 analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
                 demand_reason="the pressure is uniform in each cell across the contact",
                 source="estimated: ± ((b/R_1)² + (2b/l)² + 1e-3 for the size of the cells)",
@@ -176,7 +177,8 @@ class EndFace(Crown):
             for state in self.states:
                 yield estimated(
                     q.F_d, f"F_d_{name}_{state.words}", state=state, symbol="F_d", order=1,
-                    name=f"load within d of both ends, half-space, {state.words}, {words}",
+                    name=f"load within d of both ends, half-space, {state.words} roller; "
+                         f"reference: {words}",
                     expected=cost,
                 )  # fmt: skip
         for what, margin in (
@@ -185,7 +187,7 @@ class EndFace(Crown):
              "third of the reduction", mostly),
         ):  # fmt: skip
             for state in self.states:
-                check = Accepted(name=f"{what}, {state.words}", symbol="F_d", unit="1",
+                check = Accepted(name=f"{what}, {state.words} roller", symbol="F_d", unit="1",
                                  margin=margin(state))  # fmt: skip
                 yield Comparison(check=check, quantity=q.F_d, state=state)
         yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))

@@ -72,7 +72,7 @@ class SlippingRollers(SlipFormulas):
         "steel, and P results in a/R = 0.01",
         "the stick half-width is computed from the moments M₀, M₂ of the traction q: (c/a)² = "
         "4 M₂/(M₀ a²) − 1",
-        "displacements are given relative to the chord of the force-displacement curve between "
+        "the rows state displacements minus the chord of the force-displacement curve between "
         "Q = 0 and Q = 0.8 μP, so that the elastic part, linear in Q, cancels",
     )
 
@@ -132,9 +132,12 @@ class SlippingRollers(SlipFormulas):
              peak, 1e-9, SECANT),
             ("sliding", "tangential force in sliding equals μP", "Q − μP", "N/mm",
              {"μP": self.limit}, 1e-10, SLIDING),
-            ("cuts", "balance of forces on both half discs", "ΣF", "N/mm", load, 1e-9, SECANT),
-            ("passed_on", "balance of forces on cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
-            ("moment", "balance of moments on cut and contact", "ΣM", "N", couple, 1e-9, SECANT),
+            ("cuts", "balance of forces on both half discs together", "ΣF", "N/mm", load, 1e-9,
+             SECANT),
+            ("passed_on", "balance of forces on the upper half disc", "ΣF", "N/mm", load, 1e-9,
+             SECANT),
+            ("moment", "balance of moments on the upper half disc", "ΣM", "N", couple, 1e-9,
+             SECANT),
         ):  # fmt: skip
             yield balance(residual, name, symbol, unit, of=of, bound=bound, because=because)
 

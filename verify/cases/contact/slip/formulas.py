@@ -52,7 +52,8 @@ class SlipFormulas(SlipInputs):
     def delta(self) -> float:
         return float(partial_slip.rigid_displacement_beyond_stick(Q=self.Q_max, **self.moved))
 
-    @Quantity("Δδ", "nm", "displacement relative to the chord", source=CATTANEO)
+    @Quantity("Δδ", "nm", "displacement minus the chord of the force-displacement curve",
+              source=CATTANEO)  # fmt: skip
     def beyond_chord(self) -> float:
         return self.delta - self.share / CHORD * self.at_share(CHORD).delta
 

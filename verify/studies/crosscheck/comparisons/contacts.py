@@ -206,7 +206,8 @@ CONTACTS = (
             ),
         )
         for stage, words, row in (
-            (1.0, "pushed", "displacement relative to the chord, Q/(μP) = 0.6"),
+            (1.0, "pushed", "displacement minus the chord of the force-displacement curve, "
+             "Q/(μP) = 0.6"),
             (-0.5, "swung back", "cycle: L2 error of the traction below 3 %, Q/Q_max = -0.5"),
         )
     ),
@@ -219,7 +220,7 @@ CONTACTS = (
                 Quantity(name="p", row=f"mean contact pressure, {one.words}", symbol="p",
                          unit="MPa", allowed=CONTACT, why=PENALTY),
                 Quantity(name="u, inner bore", symbol="u_r(r_i)", unit="µm", allowed=CONTACT,
-                         row=f"displacement of the inner ring's bore, {one.words}",
+                         row=f"displacement of the inner wall's bore, {one.words}",
                          why=PENALTY),
                 Quantity(name="u, outer rim", symbol="u_r(r_o)", unit="µm", allowed=CONTACT,
                          row=f"displacement of the outer wall's rim, {one.words}",
