@@ -33,8 +33,8 @@ from verify.judging.tolerance_checks import SUBJECT, suites
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 FAR = 5.0  # a uniform pressure is judged up to this distance from the ends, in half-widths
 BESIDE = (
-    "deviation of Hertz's pressure from the pressure by strips, ± 0.3 %, which is the accepted error "
-    "of strips"
+    "deviation of Hertz's pressure from the pressure by strips, ± 0.3 %, which is the accepted "
+    "error of strips"
 )
 
 
