@@ -187,8 +187,8 @@ class EndFace(Crown):
              "third of the reduction", mostly),
         ):  # fmt: skip
             for state in self.states:
-                check = Accepted(name=f"{what} for the {state.words} roller", symbol="F_d", unit="1",
-                                 margin=margin(state))  # fmt: skip
+                check = Accepted(name=f"{what} for the {state.words} roller", symbol="F_d",
+                                 unit="1", margin=margin(state))  # fmt: skip
                 yield Comparison(check=check, quantity=q.F_d, state=state)
         yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))
 
