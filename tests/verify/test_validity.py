@@ -208,7 +208,7 @@ def test_a_formula_has_its_equation_where_it_is_certain_which():
     at_load = by_name["deflection at a load by Eq. 6"]
     assert tex(case, at_load, equations).startswith(r"\delta_{BE} = \frac{N n}{2 \pi l E}")
     assert place(case, at_load) == "Eq. 6, Huang 2018"
-    assert tex(case, by_name["rim displacement opposite a load"], equations) == ""
+    assert tex(case, by_name["rim displacement at the angle of a load"], equations) == ""
     stress = next(p for p in pairs(PLATE) if p.name == "stress")
     one, other = Equation(tex=r"\sigma = E"), Equation(tex=r"\sigma = F")
     assert [tex(PLATE, stress, found) for found in ([one], [one, other])] == [one.tex, ""]

@@ -95,7 +95,9 @@ HEAD = "in addition, a free head instead of a guided head"
 EQ_9_FAR = ("force by Eq. 9 at*",)
 EQ_9 = ("stiffness by Eqs. 1-9 against curved beam elements",)
 HARINGX = ("displacement at buckling by Haringx*",)
-NO_PLANE = Without(Cause.PLANE, "both models are beams; see spring-width for the width")
+NO_PLANE = Without(
+    Cause.PLANE, "both models are beams; see spring-width for the effect of the width"
+)
 
 STATEMENTS: Mapping[str, Statement] = {
     "spring-accordion": Statement(

@@ -25,14 +25,15 @@ class FreeStage(AccordionInputs, Case):
     def L2(self) -> float:
         return float(energy.leaf_length(L1=self.L1, r=self.r, b=self.b, alpha=self.alpha))
 
-    @Quantity("T_1/F", "mm", "bending moment at the first apex over the force", equation="1",
+    @Quantity("T_1/F", "mm", "bending moment at the first apex, divided by the force", equation="1",
               role="step",
               tex=r"\frac{L_1}{2} + r")  # fmt: skip
     def T1(self) -> float:
         return float(energy.apex_moments(**self._printed)[0])
 
-    @Quantity("T_2/F", "mm", "bending moment at the second apex over the force", equation="3",
-              role="step", tex=r"T_1/F - (2 r (1 - \cos\alpha) + L_2 \sin\alpha)")  # fmt: skip
+    @Quantity("T_2/F", "mm", "bending moment at the second apex, divided by the force",
+              equation="3", role="step",
+              tex=r"T_1/F - (2 r (1 - \cos\alpha) + L_2 \sin\alpha)")  # fmt: skip
     def T2(self) -> float:
         return float(energy.apex_moments(**self._printed)[1])
 
@@ -63,9 +64,9 @@ class FreeStage(AccordionInputs, Case):
         assert self.F is not None
         return self.F / self.k1
 
-    @Quantity("κ", "1", "stress at the inside of a curved bar over that of a straight bar",
-              role="step",
-              source="Golovin")  # fmt: skip
+    @Quantity("κ", "1",
+              "ratio of the stress at the inside of a curved bar to the stress of a straight bar",
+              role="step", source="Golovin")  # fmt: skip
     def kappa(self) -> float:
         return float(energy.curvature_factor(b=self.b, r=self.r))
 

@@ -16,18 +16,18 @@ from verify.core.results import Status
 mm = 1e-3
 Q = CurveSpring()
 STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
-TENFOLD = "stiffness rises tenfold after the loops touch (stage BE)"
+TENFOLD = "stiffness rises at least tenfold after the loops touch (stage BE)"
 JUDGED = ("no interpenetration of leaves",
           "slopes k_1 and k_2 do not depend on the contact stiffness",
-          "slopes k_1 and k_2 are equal on a mesh of half the size",
+          "slopes k_1 and k_2 are equal on a mesh with cells of half the size",
           "work equals stored energy and friction losses",
           "loading and unloading coincide without friction", TENFOLD)  # fmt: skip
 THIN = tuple(
     f"{what}, closed form for slender leaves"
     for what in (
-        "displacement at which the tips touch",
-        "force at which the tips touch",
-        "stiffness after the tips touch",
+        "displacement at which the first tip touches",
+        "force at which the first tip touches",
+        "stiffness after the first tip touches",
     )
 )
 

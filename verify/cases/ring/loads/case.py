@@ -86,8 +86,8 @@ class OuterRace(SpragRace):
     scans: ClassVar = (Scan(vary=("n=6,12,24,48", "r_o=22mm,26.23mm,32mm,45mm")),)
     readings: ClassVar = (
         *READINGS,
-        "the contact radius of the sprag at the outer race is not printed: the printed contact "
-        "radius at the inner race is used",
+        "the radius of curvature of the sprag at the outer race is not printed: the printed radius "
+        "at the inner race is used",
     )
     names: ClassVar = ("R_e", "R_ed")
 

@@ -17,10 +17,10 @@ from verify.judging.convergence import grid_convergence
 from verify.judging.judge import expanded, numerical_uncertainty
 from verify.judging.tolerance_checks import Deviation
 
-BY_SUBJECT = "accepted difference of finite elements and Fourier ring"
+BY_SUBJECT = "accepted difference between finite elements and the Fourier ring"
 EDGE = 1.5  # order at the load: even cells on the pressure's square-root end
 AWAY = 3.0  # away from it: twice the order of the energy norm, which is 3/2 due to that end
-FITTED = "at a force and a length that are identified, not printed"
+FITTED = "force and length of the sprags are identified, not printed"
 PATCHES = "Hertz's pressure on the contact patches, radial forces, plane stress"
 RADII = "radial forces, plane stress"
 DEPTH = {SpragLoads.dent.name: 1.0, SpragLoads.dent_half.name: 0.5}  # over the wall
@@ -53,7 +53,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     for q, name, order in (
         (race.load, f"{wall} displacement at a load", EDGE),
         (race.between, f"{wall} displacement between loads", AWAY),
-        (race.far_load, f"{far} displacement opposite a load", AWAY),
+        (race.far_load, f"{far} displacement at the angle of a load", AWAY),
         (race.far_between, f"{far} displacement between loads", AWAY),
     ):
         yield identity(q, name=name, scale=race.load, order=order, **shared)
@@ -63,7 +63,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
                    order=EDGE, **shared)  # fmt: skip
     for q, name in (
         (race.hoop_between, f"hoop stress between loads, {wall}"),
-        (race.far_hoop_load, f"hoop stress opposite a load, {far}"),
+        (race.far_hoop_load, f"hoop stress at the angle of a load, {far}"),
         (race.far_hoop_between, f"hoop stress between loads, {far}"),
     ):
         scale = {"largest hoop stress": self.stress_scale}
@@ -75,10 +75,9 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     for q, at, less, name in (
         (race.smeared, race.load, None, "deflection at a load by Eq. 6"),
         (race.smeared, race.load, race.dent,
-         "deflection at a load by Eq. 6 against FE minus δ_H (indentation to the wall depth)"),
+         "deflection at a load minus δ_H (indentation to the wall depth) by Eq. 6"),
         (race.smeared, race.load, race.dent_half,
-         "deflection at a load by Eq. 6 against FE minus δ_Hh (indentation to half the wall "
-         "depth)"),
+         "deflection at a load minus δ_Hh (indentation to half the wall depth) by Eq. 6"),
         (race.smeared, race.between, None, "deflection between loads by Eq. 6"),
         (race.with_dent, race.load, None,
          "deflection at a load by Eq. 6 plus δ_H (indentation to the wall depth)"),

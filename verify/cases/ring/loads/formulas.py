@@ -27,7 +27,10 @@ class SpragLoads(LoadsInputs):
         return float(self.outward * self._points.u_r[1])
 
     @Quantity(
-        "u_r(0)", "µm", "deflection of the unloaded wall opposite a load", source="Fourier ring"
+        "u_r(0)",
+        "µm",
+        "deflection of the unloaded wall at the angle of a load",
+        source="Fourier ring",
     )
     def far_load(self) -> float:
         return float(self.outward * self._points.u_r[2])
@@ -98,7 +101,7 @@ class SpragLoads(LoadsInputs):
     def hoop_between(self) -> float:
         return float(self._points.sigma_theta[1])
 
-    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded wall opposite a load",
+    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded wall at the angle of a load",
               source="Fourier ring", safe="too high")  # fmt: skip
     def far_hoop_load(self) -> float:
         return float(self._points.sigma_theta[2])
@@ -112,7 +115,7 @@ class SpragLoads(LoadsInputs):
     def hoop_force(self) -> float:
         return race_work.cut_force(self.race())
 
-    @Quantity("U", "J/m", "strain energy", source="Fourier ring")
+    @Quantity("U", "J/m", "strain energy of the race", source="Fourier ring")
     def strain_energy(self) -> float:
         return race_work.strain_energy(self.race())
 

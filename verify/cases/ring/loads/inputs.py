@@ -36,7 +36,7 @@ class LoadsInputs(Case):
         "4.02 mm",
         "mm",
         "R",
-        "contact radius of the sprag",
+        "radius of curvature of the sprag at the contact",
         gt=0,
         le=1e5,
         claims="huang2018:table1-r-i1",

@@ -134,7 +134,7 @@ class RotatingRace(Case):
         return float(race_deflection(P=self.F / self.L, n=self.n, r_i=self.r_i, r_o=self.r_o,
                                      E=self.E, nu=self.nu, loaded="bore"))  # fmt: skip
 
-    @Quantity("δ_ce/δ_BE", "1", "growth of the bore at the speed n over its deflection δ_BE",
+    @Quantity("δ_ce/δ_BE", "1", "bore growth by Eq. 8 over the deflection of the race by Eq. 6",
               source="Eq. 8 over Eq. 6",
               tex=r"\frac{\delta_{ce}}{\delta_{BE}}", role="step")  # fmt: skip
     def ratio(self) -> float:
@@ -300,8 +300,8 @@ class Small(Claim):
     def rows(self, context: Context) -> list[Row]:
         q = context.inputs
         words = (
-            f"{q.ratio:.2%} at {q.omega * 30 / np.pi:.6g} r/min; 1 % at "
-            f"{q.n_1 * 30 / np.pi:.5g}, 10 % at {q.n_10 * 30 / np.pi:.5g} r/min"
+            f"δ_ce/δ_BE is {q.ratio:.2%} at {q.omega * 30 / np.pi:.6g} r/min, 1 % at "
+            f"{q.n_1 * 30 / np.pi:.5g} r/min and 10 % at {q.n_10 * 30 / np.pi:.5g} r/min"
         )
         verdict = judge.Verdict(Status.SHOWN, f"no speed and no density are printed: {words}")
         return [self._row(context.case, Kind.FACT, verdict, analytic=q.ratio)]

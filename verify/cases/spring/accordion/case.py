@@ -35,7 +35,7 @@ from verify.judging.checks import Order
 from verify.judging.published_checks import Contradiction, PrintedMeasurement
 
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
-EQ_9_SOURCE = "energy of axial force and shear by the force method, ± 10 %"
+EQ_9_SOURCE = "strain energy of axial force and shear by the force method, ± 10 %"
 CENTRE_LINE = 0.02  # over the error by the radius: effect of elements and shear
 RADIUS_SOURCE = "force method on the centre line, with axial force and shear"
 PRINTED = ("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")
@@ -119,7 +119,8 @@ class AccordionSpring(FreeStage):
         printed, right = (energy.tail_flexibility(n, T, r=self.r) for n in (self.n + 1, self.n))
         return self.E * self.h * self.b**3 / 12 / (self.J + float(printed - right))
 
-    @Quantity("σ_n", "MPa", "nominal bending stress at F; without F, at the largest test force",
+    @Quantity("σ_n", "MPa",
+              "nominal bending stress at F, or at the largest test force if F is not given",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def nominal_stress(self) -> float:
         return self.bending_stress(self.F or TEST_FORCE) / self.kappa

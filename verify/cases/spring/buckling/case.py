@@ -29,8 +29,8 @@ CUBE = 1e-3  # tolerance of the exponent; strain and shear change it by (b/L_1)^
 SPREAD = 0.005  # spread of U_cr over a fourfold thickness
 HINGED_TO = 0.7  # over the free length
 NOT_FOUND = "no equilibrium of the elastica was found before a critical point"
-FEW = 5e-4, "the reference is one unit of a few curved elements"
-EXACT = 1e-3, "exact elastica and exact beams have equal equations"
+FEW = 5e-4, "the reference is one unit, modelled with a few curved elements"
+EXACT = 1e-3, "the exact elastica and geometrically exact beams have the same equations"
 SHARED = "narrow strip, E I; no contact of leaves"
 WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf"}
 
@@ -125,15 +125,16 @@ def _swept() -> Iterator[Check]:
     yield Agreement(
         name="the buckling force grows with the cube of the thickness", symbol="q", unit="1",
         pair=claims.by_cube, accepted=CUBE / 3, by="theory",
-        source=suites("the effect of strain and shear, (b/L_1)², is far smaller"),
+        source=suites("axial strain and shear change the exponent by only (b/L_1)²"),
     )  # fmt: skip
     yield Agreement(
-        name="U_cr is the same for thicknesses of 0.5 b to 2 b of the same centre line",
+        name="U_cr of springs with the same centre line is equal for thicknesses of 0.5 b to 2 b",
         symbol="U_cr", unit="mm", pair=claims.spread, accepted=SPREAD,
         source=suites("half of the required sensitivity, 1 %"),
     )  # fmt: skip
     yield Accepted(
-        name="springs with equal L_0/b buckle at displacements that differ fivefold",
+        name="springs with equal L_0/b buckle at displacements that differ by a factor of more "
+        "than 5",
         symbol="U_cr/L_0", unit="1", margin=claims.one_ratio,
         printed=("wang2023:rule-length-thickness-max",),
     )  # fmt: skip

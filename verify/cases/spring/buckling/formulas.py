@@ -129,8 +129,8 @@ class BucklingFormulas(BucklingInputs, Case):
         source=HARINGX, tex=r"\frac{\pi^2}{2 \lambda (1 + \sqrt{1 - (1 - C/S) \pi^2/\lambda})}",
     ).reads(lambda q: q._shortening("free"))  # fmt: skip
 
-    @Quantity("(kL)^2", "1", "squared wave number times length squared, π²/4", role="step",
-              source=HARINGX, tex=r"\lambda \xi (1 - (1 - C/S) \xi)")  # fmt: skip
+    @Quantity("(kL)^2", "1", "square of the product of wave number and length, π²/4",
+              role="step", source=HARINGX, tex=r"\lambda \xi (1 - (1 - C/S) \xi)")  # fmt: skip
     def waves(self) -> float:
         return math.pi**2 / 4 if math.isfinite(self.xi) else math.nan
 

@@ -26,7 +26,10 @@ from verify.core.figures import Dots, Picture
 from verify.form.adapter import adapted
 
 DEMAND = 1e-3, "required agreement of continuum and frame: 0.1 %"
-SOURCE = "derived: effects of shear and curvature up to (b/R)², each ± b/R, at least 1e-5"
+SOURCE = (
+    "derived: effects of shear and curvature up to the order (b/R)²; the uncertainty is b/R times "
+    "each effect, at least 1e-5"
+)
 STRIPS = (("plane stress", False), ("plane strain", True))
 
 

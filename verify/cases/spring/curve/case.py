@@ -68,11 +68,11 @@ class CurveSpring(CurveInputs, Case):
         tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
         r"\gamma=n\cdot r', \quad \kappa=\varphi')",
     ).reads(lambda q: q.linear.k1)  # fmt: skip
-    U_A = Quantity("U_A", "mm", "displacement at which a tip touches, linear theory", source=LINEAR,
-                   tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
-    F_A = Quantity("F_A", "N", "force at which a tip touches, linear theory",
+    U_A = Quantity("U_A", "mm", "displacement at which the first tip touches, linear theory",
+                   source=LINEAR, tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
+    F_A = Quantity("F_A", "N", "force at which the first tip touches, linear theory",
                    source=LINEAR).reads(lambda q: q.linear.F_A)  # fmt: skip
-    k2 = Quantity("k_2", "N/mm", "stiffness after a tip touches, linear theory",
+    k2 = Quantity("k_2", "N/mm", "stiffness after the first tip touches, linear theory",
                   source=LINEAR).reads(lambda q: q.linear.k2)  # fmt: skip
 
     @Quantity("U_10", "mm", "displacement at the intersection of Eq. 10's lines", role="step",
@@ -104,9 +104,9 @@ class CurveSpring(CurveInputs, Case):
         yield identity(spring.k1, order=4, sensitivity=FINE,
                        shares="beam theory, E I with one width factor")  # fmt: skip
         slender = (
-            (spring.U_A, "displacement at which the tips touch"),
-            (spring.F_A, "force at which the tips touch"),
-            (spring.k2, "stiffness after the tips touch"),
+            (spring.U_A, "displacement at which the first tip touches"),
+            (spring.F_A, "force at which the first tip touches"),
+            (spring.k2, "stiffness after the first tip touches"),
         )  # fmt: skip
         for k, (q, words) in enumerate(slender):
             yield Comparison(quantity=q, check=stated.slender(k, q.symbol, words))

@@ -143,7 +143,7 @@ def stiffens(context: Context) -> tuple[float, float, str]:
     ratio = float((F[-1] - F[-2]) / (U[-1] - U[-2])) / lines(context).k2
     if not np.isfinite(ratio):
         return ratio, 0.0, without(context).removeprefix("; ")
-    words = f"{ratio:.3g} times k_2 at {U[-1] / mm:.4g} mm, {F[-1]:.4g} N"
+    words = f"dF/dU is {ratio:.3g} times k_2 at {U[-1] / mm:.4g} mm, {F[-1]:.4g} N"
     return ratio - STIFFER, 0.0, words
 
 
@@ -173,8 +173,8 @@ def nearest(context: Context) -> tuple[float, float, str]:
     }  # fmt: skip
     next_one = min((key for key in off if key != given), key=off.__getitem__)
     words = (
-        f"difference {off[given]:.2%}; next reading: {next_one[0]}, f = {next_one[1]:.4g}, "
-        f"difference {off[next_one]:.2%}"
+        f"difference {off[given]:.2%}; next reading (tail, head, arcs): {next_one[0]}, with "
+        f"f = {next_one[1]:.4g}: difference {off[next_one]:.2%}"
     )
     return off[next_one] - off[given], 0.0, words
 
@@ -187,7 +187,10 @@ def along(context: Context) -> tuple[float, float, str]:
     U, off = deviations(context, FINE)
     worst = int(np.argmax(abs(off)))
     u = float(abs(off - deviations(context, COARSE)[1]).max())
-    words = f"largest {off[worst]:+.2%} at {U[worst] / mm:g} mm; {off[-1]:+.2%} at the end"
+    words = (
+        f"largest difference {off[worst]:+.2%} at {U[worst] / mm:g} mm; "
+        f"difference {off[-1]:+.2%} at 17 mm"
+    )
     return FORCE - abs(off[worst]), u, words
 
 

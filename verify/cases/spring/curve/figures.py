@@ -170,12 +170,14 @@ def _points(context: Context) -> Table:
     rows: list[tuple[str, float, float, str]] = []
     words = {"B": "half of the pairs of adjacent leaves touch", "E": "end of the curve"}
     if np.isfinite(found.U_A):
-        rows.append(("A", found.U_A / mm, found.F_A, "leaves of head and tail touch first"))
+        rows.append(
+            ("A", found.U_A / mm, found.F_A, "first contact, at the leaves of head and tail")
+        )
     rows += [(name, U[k] / mm, F[k], words[name]) for name, k in points(context).items()
              if name in words]  # fmt: skip
     if context.is_paper:
         there = float(np.interp(TABLE_N, F, U))
-        rows.append((f"{TABLE_N:g} N", there / mm, TABLE_N, "end load of the paper's model"))
+        rows.append((f"{TABLE_N:g} N", there / mm, TABLE_N, "final load of the paper's model"))
     if np.isfinite(form.U_A):
         rows.append(("A, linear", float(form.U_A) / mm, float(form.F_A), "closed form"))
     return Table(

@@ -32,9 +32,11 @@ class CurveInputs(SpringInputs):
         "17 mm", "mm", "U_max", "largest displacement of the computed curve", gt=0, le=1e4
     )
     head: Head = word(
-        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
+        "guided", "boundary condition of the head; guided: no sideways motion and no rotation"
     )
-    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")
+    tail: Tail = word(
+        "mid-leaf", "place at which the clamp of the tail begins: middle of its leaf, or its arc"
+    )
     arcs: Arcs = word("r", "radius of the centre line of the arcs: r as printed, or r + b/2")
 
     @model_validator(mode="after")

@@ -31,7 +31,7 @@ from verify.judging.published_checks import Contradiction
 from verify.judging.tolerance_checks import Agreement, demanded, suites
 
 WAY = 0.01  # relative to the force at the end of a straight path
-EXACT = 1e-3, "exact elastica and exact beams have equal equations"
+EXACT = 1e-3, "the exact elastica and geometrically exact beams have the same equations"
 SHARED = "narrow strip, E I; no contact of leaves"
 
 
@@ -91,9 +91,10 @@ class MapSpring(MapFormulas):
         for share in PARTS:
             yield identity(spring.F(share), symbol="F", **exact)
         for q, words in ((spring.F_x, "axial"), (spring.F_y, "transverse")):
-            scale = {"F_x, slanted path": self.F_x} if q is spring.F_y else None
+            scale = {"F_x on the slanted path": self.F_x} if q is spring.F_y else None
             yield identity(q, scale=scale, **exact,
-                           name=f"{words} force at the end of the roller's travel")  # fmt: skip
+                           name=f"{words} force at the end of the roller's slanted path",
+                           )  # fmt: skip
         for share, q in zip(PARTS, (spring.linear_0_3, spring.linear_0_6), strict=True):
             yield approximation(
                 q, f"F_{share}",

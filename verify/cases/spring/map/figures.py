@@ -85,10 +85,13 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
         ("angle between path and axis of the spring", f"{slope:.2f}°"),
         ("rotation of the chamber wall along the path", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
         ("sagitta of the chamber wall along the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
-        ("force at the end of a straight path, by Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
-        ("force at the end of a straight path, by the guided elastica", f"{q.F_x_straight:.4g} N"),
-        ("axial force at the end of the slanted path", f"{q.F_x:.4g} N"),
-        ("transverse force at the end of the slanted path", f"{q.F_y:.4g} N"),
+        ("axial force at the end of a straight path, by Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
+        (
+            "axial force at the end of a straight path, by the guided elastica",
+            f"{q.F_x_straight:.4g} N",
+        ),
+        ("axial force at the end of the roller's slanted path", f"{q.F_x:.4g} N"),
+        ("transverse force at the end of the roller's slanted path", f"{q.F_y:.4g} N"),
     ]
     return (
         Table(

@@ -76,20 +76,20 @@ class MapFormulas(MapInputs, Case):
     def F(self, share: Share) -> float:
         return self._pressed.get(f"F_{share}", math.nan)
 
-    @Quantity("k_1 U(0.3 L_0)", "N", "force by Eq. 9, spring compressed by 30% of its length",
+    @Quantity("k_1 U(0.3 L_0)", "N", "force by Eq. 9 at a displacement of 30% of the length",
               source="Eq. 9",
               tex=r"0.3 k_1 L_0")  # fmt: skip
     def linear_0_3(self) -> float:
         return self.k1 * SHARES[0] * self.L0
 
-    @Quantity("k_1 U(0.6 L_0)", "N", "force by Eq. 9, spring compressed by 60% of its length",
+    @Quantity("k_1 U(0.6 L_0)", "N", "force by Eq. 9 at a displacement of 60% of the length",
               source="Eq. 9",
               tex=r"0.6 k_1 L_0")  # fmt: skip
     def linear_0_6(self) -> float:
         return self.k1 * SHARES[1] * self.L0
 
     F_x_straight = Quantity(
-        "F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
+        "F_x(x_r)", "N", "axial force at the end of a straight path of the roller", role="step",
         source=EXACT,
     ).reads(lambda q: q._pressed.get("F_x_straight", math.nan))  # fmt: skip
     F_x = Quantity("F_x", "N", "axial force at the end of the roller's slanted path",
@@ -97,7 +97,7 @@ class MapFormulas(MapInputs, Case):
     F_y = Quantity("F_y", "N", "transverse force at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 
-    @Quantity("e_r", "%", "deficit of the force by Eq. 9 against Eq. 10, at the largest test force",
+    @Quantity("e_r", "%", "deficit of the force by Eq. 9 against Eq. 10 at the largest test force",
               source="Eqs. 9 and 10", when=of_paper)  # fmt: skip
     def error_of_tests(self) -> float:
         U = (TEST_FORCE - published("wang2023:eq10-ab-intercept").value) / (

@@ -29,9 +29,11 @@ class StagesInputs(AccordionInputs):
         omitted=None, ge=1, le=1.3, example="1.09",
     )  # fmt: skip
     head: Head = word(
-        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
+        "guided", "boundary condition of the head; guided: no sideways motion and no rotation"
     )
-    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")
+    tail: Tail = word(
+        "mid-leaf", "place at which the clamp of the tail begins: middle of its leaf, or its arc"
+    )
 
     @model_validator(mode="after")
     def _factor(self) -> "StagesInputs":

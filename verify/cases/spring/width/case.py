@@ -38,15 +38,15 @@ PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
 HELD = 5e-4, "a shell with the edges in plane strain is equivalent to a beam"
 PLATES = 5e-4, "a thin leaf is a Kirchhoff plate"
-FIFTH = "one fifth of the accepted difference"
+FIFTH = "one fifth of the accepted difference from plane stress or plane strain, 0.5 %"
 HALF = "half of the required sensitivity, 1 %"
-CURVE = "half of the accepted difference of case spring-curve"
+CURVE = "half of the accepted difference of the width factor that case spring-curve uses"
 THEORY = "difference between shell theory and a thin solid"
 FITTED = "these end conditions are chosen because they give the printed stiffness"
 FRAME = "force method on the true centre line"
-RITZ = "Kirchhoff's plate theory of a leaf, by Ritz's method"
+RITZ = "Kirchhoff's plate theory of a leaf, solved by Ritz's method"
 SMALL = "small displacements"
-LOOPS = ("h/b = 20", "h/b = 100", "width of the spring")
+LOOPS = ("h/b = 20", "h/b = 100", "at the width of the spring")
 
 
 class WideSpring(WidthInputs, Case):
@@ -94,8 +94,8 @@ class WideSpring(WidthInputs, Case):
     def h_over_l(self) -> float:
         return self.h / self.leaf
 
-    @Quantity("f", "1", "width factor of the spring, estimated by that of one leaf", source=RITZ,
-              tex=r"\frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
+    @Quantity("f", "1", "width factor of the spring, estimated by the factor of one leaf",
+              source=RITZ, tex=r"\frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
               r"+ \frac{l^4}{h^4} w_{\eta\eta}^2 + 2 \frac{l^2}{h^2} (\nu w_{\xi\xi} "
               r"w_{\eta\eta} + (1-\nu) w_{\xi\eta}^2)\, d\xi\,d\eta")  # fmt: skip
     def f(self) -> float:
@@ -161,12 +161,14 @@ class WideSpring(WidthInputs, Case):
                             shares=SMALL)  # fmt: skip
         yield approximation(
             spring.k_narrow, "k", name="k_1 of a narrow strip (E I) against the shell", order=2,
-            expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1; {RITZ}"), shares=SMALL,
+            expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1, with f by {RITZ}"),
+            shares=SMALL,
         )  # fmt: skip
         yield from _limits()
         yield from _accepted()
         yield Accepted(
-            name="k_1 of the shell, head free, tail clamped at mid-leaf, against the paper's shell",
+            name="k_1 of the shell against the paper's shell model, head free, tail clamped at "
+            "mid-leaf",
             symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED,
             paper_only=True,
         )  # fmt: skip
@@ -257,10 +259,11 @@ def _accepted() -> Iterator[Comparison | Check]:
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
     yield _agrees("the width factor is the same for all end conditions", claims.ends, claims.HEAD,
-                  "half of the tolerance of the factor of a leaf", by="lowest factor")  # fmt: skip
+                  "half of the tolerance of the width factor of one leaf",
+                  by="lowest factor")  # fmt: skip
     yield _agrees("the width factor is the same for a uniform force on the head", claims.uniform,
                   claims.UNIFORM, "one tenth of the tolerance for other end conditions",
-                  by="a uniform force")  # fmt: skip
+                  by="uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,
         name="the width factor that case spring-curve uses", symbol="f", unit="1",

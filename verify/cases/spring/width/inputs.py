@@ -9,6 +9,8 @@ class WidthInputs(SpringInputs):
     """Inputs of the accordion spring with the end conditions of head and tail."""
 
     head: Head = word(
-        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
+        "guided", "boundary condition of the head; guided: no sideways motion and no rotation"
     )
-    tail: Tail = word("mid-leaf", "start of the clamp of the tail: middle of its leaf, or its arc")
+    tail: Tail = word(
+        "mid-leaf", "place at which the clamp of the tail begins: middle of its leaf, or its arc"
+    )

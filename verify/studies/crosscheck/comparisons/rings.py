@@ -145,7 +145,8 @@ def sprags_quantities(loaded: str, far: str) -> tuple[Quantity, ...]:
     return (
         Quantity(name="load", row=f"{loaded} displacement at a load", symbol="δ(0)", **u),
         Quantity(name="between", row=f"{loaded} displacement between loads", symbol="δ(π/n)", **u),
-        Quantity(name="far load", row=f"{far} displacement opposite a load", symbol="u_r(0)", **u),
+        Quantity(name="far load", row=f"{far} displacement at the angle of a load",
+                 symbol="u_r(0)", **u),
         Quantity(name="far between", row=f"{far} displacement between loads", symbol="u_r(π/n)",
                  **u),
         Quantity(name="mean", row=f"{loaded} displacement, mean", symbol="δ", **u),

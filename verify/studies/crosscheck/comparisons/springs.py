@@ -32,7 +32,10 @@ THIN = 0.1  # of the thickness, how wide a strip of plane stress is
 LEVEL = 8  # elements of an arc here, and cells there
 STRIP = "plane elements in place of the project's beams, which differ by (b/R)²/30 in arcs"
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
-TWO_SIDES = f"{STRIP}; tenfold, because u_y is the small difference of opposite displacements"
+TWO_SIDES = (
+    f"{STRIP}; larger tolerance, because u_y is the small difference between displacements of "
+    "opposite sign"
+)
 STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 % (tangent stiffness)"
 UNITS = 6  # of a spring whose tips are to touch
 PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch

@@ -19,7 +19,10 @@ TABLE = 200  # points of the law, straight in between
 WIDE = 0.9  # of the shortening under T, up to which the law is tabulated on either side
 BACK = -4e-3  # rad, the twist of the last step: a tenth of the torque less
 CENTRE, TURN = 1, 2  # nodes of the inner hub: its position, and its rotation
-LAW = "same force law, in calculix a table; six printed digits; Newton residuals"
+LAW = (
+    "calculix contains the same force law as a table; differences are due to the table, to six "
+    "printed digits and to the residuals of Newton's method"
+)
 ALIKE = 1e-5
 
 
@@ -114,8 +117,8 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 STRUTS = (
     Cross(
         id="rotor-clutch", case="rotor-clutch", solver=CALCULIX,
-        what="struts between two rigid hubs, both ends held; the inner hub is displaced and "
-        "tilted, then rotated back",
+        what="struts between two rigid hubs; the outer hub is fixed, the inner hub is displaced "
+        "and tilted, then rotated back by a small angle",
         pose=struts,
         quantities=(
             quantity("F_x", "F_x", "N", "stiffness along x, sprags pinned to both races"),
