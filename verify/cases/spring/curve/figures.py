@@ -179,7 +179,8 @@ def _points(context: Context) -> Table:
         there = float(np.interp(TABLE_N, F, U))
         rows.append((f"{TABLE_N:g} N", there / mm, TABLE_N, "final load of the paper's model"))
     if np.isfinite(form.U_A):
-        rows.append(("A, linear", float(form.U_A) / mm, float(form.F_A), "closed form"))
+        rows.append(("A, linear", float(form.U_A) / mm, float(form.F_A),
+                     "first contact by the closed form of linear theory"))  # fmt: skip
     return Table(
         title="Points of the curve", header=("point", "U [mm]", "F [N]", "event"),
         rows=tuple((name, round(u, 3), round(f, 3), what) for name, u, f, what in rows),

@@ -130,7 +130,8 @@ def _of_paper() -> Iterator[Comparison]:
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
-        name="axial force on a straight path within 1 % of the axial force on the roller's path",
+        name="axial force on a straight path within 1 % of the axial force on the roller's "
+        "slanted path",
         symbol="F_x", unit="N", pair=claims.travel, accepted=WAY,
         source=suites("the required sensitivity, 1 %"), **demanded(WAY),
     ))  # fmt: skip

@@ -59,10 +59,10 @@ class StageFormulas(StagesInputs, Case):
     def f_FC(self) -> float:
         return self.gap * self.EI / self.F_A
 
-    F_A = Quantity("F_A", "N", "force at which the first tip touches", source=TIPS,
+    F_A = Quantity("F_A", "N", "force at point A, at which the first tip touches", source=TIPS,
                    tex=r"\frac{g_0 EI}{f_{FC}}").reads(lambda q: q._stages.F_A)  # fmt: skip
-    U_A = Quantity("U_A", "mm", "displacement at which the first tip touches", source=TIPS,
-                   tex=r"\frac{F_A}{k_1}").reads(lambda q: q._stages.U_A)  # fmt: skip
+    U_A = Quantity("U_A", "mm", "displacement at point A, at which the first tip touches",
+                   source=TIPS, tex=r"\frac{F_A}{k_1}").reads(lambda q: q._stages.U_A)  # fmt: skip
 
     @Quantity("J_C", "mm^3", "reduction of J by the contact of the tips", role="step", source=TIPS,
               tex=r"\frac{p f_{FC}^2}{\int m^2 ds}")  # fmt: skip
@@ -103,8 +103,8 @@ class StageFormulas(StagesInputs, Case):
     def k1_wide(self) -> float:
         return self.widest * self.k1
 
-    @Quantity("F_Aw", "N", "force at which the first tip touches, wide strip", source=TIPS,
-              tex=r"\frac{F_A}{1 - \nu^2}", when=narrow)  # fmt: skip
+    @Quantity("F_Aw", "N", "force at point A, at which the first tip touches, wide strip",
+              source=TIPS, tex=r"\frac{F_A}{1 - \nu^2}", when=narrow)  # fmt: skip
     def F_A_wide(self) -> float:
         return self.widest * self.F_A
 
