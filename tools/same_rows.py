@@ -7,7 +7,7 @@
 Rows, their order, statuses, kinds and texts must be equal, and numbers must be equal bit for bit.
 With --other-machine, a number of a row may differ by the numerical error of this row, and an
 estimate of an error may differ by a factor of two; numbers in texts are not compared. A file of
-names has tables [[renamed]] with `was`, `now` and a `reason`; they apply to the texts of BEFORE.
+names has an array `renamed` of tables with `was` and `now`; they apply to the texts of BEFORE.
 Exit status: 0 equal, 1 different, 2 a file cannot be read.
 """
 

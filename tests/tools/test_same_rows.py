@@ -79,6 +79,6 @@ def test_the_exit_status_and_the_count(tmp_path, capsys):
     assert main([str(one), str(one)]) == 0
     assert main([str(one), str(other)]) == 1
     assert "2 differences" in capsys.readouterr().out
-    names.write_text('[[renamed]]\nwas = "ring/rim"\nnow = "ring/outside"\nreason = "plain"\n')
+    names.write_text('[[renamed]]\nwas = "ring/rim"\nnow = "ring/outside"\n')
     assert main([str(one), str(other), "--renamed", str(names)]) == 0
     assert main([str(one), str(tmp_path / "missing.json")]) == 2
