@@ -148,7 +148,7 @@ def _spread(rows: Sequence[Row]) -> str:
         return ""
     low, high = min(values), max(values)
     half = 100 * (high - low) / (high + low)
-    return f"{rows[0].symbol} {low:.3g} to {high:.3g} {rows[0].unit} (±{half:.2g} %)"
+    return f"{rows[0].symbol} = {low:.3g} to {high:.3g} {rows[0].unit} (±{half:.2g} %)"
 
 
 def _model(found: Evidence) -> str:
