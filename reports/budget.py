@@ -133,7 +133,7 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
-        ("together", f"{' and '.join(joint.causes)} removed together",
+        ("both causes", f"{' and '.join(joint.causes)}: both removed at once",
          f"{percent(joint.value)} more than the sum of both" if joint.value is not None
          else joint.note)
         for joint in row.joints
@@ -201,8 +201,8 @@ def identities(one: CaseBudget) -> str:
     worst = max(rows, key=lambda row: abs(row.remainder))
     return (
         f"For {inside} of {len(rows)} identities, mesh, iteration and tolerance of the row explain "
-        f"the whole difference; the largest remainder is {percent(worst.remainder, worst.u)} of "
-        f"{percent(worst.total, worst.U)} ({worst.quantity})."
+        f"the whole difference. The largest remainder is {percent(worst.remainder, worst.u)}, "
+        f"where the difference is {percent(worst.total, worst.U)} ({worst.quantity})."
     )
 
 
@@ -214,9 +214,8 @@ def outside(one: CaseBudget) -> list[RowBudget]:
 def left(one: CaseBudget) -> str:
     """Sentence about the rows whose difference the computations do not explain, by reason."""
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
-    label = [
-        f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
-        f"({why or UNKNOWN})"
+    return " ".join(
+        f"The differences of these rows are not decomposed ({why or UNKNOWN}): "
+        f"{'; '.join(row.quantity for row in one.rows if not row.apart and row.why == why)}."
         for why in reasons
-    ]
-    return f"The differences of these rows are not decomposed: {'; '.join(label)}." if label else ""
+    )

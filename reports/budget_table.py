@@ -33,7 +33,7 @@ def _lines(row: RowBudget) -> Iterable[tuple[Cell, ...]]:
     for p in row.parts:
         yield p.cause, p.what, p.contribution, p.u, "no" if p.shared else "yes", p.note
     for joint in row.joints:
-        yield "together", " and ".join(joint.causes), joint.value, None, "no", joint.note
+        yield "both causes", " and ".join(joint.causes), joint.value, None, "no", joint.note
     within = {True: "explained", False: "not explained", None: ""}[row.within]
     note = within if row.apart else f"not decomposed: {row.why or UNKNOWN}"
     yield "remainder", "", row.remainder, row.u, "", note

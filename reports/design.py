@@ -37,7 +37,7 @@ class DesignPage:
     name: str
     subject: str = "spring"
     of: str = "an accordion spring"
-    front_name: str = "The front"
+    front_name: str = "Pareto front"
     checks: Sequence[Table] = ()
     meta: str
     tiles: Sequence[Tile]

@@ -54,7 +54,7 @@ def linked(text: str) -> Markup:
 
 def _erratum(entry: re.Match[str]) -> str:
     paper, key = entry.groups()
-    return f'<a href="#erratum-{paper}-{key}">erratum of {prose(erratum_name(key))}</a>'
+    return f'<a href="#erratum-{paper}-{key}">erratum: {prose(erratum_name(key))}</a>'
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:

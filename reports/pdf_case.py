@@ -101,7 +101,7 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
     """Results of each second solver for the row."""
     return [
-        [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.difference(c))]
+        [f"{c.solver}: ", *runs(second.value(c, row)), ", ", *runs(second.difference(c))]
         for c in checks
     ]
 
@@ -111,9 +111,9 @@ def _problem(problem: Problem) -> list[Run]:
     sentence: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
     for i, check in enumerate(problem.lines):
         sentence += [
-            ": " if i == 0 else "; ",
+            ". " if i == 0 else "; ",
             *prose(check.quantity),
-            " ",
+            ": ",
             *runs(second.difference(check)),
         ]
     return [*sentence, "."]

@@ -18,7 +18,7 @@ def validity_data(known: Sequence[Validity]) -> list[Data]:
 def _case(one: Validity) -> Data:
     over = common(one)
     others = (
-        f"These formulas were not measured over the inputs: {'; '.join(one.others)}."
+        f"Formulas without measurements at other inputs are: {'; '.join(one.others)}."
         if one.others
         else ""
     )
@@ -38,7 +38,9 @@ def _case(one: Validity) -> Data:
 
 def _line(card: ValidityCard, region: ValidityRegion, *, first: bool, over: str) -> list[list[Run]]:
     named = prose(card.quantity) if first else []
-    small: list[Run] = [*([["br"]] if first else []), ["small", *prose(over)]] if over else []
+    small: list[Run] = []
+    if over:
+        small = [*([["br"]] if first else []), ["small", *prose(f"measured over {over}")]]
     unsolved = (f"; {region.unsolved} of {region.points} points without a solution") * bool(
         region.unsolved
     )
@@ -55,7 +57,7 @@ def _exact(one: Validity) -> list[Run]:
         return []
     worst = max(solved, key=lambda e: abs(e.largest or 0.0))
     return [
-        f"Exact within their model: {len(solved)} of {len(one.exact)} formulas were solved; ",
-        f"largest difference {signed(worst.largest, worst.U)} (", *prose(worst.quantity),
-        "), over ", *prose(one.over), ".",
+        f"{len(solved)} of {len(one.exact)} formulas were solved. They are exact within their models; "
+        f"the largest difference is {signed(worst.largest, worst.U)} (", *prose(worst.quantity),
+        "), measured over ", *prose(one.over), ".",
     ]  # fmt: skip

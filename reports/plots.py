@@ -37,7 +37,7 @@ def profile(p: Profile) -> Markup:
         )
     )
     below.dots(p.x_fem, rest / k, "fe", 2.2)
-    label = f"{p.title}: reference on the formula, and their difference"
+    label = f"{p.title}: reference and formula; below, {_rest(p)}"
     return svg.drawing(WIDTH, HEIGHT, top.body + below.body, label, "chart")
 
 

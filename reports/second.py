@@ -51,11 +51,16 @@ def value(check: Crosscheck, row: Row) -> Markup:
     return Markup("{}{}").format(formats.written(check.theirs), unit)
 
 
-def difference(check: Crosscheck) -> Markup:
-    """Text with the difference of both solvers and the run time of the second solver."""
-    outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
-    difference = formats.percents(check.difference, signed=True) if check.difference else "equal"
-    return Markup("{}, {:.2g} s{}").format(difference, check.seconds[1], outside)
+def difference(check: Crosscheck, kind: str = "") -> Markup:
+    """Text with the difference of both solvers and the computing time of the second solver.
+
+    `kind` is a word before "difference", such as "largest".
+    """
+    outside = " (more than allowed)" if check.state is CrossState.OUTSIDE else ""
+    found = formats.percents(check.difference, signed=True) if check.difference else "0"
+    return Markup("{}difference {}{}, computing time {:.2g} s").format(
+        kind and f"{kind} ", found, outside, check.seconds[1]
+    )
 
 
 def meshes(check: Crosscheck) -> str:

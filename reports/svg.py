@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from markupsafe import Markup
 
 MINUS = "−"
+_PERCENT = re.compile(r"(?<=\d)%")
 _INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=*]+)")
 
 
@@ -27,7 +28,7 @@ def text(x: float, y: float, words: str, css: str = "", anchor: str = "start") -
 
 def lowered(words: str) -> Markup:
     """SVG text spans with lowered indices for symbols such as u_r(r_i)."""
-    parts, end = [], 0
+    parts, end, words = [], 0, _PERCENT.sub("\u202f%", words)
     for match in _INDEX.finditer(words):
         index = match[1].strip("{}")
         parts += [

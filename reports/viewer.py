@@ -44,8 +44,8 @@ def viewer(field: Field, picture: Picture) -> Markup:
         'Arrow keys or dragging rotate it, plus and minus zoom, R resets."></canvas>'
         '<script type="application/json">{}</script>'
         '<p class="controls"><label>Displacement <input type="range" min="0" max="{}" step="{}" '
-        'value="{}"></label> <output>× {}</output> <span>Drag, arrow keys: rotate; + and −: zoom; '
-        "R: reset.</span></p></div>"
+        'value="{}"></label> <output>× {}</output> <span>Rotate by dragging or by the arrow keys; '
+        "zoom by + and −; reset by R.</span></p></div>"
     ).format(
         picture.caption, _plain(packed), *(f"{x:g}" for x in (2 * by, by / STEPS or 1, by, by))
     )

@@ -81,7 +81,7 @@ def test_lines_name_each_cause_and_what_is_not_subtracted_last():
     assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][::2] == ("remainder", "−2.00 ± 0.2 %")
     assert found[-1][1] == "plane strain (shared assumption, not subtracted)"
-    assert any(cause == "together" and label.startswith("+0.300 %") for cause, _, label in found)
+    assert any(cause == "both causes" and label.startswith("+0.300 %") for cause, _, label in found)
 
 
 def test_shares_have_as_many_digits_as_their_uncertainty_allows():
@@ -114,8 +114,9 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decompo
     report = replace(alone, budgets=(budget, MISSING))
     text, notes = section(report, "budget"), left(budget)
     assert notes == (
-        "The differences of these rows are not decomposed: another, a third (no rerun); last "
-        "(no cause is known that would explain the difference)."
+        "The differences of these rows are not decomposed (no rerun): another; a third. The "
+        "differences of these rows are not decomposed (no cause is known that would explain the "
+        "difference): last."
     )
     assert left(BUDGET) == ""
     for words in (
@@ -132,7 +133,7 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decompo
     mine = [row for row in mine if row["quantity"] == ROW.quantity]
     assert [row["part"] for row in mine] == [
         "difference", "discretisation", "contact law", "finite geometry", "plane assumption",
-        "together", "remainder",
+        "both causes", "remainder",
     ]  # fmt: skip
     total, *_, remainder = (float(row["contribution_relative"] or 0) for row in mine)
     counted = [float(row["contribution_relative"] or 0) for row in mine if row["counts"] == "yes"]

@@ -59,7 +59,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert '<a href="#crosscheck">' in html
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == cell.count('href="#cross-0"') == 1
-    assert "21.7673, +0.00046\u202f%, 0.52 s<" in cell
+    assert "</a>: 21.7673, difference +0.00046\u202f%, computing time 0.52 s<" in cell
     assert "5522 unknowns: 21.7673 µm; project: 21.7672 µm" in cell
     assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
     (first,) = crosscheck_data((AGREES, OUTSIDE))
@@ -75,12 +75,13 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
 def test_several_numbers_that_agree_have_one_sentence_at_the_head_of_a_case(checked):
     many = [replace(AGREES, quantity=f"sum {i}", difference=i * 1e-6) for i in range(6)]
     head = page(replace(checked, crosschecks=tuple(many)), {}).partition("Second solver, ")[2][:900]
-    assert '<a href="#cross-5">6 numbers</a> at most +0.00050\u202f%, 0.52 s.' in head
+    assert '<a href="#cross-5">6 numbers</a>, largest difference +0.00050\u202f%' in head
+    assert ", computing time 0.52 s." in head
     outside = replace(many[0], state=CrossState.OUTSIDE)
     head = page(replace(checked, crosschecks=(outside, *many[1:])), {})
     head = head.partition("Second solver, ")[2].partition("</p>")[0]
-    assert head.count("</a> +") == 5
-    assert ", more than allowed" in head
+    assert head.count("</a>: difference +") == 5
+    assert " (more than allowed), computing" in head
 
 
 def test_a_case_that_no_solver_takes_has_its_reason(checked):

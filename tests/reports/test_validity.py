@@ -23,7 +23,7 @@ TWO = replace(FIVE, limit=0.02, inside=1, undecided=1, words="z = 3, δ_1 = 2 mm
 LIMITS = (TWO, FIVE, replace(FIVE, limit=0.10))
 REGION = ValidityRegion(
     over="z 3 to 12 (3 values), δ_1 2 to 4 mm (2 values)", points=6, unsolved=1,
-    problems=("1 × refused: <b>too thin</b>",), limits=LIMITS,
+    problems=("1 point: refused: <b>too thin</b>",), limits=LIMITS,
     breaks="larger z: the error first exceeds 5 % between 3 and 6", axes=(Z, D),
     error=(0.01, 0.03, 0.3, 0.2, 0.15, float("nan")), U=(1e-3,) * 5 + (float("nan"),),
 )  # fmt: skip
@@ -35,7 +35,7 @@ EVERYWHERE = replace(
     ),
 )  # fmt: skip
 CARD = ValidityCard(
-    case="polyhedral-ring", quantity="K of the paper", symbol="K", place="Eq. 11, Belcin",
+    case="polyhedral-ring", quantity="K of the paper", symbol="K", place="Belcin, Eq. 11",
     tex=r"K = \frac{a}{b}", error=-0.0123, U=0.0004, regions=(REGION, EVERYWHERE),
 )  # fmt: skip
 KNOWN = Validity(
@@ -55,11 +55,12 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     one = replace(alone, validity=(KNOWN,))
     text = section(one, "validity")
     for words in (
-        "K of the paper", "Eq. 11, Belcin; −1.2 ± 0.04 % at the inputs of the case",
-        "1/6, 1 undecided", ">5, 10 %<", "Larger z: the error first exceeds 5", "2, 5, 10 %",
-        "1 of 6 points without a solution</summary>1 × refused: &lt;b&gt;too thin",
-        "Exact within its model: 1 formula ", "−0.00029 ± 0.00001 %", "5 of 6",
-        "These formulas were not measured over the inputs: hub at e.",
+        "K of the paper", "Belcin, Eq. 11; −1.2 ± 0.04 % at the inputs of the case",
+        "1 of 6 points, 1 undecided", ">5, 10 %<", "Larger z: the error first exceeds 5",
+        "2, 5, 10 %",
+        "1 of 6 points without a solution</summary>1 point: refused: &lt;b&gt;too thin",
+        "1 formula is exact within its model ", "−0.00029 ± 0.00001 %", "5 of 6",
+        "Formulas without measurements at other inputs are: hub at e.",
         'href="#case-polyhedral-ring"',
     ):  # fmt: skip
         assert words in text
@@ -75,7 +76,7 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     (case,) = subject["cases"]
     first, second = ([plain_text(cell) for cell in row] for row in case["rows"])
     assert first == [
-        f"K of the paper{over}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
+        f"K of the papermeasured over {over}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
         "z = 3, all δ1", "larger z: the error first exceeds 5 % between 3 and 6; 1 of 6 "
                          "points without a solution",
     ]  # fmt: skip

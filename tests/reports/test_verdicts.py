@@ -6,11 +6,13 @@ import zipfile
 from dataclasses import replace
 
 from reports.advice import advised, of_case
+from reports.erratum_names import SUBJECTS
 from reports.html import page
 from reports.pdf import content
 from reports.verdicts import at_paper, counts_in_markdown, markdown, sides
 from reports.xlsx import xlsx
 from verify.core.verdicts import Form, Verdict
+from verify.papers.ledger import papers
 from verify.verdicts.record import kept
 
 ONE = replace(
@@ -98,3 +100,7 @@ def test_a_case_has_the_largest_error_of_its_rows(report):
     assert of_case([replace(verdict, rows=(), model_rows=())], case.id, case.rows) == []
     (none,) = of_case([replace(verdict, error=None)], case.id, case.rows)
     assert none.error is None
+
+
+def test_each_readable_subject_belongs_to_an_erratum_of_the_papers():
+    assert set(SUBJECTS) <= {e.id for paper in papers() for e in paper.errata}

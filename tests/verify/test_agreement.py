@@ -83,7 +83,7 @@ def test_a_figure_wider_than_half_of_the_suite_s_demand_needs_a_stated_demand():
 @pytest.mark.parametrize("make", [agreement, deviation])
 def test_user_inputs_are_judged_only_where_the_figure_holds_for_any(make):
     own = row_of(make(0.5), is_paper=False)
-    expected = (Kind.FACT, Status.SHOWN, f"measured: {WORDS}")
+    expected = (Kind.FACT, Status.SHOWN, WORDS)
     assert (own.kind, own.status, own.reason) == expected
     assert row_of(make(0.5, everywhere=True), is_paper=False).status is Status.FAIL
     assert rows_of(make(0.5, paper_only=True), context([1.0] * 3, is_paper=False)) == []
@@ -92,4 +92,4 @@ def test_user_inputs_are_judged_only_where_the_figure_holds_for_any(make):
 def test_the_farthest_of_many_pairs_is_the_one_that_is_judged():
     found = farthest(np.array([[1.0, 2.0], [3.0, 3.9]]), np.array([[1.0, 2.01], [3.0, 4.0]]), 0.01)
     assert (found.value, found.reference, found.U) == (3.9, 4.0, 0.04)
-    assert found.words == "largest error -0.025 of 4"
+    assert found.words == "largest error -0.025, among 4 compared values"

@@ -178,11 +178,11 @@ def test_a_negative_reference_is_a_scale_by_its_size(sign):
 
 @pytest.mark.parametrize(
     ("margin", "reason"),
-    [(U + HAIR, "held"), (U, "undecided"), (-U, "undecided"), (-U - HAIR, "not held")],
+    [(U + HAIR, "confirmed"), (U, "undecided"), (-U, "undecided"), (-U - HAIR, "not confirmed")],
 )
 def test_a_fact_is_held_beyond_its_uncertainty(margin, reason):
     verdict = judge.fact(margin, U)
-    assert verdict.status is (Status.PASS if reason == "held" else Status.FAIL)
+    assert verdict.status is (Status.PASS if reason == "confirmed" else Status.FAIL)
     assert verdict.reason.startswith(reason)
     assert (verdict.difference, verdict.tolerance) == (margin, U)
 
@@ -216,7 +216,7 @@ def test_an_acceptance_figure_is_judged_on_the_paper_s_numbers_alone(
     (row,) = check.rows(context((), sizes=(), is_paper=is_paper))
     assert row.status is status
     assert "by 3 %" in row.reason
-    assert row.reason.startswith("measured") == (not is_paper)
+    assert row.reason.startswith("by 3 %") == (not is_paper)
 
 
 def limit(d0=0.0, U0=U, q=2.0, c=1.0):

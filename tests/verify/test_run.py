@@ -38,7 +38,7 @@ def late(*_):
 
 
 BOOM = ("FAIL", "KeyError: 'no such\\n key'")
-HELD = ("PASS", "held")
+HELD = ("PASS", "confirmed")
 
 
 def holds(name, margin=lambda _context: (1.0, 0.0), **more):

@@ -75,11 +75,11 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
         (0.05, 4, 4, 0, "a 1 to 2 mm, n 3 to 6"),
         (0.10, 8, 0, 0, "all a, n 3 to 6"),
     ]
-    assert grid.problems == ("4 × level 1: ValueError: 9 holes do not fit",)
+    assert grid.problems == ("4 points: level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
-        "the error exceeds 5 % already at the default inputs; starting from the middle of the box, "
-        "larger a: the error first exceeds 5 % between 2 and 3 mm (at about 2.8)"
+        "the error exceeds 5 % already at the default inputs; starting from the middle of the "
+        "range within 5 %, larger a: the error first exceeds 5 % between 2 and 3 mm (at about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one input varied at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
@@ -92,8 +92,8 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     for error_at_1, U, counts, words in (
         (0.04, 0.02, (1, 0, 1, 0),
-         "smaller b: the error is within 5 % as far as 2 mm; undecided at 1 mm, where the error "
-         "bar crosses the limit"),
+         "smaller b: the error is within 5 % as far as 2 mm; it is undecided at 1 mm, because "
+         "the error bar crosses the limit"),
         (0.08, 0.01, (1, 1, 0, 0),
          "smaller b: the error first exceeds 5 % between 1 and 2 mm (at about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
@@ -207,8 +207,25 @@ def test_a_formula_has_its_equation_where_it_is_certain_which():
     by_name = {pair.name: pair for pair in pairs(case)}
     at_load = by_name["deflection at a load by Eq. 6"]
     assert tex(case, at_load, equations).startswith(r"\delta_{BE} = \frac{N n}{2 \pi l E}")
-    assert place(case, at_load) == "Eq. 6, Huang 2018"
+    assert place(case, at_load) == "Huang 2018, Eq. 6"
     assert tex(case, by_name["rim displacement at the angle of a load"], equations) == ""
     stress = next(p for p in pairs(PLATE) if p.name == "stress")
     one, other = Equation(tex=r"\sigma = E"), Equation(tex=r"\sigma = F")
     assert [tex(PLATE, stress, found) for found in ([one], [one, other])] == [one.tex, ""]
+
+
+@pytest.mark.parametrize(
+    ("case_id", "name", "expected"),
+    [
+        ("polyhedral-clutch", "pressure for the target torque, Eqs. 17 to 20",
+         "Belcin, Eqs. 17 to 20"),
+        ("sprag-wedge", "wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
+         "Huang 2022, Eqs. 2, 4"),
+        ("ring-lame", "bore displacement, plane stress",
+         "Huang 2018, Eq. 6, based on Lamé's formulas"),
+    ],
+)  # fmt: skip
+def test_the_place_of_a_row_is_in_the_paper_that_its_name_states(case_id, name, expected):
+    case = registry.find(case_id, registry.CASES)
+    (pair,) = (pair for pair in pairs(case) if pair.name == name)
+    assert place(case, pair) == expected

@@ -59,7 +59,7 @@ def permissible(
     if largest is None:
         return None
     known = ", of the criteria whose limits are known" if under(largest.at).unknowns else ""
-    times = f", {largest.at / T:.3g} T" if T > 0 else ""
+    times = f", {largest.at / T:.3g} times T" if T > 0 else ""
     what = f"permissible torque{condition}{times}{known}; beyond it {largest.words}"
     return Quantity(key="permissible_torque", symbol="T_max", value=largest.at, unit="N m",
                     what=what)  # fmt: skip

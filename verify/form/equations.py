@@ -106,8 +106,12 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
 
 
 def _place(case: Case, q: Quantity) -> str:
-    """Place of the equation in its source, and its form if the case has several forms."""
-    place = f"Eq. {q.equation}" if q.equation else q.source
+    """Place of the equation in its source, and its form if the case has several forms.
+
+    A numbered equation without a form has the form opposite to that of the quantity beside it. A
+    quantity with a text as `source` has only the form that it declares.
+    """
+    if not q.equation:
+        return ", ".join(filter(None, (q.source, q.form)))
     beside = next((one.form for one in case.present() if one.form_of == q.name), "")
-    form = q.form or _OTHER.get(beside, "")
-    return ", ".join(filter(None, (place, "" if form in place else form)))
+    return ", ".join(filter(None, (f"Eq. {q.equation}", q.form or _OTHER.get(beside, ""))))

@@ -217,5 +217,5 @@ class Accepted(Claim):
         if self.fitted and verdict.status is Status.PASS:
             final = replace(final, status=Status.CALIBRATED, reason=f"{reason}; {self.fitted}")
         if not context.is_paper:
-            final = judge.Verdict(Status.SHOWN, f"measured: {words}")
+            final = judge.Verdict(Status.SHOWN, words)
         return [self._row(context.case, Kind.FACT, final, published=self._printed(context))]

@@ -123,13 +123,17 @@ def convergence_verdict(
         if verdict.status is Status.FAIL and 3 * spread < allowed:
             verdict = judge.fact(1 - 3 * spread / allowed, 0.0)
             reason = (
-                f"order {grid.order:.2f} ± u_it, not certainly above 0.5: spread of the last values"
+                f"order {grid.order:.2f} ± u_it, not certainly above 0.5; instead, three "
+                "times the spread of the last three values is compared with the limit"
             )
     elif grid.behaviour == "round-off":
         verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
     else:
         verdict = judge.fact(1 - grid.gci / allowed, 0.0)
-        reason = f"{grid.behaviour}: spread of the last three values and the limit"
+        reason = (
+            f"{grid.behaviour} series of values: the grid "
+            "convergence index is compared with the limit"
+        )
     if not grid.converges:
         verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
     if verdict.status is Status.FAIL and verdict.reason:

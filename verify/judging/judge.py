@@ -111,8 +111,8 @@ def fact(margin: float, U: float) -> Verdict:
     if not (math.isfinite(margin) and math.isfinite(U)):
         return Verdict(Status.FAIL, "not converged")
     if margin > U:
-        return Verdict(Status.PASS, "held", margin, U)
-    reason = "not held" if margin < -U else f"undecided: margin {margin:.2g} within ± {U:.2g}"
+        return Verdict(Status.PASS, "confirmed", margin, U)
+    reason = "not confirmed" if margin < -U else f"undecided: margin {margin:.2g} within ± {U:.2g}"
     return Verdict(Status.FAIL, reason, margin, U)
 
 

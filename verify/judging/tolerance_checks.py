@@ -57,7 +57,7 @@ class Stated(Claim):
         return self.fem_needed
 
     def _not_judged(self, context: Context, words: str, **more: Any) -> list[Row]:
-        verdict = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        verdict = judge.Verdict(Status.SHOWN, words)
         printed = self._printed(context)
         return [self._row(context.case, Kind.FACT, verdict, published=printed, **more)]
 
@@ -138,7 +138,7 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
     if np.isfinite(size[k]):
         k = int(np.argmax(size >= (1 - EQUAL) * size[k]))
     value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
-    words = f"largest error {off[k]:+.2g} of {off.size}"
+    words = f"largest error {off[k]:+.2g}, among {off.size} compared values"
     return Pair(value, reference, u * abs(reference), words)
 
 

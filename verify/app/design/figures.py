@@ -110,7 +110,7 @@ def front(outcome: Outcome) -> Parallel:
     forms = ("{:.0f} MPa", "{:.2f} mm", "{:.0f} %", "{:.2g} %")
     kept = [v.agrees and v.fits for v in outcome.verified] or [True] * len(goals)
     return Parallel(
-        title="The front", axes=("σ", "L_0", "U_A/U_w − 1", "|k_1/k_w − 1|"),
+        title="Pareto front", axes=("σ", "L_0", "U_A/U_w − 1", "|k_1/k_w − 1|"),
         ends=tuple((form.format(shown[b, j]), form.format(shown[w, j]))
                    for j, (form, b, w) in enumerate(zip(forms, best, worst, strict=True))),
         lines=scaled(goals), kept=tuple(kept), chosen=outcome.chosen or 0,
@@ -146,7 +146,13 @@ def curve(outcome: Outcome) -> Curves:
         name = "finite elements, large displacements"
         drawn.append(Curve(name=name, x=large.U * 1e3, y=large.F, style="dots", colour=1))
     drawn.append(
-        Curve(name="task", x=np.array([U_w * 1e3]), y=np.array([q.F_w]), style="dots", colour=2)
+        Curve(
+            name="working point of the task",
+            x=np.array([U_w * 1e3]),
+            y=np.array([q.F_w]),
+            style="dots",
+            colour=2,
+        )
     )
     return Curves(
         title="Force over displacement of the chosen spring", x_label="U [mm]", y_label="F [N]",

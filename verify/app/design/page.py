@@ -186,7 +186,7 @@ def _front(outcome: Outcome) -> Table:
                     round(100 * v.e_r, 2), verdict(v)]  # fmt: skip
         rows.append(tuple(row))
     return Table(
-        title="The front", header=("member", *heads, *(fem if outcome.verified else ())),
+        title="Pareto front", header=("member", *heads, *(fem if outcome.verified else ())),
         rows=tuple(rows),
         note="Pareto-optimal springs in stress, L_0, U_A/U_w and |k_1/k_w − 1|; the spring "
              "closest to the "

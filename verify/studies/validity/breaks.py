@@ -5,7 +5,8 @@ from verify.studies.validity import messages as words
 
 ALREADY = {
     OUTSIDE: "the error exceeds {} already at the default inputs",
-    UNDECIDED: "undecided at the default inputs: the error bar crosses {}",
+    UNDECIDED: "at the default inputs, it is undecided whether the error is within {}, because the "
+    "error bar crosses this limit",
     UNSOLVED: "not solved at the default inputs",
 }
 
@@ -37,10 +38,14 @@ def breaks(found: Region) -> str:
 def _start(found: Region, limit: str) -> str:
     """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
-        return f"{_at_nominal(found, limit)}; starting from the middle of the box, "
+        return (
+            f"{_at_nominal(found, limit)}; starting from the middle of the range within {limit}, "
+        )
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
-    return "" if inside else "starting from the default inputs, which are not in this box, "
+    if inside:
+        return ""
+    return f"starting from the default inputs, which are outside the range within {limit}, "
 
 
 def _broken(step: Break, limit: str) -> str:
@@ -50,7 +55,7 @@ def _broken(step: Break, limit: str) -> str:
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
         return f"{towards}: the error first exceeds {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"undecided at {first}, where the error bar crosses the limit"
+    doubt = f"it is undecided at {first}, because the error bar crosses the limit"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
     return f"{towards}: the error is within {limit} as far as {last}; {then}"
 

@@ -10,7 +10,9 @@ from verify.papers.ledger import cited, papers
 from verify.papers.numbers import numbers
 from verify.studies.sweep.pairs import Pair, pairs
 
-_NUMBERS = re.compile(r"Eqs?\. ([\d, and-]*\d)")
+_PLACE = re.compile(
+    r"(?:(?P<paper>[^\W\d_]+ \d{4}), )?(?P<where>Eqs?\. \d+(?:(?:, | and | to |-|–)\d+)*)"
+)
 _GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eta": "η",
     "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "rho": "ρ", "sigma": "σ",
@@ -19,20 +21,21 @@ _GREEK = {
 
 
 def place(case: Case, pair: Pair) -> str:
-    """Text with the equation number and the paper of a row.
+    """Text with the paper and the equation number of a row.
 
     The number is that in the ledger or in the name of the row. Without a number, the place of the
-    case is returned.
+    case is returned. If the name of the row states a paper before the number, this is the paper.
     """
-    named = f"{case.id}/{pair.name}"
+    found = _PLACE.search(pair.name)
+    source = (found["paper"] if found else "") or cited(case.paper)
     known = [
-        f"Eq. {equation.number}" for paper in papers() for equation in paper.equations
-        if paper.key == case.paper and equation.test == named
+        str(equation.number) for paper in papers() for equation in paper.equations
+        if paper.cited == source and equation.test == f"{case.id}/{pair.name}"
     ]  # fmt: skip
-    found = _NUMBERS.search(pair.name)
-    where = ", ".join(known) or (found[0] if found else "")
-    paper = cited(case.paper)
-    return f"{where}, {paper}" if where else f"{paper}, {case.place}"
+    where = found["where"] if found else case.place
+    if known:
+        where = f"Eq{'s' * (len(known) > 1)}. {', '.join(known)}"
+    return f"{source}, {where}"
 
 
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:

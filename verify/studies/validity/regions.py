@@ -25,7 +25,9 @@ def region(plan: Plan, course: Course) -> ValidityRegion:
     drawn, rows = _drawn(plan, course)
     return ValidityRegion(
         over=words.over(plan), points=len(plan.points), unsolved=found[0].unsolved,
-        problems=tuple(f"{count} × {reason}" for reason, count in reasons.most_common()),
+        problems=tuple(
+            f"{count} point{'s' * (count > 1)}: {reason}" for reason, count in reasons.most_common()
+        ),
         limits=tuple(_limit(one, star=plan.star) for one in found), breaks=breaks(found[MIDDLE]),
         axes=drawn, error=tuple(course.error[rows].tolist()),
         U=tuple(course.U_error[rows].tolist()),

@@ -92,7 +92,7 @@ class PaperChain(ClutchInputs):
     N_16 = Quantity("N_16", "kN", "force of a roller under M_20", equation="16", role="step",
                     tex=r"F + R \cos\left(\varphi_1\right)").reads(lambda q: q.full.N)  # fmt: skip
 
-    @Quantity("p_20", "MPa", "pressure for the target torque", source="Eqs. 17 to 20, corrected",
+    @Quantity("p_20", "MPa", "pressure for the target torque", source="Eqs. 17 to 20",
               form="corrected", safe="too high", tex=r"p_{1r} + \frac{2 M_t}{\mu_g D_i z} "
               r"\frac{1 - s}{b d_i \sin\left(\frac{\pi}{z}\right)}")  # fmt: skip
     def p_20(self) -> float:

@@ -77,7 +77,7 @@ class WedgeSteps(WedgeFormulas):
         return float(self.state.OB)
 
     @step("OA_s", "mm", "distance of the undeformed spiral's contact from the axis",
-          source="Eq. 9, corrected: all deflections of the inner side", form="corrected",
+          source="Eq. 9 with all deflections of the inner side", form="corrected",
           tex=r"R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}")  # fmt: skip
     def OA_s(self) -> float:
         return float(self.state.OA_s)
