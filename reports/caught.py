@@ -102,8 +102,8 @@ def in_words(caught: Caught) -> list[str]:
     always = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
         f"{listed['rows']} of {data['rows']} rows are not required to fail if their reference is "
-        f"changed by ±1 %. This is {listed['share']:.1%} of all rows, or "
-        f"{listed['share without convergence']:.1%} without the "
+        f"changed by ±1 %. This is {100 * listed['share']:.1f} % of all rows, or "
+        f"{100 * listed['share without convergence']:.1f} % without the "
         f"{data['convergence']} convergence rows.",
         f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
         f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "

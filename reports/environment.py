@@ -115,7 +115,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "budget_outside": budget.outside, "budget_left": budget.left,
         "cross_problems": crosscheck.problems, "cross_solvers": crosscheck.solvers,
         "cross_counts": crosscheck.counts_in_words,
-        "cross_left": crosscheck.left_out, "second_value": second.value,
+        "cross_left": crosscheck.left_out, "second_value": second.value, "spaced": formats.spaced,
         "second_difference": second.difference, "second_meshes": second.meshes,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,

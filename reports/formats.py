@@ -45,6 +45,11 @@ def prose(text: str) -> Markup:
     return Markup(_INDEX.sub(lowered, _MINUS.sub(MINUS, raised)))  # noqa: S704 - escaped before
 
 
+def spaced(text: str) -> str:
+    """Text with a space before each percent sign that follows a digit."""
+    return re.sub(r"(?<=\d)%", " %", text)
+
+
 def linked(text: str) -> Markup:
     """HTML of running text in which "ledger paper:entry" links to that entry."""
     return Markup(  # noqa: S704 - escaped by prose

@@ -5,6 +5,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 
 from reports import second
+from reports.formats import spaced
 from reports.xml_text import clean
 from verify.core.differences import difference, offset
 from verify.core.references import reference_name
@@ -35,6 +36,7 @@ def cells(row: Row, beside: Sequence[Crosscheck] = ()) -> list[Cell]:
         for kind in PRINTED
     )
     named = {c: getattr(row, c) for c in COLUMNS} | {"difference": offset(row)}
+    named["reason"] = spaced(row.reason)
     named["by"] = reference_name(row) if row.reference is not None and row.kind != "fact" else ""
     return [*named.values(), *_percents(row), *second.cells(beside), *printed]
 

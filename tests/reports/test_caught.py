@@ -71,7 +71,7 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
     assert lines[2].red == [49, 50]
     assert in_words(CAUGHT) == [
         "2 of 160 rows are not required to fail if their reference is changed by ±1 %. This is "
-        "1.2% of all rows, or 2.0% without the 58 convergence rows.",
+        "1.2 % of all rows, or 2.0 % without the 58 convergence rows.",
         "If a value of the formulas is changed instead, 50 of 60 rows with a formula depend on "
         "this value, and 10 do not; 0 pass in spite of the change.",
         "Rows on which no value of a formula has an effect are counted separately: 40 exact "

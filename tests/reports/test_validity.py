@@ -80,8 +80,8 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
         "z = 3, all δ1", "larger z: the error first exceeds 5 % between 3 and 6; 1 of 6 "
                          "points without a solution",
     ]  # fmt: skip
-    assert second[:2] == [over, ""]
-    assert "largest difference −0.00029 ± 0.00001 %" in plain_text(case["exact"])
+    assert second[:2] == [f"measured over {over}", ""]
+    assert "largest difference is −0.00029 ± 0.00001 %" in plain_text(case["exact"])
 
 
 def test_a_map_has_each_error_in_its_cell():

@@ -90,7 +90,7 @@ def test_the_answer_comes_first(tmp_path, capsys):
     # that the part fails within the range of an assumed input is stated
     status, out = checked(ROLLER, capsys=capsys)
     assert status == 0
-    assert "μ = 0.06 to 0.12: -25% (fails) to +50%" in out
+    assert "μ = 0.06 to 0.12: -25 % (fails) to +50 %" in out
     assert "(assumed)" in out.splitlines()[2]
 
 

@@ -129,7 +129,7 @@ def test_a_reference_decides_as_long_as_it_is_more_than_its_uncertainty_with_a_r
     assert verdict.reason == "model error +5.000 % ± 0.2 % is not inside [-1.000 %, +1.000 %]"
     shown = judge.approximation(1.05, 1.0, U=0.002, interval=None)  # as measured
     assert (shown.status, shown.detects) == (Status.SHOWN, None)
-    assert shown.reason == "measured model error: +5.00% ± 0.2 %"
+    assert shown.reason == "measured model error: +5.00 ± 0.2 %"
 
 
 @fixed

@@ -55,7 +55,7 @@ def test_a_profile_within_its_figure_states_its_error(error, status):
     check = Within(name="profile", symbol="e", unit="1", accepted=0.03,
                    margin=lambda _: (0.03 - error, 0.0))  # fmt: skip
     (row,) = check.rows(values(1, 1, 1))
-    assert (row.status, row.reason[-7:]) == (status, f": {error:.2%}")
+    assert (row.status, row.reason[-8:]) == (status, f": {100 * error:.2f} %")
 
 
 @pytest.mark.parametrize(("paper", "status"), [(True, Status.FAIL), (False, Status.SHOWN)])

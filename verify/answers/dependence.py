@@ -29,7 +29,7 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
     found = influence(case, inputs, assumed, partial(_margin, case, names))
     notable = [one for one in found if one.largest > NOTABLE]
     if not notable:
-        return (f"no assumed input changes the margin by more than {NOTABLE:.0%}",)
+        return (f"no assumed input changes the margin by more than {100 * NOTABLE:.0f} %",)
     named = "; ".join(_sentence(one, middle) for one in notable[:MOST])
     more = f"; and {len(notable) - MOST} more" if len(notable) > MOST else ""
     return (f"of the assumed inputs the margin depends most on {named}{more}",)
@@ -57,5 +57,5 @@ def _sentence(one: Influence, margin: float) -> str:
 
 def _changed(change: float, margin: float) -> str:
     """Text of a relative change of the margin; it states whether the part then fails."""
-    text = f"{change:+.0%}" if math.isfinite(change) else "no bound"
+    text = f"{100 * change:+.0f} %" if math.isfinite(change) else "no bound"
     return f"{text} (fails)" if margin >= 1 > (1 + change) * margin else text

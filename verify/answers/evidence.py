@@ -68,7 +68,7 @@ def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
             by = FINITE_ELEMENTS if by == FE else by
             other = number(row.reference * factor, unit)
             off = (row.analytic - row.reference) / row.reference
-            return f"{by}: {other}; the formula differs by {off:+.2%}"
+            return f"{by}: {other}; the formula differs by {100 * off:+.2f} %"
     return (
         "the design value itself has no reference; the rows below compare the quantities "
         "from which it is computed"

@@ -94,7 +94,7 @@ def _distance(low: float, high: float, margin: float, critical: float, part: Ass
 
     `low`, `high` and `critical` are in rad/s; `margin` is relative.
     """
-    share = f"separation margin of {margin:.0%}"
+    share = f"separation margin of {100 * margin:.0f} %"
     if critical < low:
         part.at_most("separation", "critical speed below the operating speed", critical,
                      low * (1 - margin), "r/min", f"lowest operating speed less a {share}",

@@ -122,6 +122,7 @@ def _deflection(U: float, L0: float, part: Assessment) -> None:
                  "0.6 L_0 (Eq. 12)")  # fmt: skip
     if FREE_STAGE * L0 < U <= LARGEST_STROKE * L0:
         part.unknowns.append(
-            f"a deflection of {U / L0:.0%} of L_0 may be beyond the free stage, which ended at "
-            f"{FREE_STAGE:.0%} for the paper's spring: case spring-curve computes the whole curve"
+            f"a deflection of {100 * U / L0:.0f} % of L_0 may be beyond the free stage, which "
+            f"ended at {100 * FREE_STAGE:.0f} % for the paper's spring: case spring-curve computes "
+            "the whole curve"
         )

@@ -29,7 +29,7 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
         return rows
     why = f"its uncertainty is {U:.2g}" if steady else "the meshes do not converge"
     reason = (
-        f"measured model error: {m:+.2%}; {why}; "
+        f"measured model error: {100 * m:+.2f} %; {why}; "
         f"the half-width of the expected interval is {half:.2g}"
     )
     return [

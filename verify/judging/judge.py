@@ -78,7 +78,7 @@ def approximation(
     if interval is None:
         return Verdict(
             Status.SHOWN,
-            f"measured model error: {m:+.2%} ± {100 * U_m:.1g} %",
+            f"measured model error: {100 * m:+.2f} ± {100 * U_m:.1g} %",
             formula - reference,
             U,
         )

@@ -48,7 +48,8 @@ class Within(Fact):
 
     def rows(self, context: Context) -> list[Row]:
         error = self.accepted - self.margin(context)[0]
-        return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
+        words = f"{100 * error:.2f} %"
+        return [replace(row, reason=f"{row.reason}: {words}") for row in super().rows(context)]
 
 
 @dataclass(frozen=True, kw_only=True)

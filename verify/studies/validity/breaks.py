@@ -13,7 +13,7 @@ ALREADY = {
 
 def breaks(found: Region) -> str:
     """Text that states at which value of which input the formula first exceeds the limit."""
-    limit = f"{found.limit:.0%}".replace("%", " %")
+    limit = f"{100 * found.limit:.0f} %"
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"
         return f"{_at_nominal(found, limit)}{nowhere}"
