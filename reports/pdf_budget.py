@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Sequence
 
-from reports.budget import compact, headline, identities, left, lines, percent
+from reports.budget import Compact, compact, headline, identities, left, lines, percent
 from reports.pdf_tables import Data, prose
 from reports.richtext import runs
 from verify.core.results import CaseBudget
@@ -24,7 +24,7 @@ def _case(one: CaseBudget) -> Data:
         "words": prose(missing or " ".join(filter(None, (identities(one), left(one))))),
         "drawn": prose(row.quantity) if row else [],
         "rows": [[prose(cell) for cell in line] for line in lines(row)] if row else [],
-        "header": [["Other formulas"], ["difference"], *([h] for h in others.header), ["remainder"]]
+        "header": [[_head(others)], ["difference"], *([h] for h in others.header), ["remainder"]]
         if others else [],
         "others": [
             [prose(r.quantity), [percent(r.total)], *([x] for x in cells),
@@ -32,3 +32,11 @@ def _case(one: CaseBudget) -> Data:
             for r, cells in others.rows
         ] if others else [],
     }  # fmt: skip
+
+
+def _head(others: Compact) -> str:
+    """Head of the column of other formulas; it states how many of them the table contains."""
+    shown = len(others.rows)
+    if shown == others.of:
+        return "Other formulas"
+    return f"The {shown} of {others.of} other formulas with the largest remainders"
