@@ -58,8 +58,8 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
                    name="least coefficient of friction that holds a free roller (Eq. 2)",
                    shares=COULOMB,
                    sensitivity=(1e-4, "the bisection determines μ_c to five digits"))  # fmt: skip
-    yield fact("μ = 1.01 tan(α/2) holds the roller (Eq. 2)", "N", held)
-    yield fact("μ = 0.99 tan(α/2) releases the roller (Eq. 2)", "N",
+    yield fact("friction coefficient 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
+    yield fact("friction coefficient 1 % below tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
         name="deviation of T/(μN) from tan(α/2)/μ below and above the largest wedge angle",

@@ -136,7 +136,7 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
     c = type(crown)
     drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
     yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
-    yield identity(c.share, name="increase of the mean drop for 1 % more z_m", **drawn)
+    yield identity(c.share, name="relative sensitivity of the mean drop to z_m", **drawn)
     estimate: dict[str, Any] = {
         "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
         "demand_reason": "about twice the accepted errors of slices (2 %) and of strips (0.3 %)",
