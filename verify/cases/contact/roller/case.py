@@ -20,7 +20,7 @@ PLANE_NU = 0.3  # Poisson's ratio of the disc; only E/(1 − ν²) matters
 BEST_AT = np.geomspace(0.2, 2.5, 6)  # loads over F
 FINE_AT = np.geomspace(0.2, 2.5, 40)
 SERIES = "derived series of the disc, ± (a/R)⁴ as an estimate of the next term, at least 3e-4"
-PLANE = "plane finite elements under the line load of strips"
+PLANE = "plane finite elements under the line load computed by strips"
 
 
 class RollerOnRace(CrownedRoller):

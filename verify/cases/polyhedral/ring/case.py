@@ -228,7 +228,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         peak = {"order": 2, "sensitivity": FILLET, "uncertainty": max(PEAK, STRESS * residual)}
         yield identity(ring.fillet, **same | peak)
         scale = {
-            "the largest displacement by the hub force at the corner": max(
+            "the largest displacement of the outer surface under a hub force at the corner": max(
                 abs(self.hub("corner", where)) for where in WHERE
             )
         }

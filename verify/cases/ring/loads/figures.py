@@ -92,7 +92,8 @@ def _stresses(q: SpragLoads, context: Context) -> Curves:
     return Curves(
         title="Hoop stress on both walls", x_label="θ n/π", y_label="σ_θ [MPa]",
         curves=tuple(curves), note=f"Lines: Fourier ring. The curve of the {q.loaded} begins at "
-        "the edge of the contact patch: in the patch, the hoop stress is about the pressure.",
+        "the edge of the contact patch: in the patch, the hoop stress"
+        " is compressive and about as large as the pressure.",
     )  # fmt: skip
 
 

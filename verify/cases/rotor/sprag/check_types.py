@@ -87,8 +87,8 @@ class Claimed(Share):
 def held_of(statement: Statement, a: Arrays) -> str:
     """Text: in how many of the sets that have the compared peaks a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
-    with_peak = "" if asked.all() else " with the compared peaks"
-    return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
+    with_peak = "" if asked.all() else " that have the compared peaks"
+    return f"{int((held & asked).sum())} of {int(asked.sum())} parameter sets{with_peak}"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -84,7 +84,7 @@ class Optimum25Inputs(OptimumInputs):
 
     K_1: float = quantity(2.1507, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-25nm-k1")  # fmt: skip
-    K_2: float = quantity(0.6763, "1", "K_2", "crowned fraction of the length, given crown",
+    K_2: float = quantity(0.6763, "1", "K_2", "crowned fraction of the length of the given crown",
                           gt=0, le=1, claims="huang2018:optimum-25nm-k2")  # fmt: skip
     z_m: float = quantity("0.0121 mm", "mm", "z_m", "drop at the ends of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-25nm-zm")  # fmt: skip
@@ -97,7 +97,7 @@ class Optimum40Inputs(OptimumInputs):
                         claims="huang2018:torque-40")  # fmt: skip
     K_1: float = quantity(2.8, "1", "K_1", "depth factor of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-40nm-k1")  # fmt: skip
-    K_2: float = quantity(0.7, "1", "K_2", "crowned fraction of the length, given crown",
+    K_2: float = quantity(0.7, "1", "K_2", "crowned fraction of the length of the given crown",
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip
     z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-40nm-zm")  # fmt: skip
