@@ -112,7 +112,7 @@ def test_a_record_of_other_code_or_of_another_statement_does_not_count(measured_
     shown = of_case(plan, made.RESULT)
     kept._hash.cache_clear()
     assert shown.missing == (
-        "not measured for the present code: run `freewheel deep budget:made-up-leaf`"
+        "error budget not computed for the present code: run `freewheel deep budget:made-up-leaf`"
     )
     assert shown.rows == ()
 

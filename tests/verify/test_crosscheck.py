@@ -133,7 +133,7 @@ def test_what_is_found_is_stored_for_this_code_unless_that_is_not_wanted(
     monkeypatch.setattr(store, "posing", lambda _solver, _module: "another")  # other code
     (line,) = judged.reported(["ring-lame"])
     assert line.state is CrossState.MISSING
-    assert line.why.startswith("not measured for the present code")
+    assert line.why.startswith("comparison with a second solver not computed for the present code")
     assert judged.reported(["ring-rotation"]) == ()
 
 

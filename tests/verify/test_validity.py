@@ -183,7 +183,7 @@ def test_a_record_is_that_of_its_code_inputs_scans_and_comparisons(folder, known
     monkeypatch.setattr(source_code, "source_of", lambda _function: "other")
     found = of_case(PLATE, result())
     assert found.missing.startswith(
-        "not measured for the present code: run `freewheel deep validity:made-up"
+        "range of validity not computed for the present code: run `freewheel deep validity:made-up"
     )
     assert not found.cards
 

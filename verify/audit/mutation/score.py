@@ -23,7 +23,7 @@ ARGUED = Path(__file__).parent / "argued.json"
 NAMES = ("formulas", "judging", "finite-elements")
 REFERENCES = "references"
 LEAST = 0.95  # of the mutants of formulas
-STALE = "not measured for the present code: run `freewheel mutants`"
+STALE = "score of mutants not computed for the present code: run `freewheel mutants`"
 
 Score = dict[str, Any]
 

@@ -21,7 +21,7 @@ from verify.studies.budget.plan import Plan
 from verify.studies.budget.store import measured
 
 LARGE, LEFT = 1e-3, 0.25  # least difference to be explained, and the share that may remain
-STALE = "not measured for the present code: run `freewheel deep budget:{}`"
+STALE = "error budget not computed for the present code: run `freewheel deep budget:{}`"
 
 
 def of_result(result: CaseResult) -> CaseBudget | None:

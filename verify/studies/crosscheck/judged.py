@@ -14,7 +14,7 @@ TOLD = {
     "mid": "pressure at mid-length", "q mid": "load per length at mid-length",
     "largest": "largest pressure",
 }  # fmt: skip
-STALE = "not measured for the present code: run `make crosscheck`"
+STALE = "comparison with a second solver not computed for the present code: run `make crosscheck`"
 
 
 def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:

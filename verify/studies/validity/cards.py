@@ -18,7 +18,7 @@ from verify.studies.validity.regions import region
 from verify.studies.validity.store import Measured, measured
 
 ALIKE = 1e-9  # relative to the largest error: round-off of an input without effect
-STALE = "not measured for the present code: run `freewheel deep validity:{}`"
+STALE = "range of validity not computed for the present code: run `freewheel deep validity:{}`"
 
 
 def of_result(case: Case, result: CaseResult) -> Validity | None:

@@ -32,7 +32,7 @@ READINGS = [
     pytest.param(OUTER, loaded_race, "share", lambda f: lambda x: 1.0 + 0 * f(x),
                  "hoop force in the cut between loads", id="a point force for the ellipse"),
     pytest.param(MAP, fourier_ring, "_wall_tractions", lambda f: lambda *a: 1.01 * f(*a),
-                 "displacement at a load over δ_6, n = 12, r_o/r_i = 1.35",
+                 "displacement at a load, divided by δ_6, n = 12, r_o/r_i = 1.35",
                  id="loads 1 % too large"),
     pytest.param(ROTATION, rotating, "_load", lambda f: lambda rho, w: f(rho, w * 9.549),
                  "bore growth, plane stress", id="r/min for an angular speed"),

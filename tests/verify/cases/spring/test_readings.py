@@ -64,7 +64,7 @@ def test_one_of_sixteen_readings_meets_the_printed_stiffness():
 def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_figure(
     monkeypatch,
 ):
-    name = "displacement at point A against Eq. 10, reading whose k_1 is nearest to Eq. 10"
+    name = "displacement at point A against Eq. 10, calibrated interpretation of the paper"
     assert [row.status for row in rows(STAGES, name)] == [Status.CALIBRATED]
     guided = [
         x for x in readings(StageSpring(width_factor=1.09))

@@ -86,7 +86,8 @@ class LoadsMap(Case):
             )
         return self
 
-    @Quantity("δ(0; {0.n}, {0.ratio:g})/δ_6", "1", "displacement at a load over δ_6, {0.words}",
+    @Quantity("δ(0; {0.n}, {0.ratio:g})/δ_6", "1",
+              "displacement at a load, divided by δ_6, {0.words}",
               source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
     def load(self, at: Point) -> float:
         return float(self._over_eq_6[at][0])
@@ -142,7 +143,7 @@ class LoadsMap(Case):
     def comparisons(self) -> Iterator[Comparison]:
         """Rows: Fourier ring against finite elements at every checked point."""
         for at in CHECKED:
-            scale = {f"displacement at a load over δ_6, {at.words}": self.load(at)}
+            scale = {f"displacement at a load, divided by δ_6, {at.words}": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):
                 yield identity(q, symbol="δ/δ_6", scale=scale, order=order, sensitivity=SHARP,
                                shares=PATCHES)  # fmt: skip

@@ -220,7 +220,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
           margin=ellipses),
     Misprint(name="torsional resonance at bending critical speeds", symbol="θ_z", unit="1",
           erratum="huang2022:eq-11-bending-torsion", margin=no_coupling),
-    Misprint(name="critical speeds computed at 5000 r/min", symbol="n", unit="1",
+    Misprint(name="statement that critical speeds are computed at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
     Misprint(name="reason given for the choice of the response nodes", symbol="", unit="1",

@@ -67,9 +67,9 @@ def facts(context: Context) -> Table:
         header=("statement", "place", "holds in", "%", "opposite unbalances: holds in", "%"),
         rows=rows,
         note=f"At most {int(most.max())} of the "
-             f"{len(STATEMENTS)} statements hold in the same set of parameters. A set is not "
-             "counted for a statement if a response that the statement compares has no peak near a "
-             "critical speed.",
+             f"{len(STATEMENTS)} statements hold in the same set of parameters. For each "
+             "statement, only sets are counted in which all responses that it compares have a peak "
+             "near a critical speed.",
     )  # fmt: skip
 
 

@@ -141,10 +141,11 @@ def to_make(context: Context) -> str:
     K_1, K_2, z_m = measured(context)["free"]
     free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
     return (
-        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm; on a half-space, p_max is "
-        f"{free[-1] / 1e6:.0f} MPa with {CELLS[-1]} cells and {free[0] / 1e6:.0f} MPa with "
-        f"{CELLS[0]} cells; p_max of the given crown is {hand[-1] / 1e6:.0f} and "
-        f"{hand[0] / 1e6:.0f} MPa"
+        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm of the crown with unloaded "
+        f"ends; on a half-space, p_max of this crown is {free[-1] / 1e6:.0f} MPa with {CELLS[-1]} "
+        f"cells and {free[0] / 1e6:.0f} MPa with {CELLS[0]} cells; p_max of the given crown is "
+        f"{hand[-1] / 1e6:.0f} MPa with {CELLS[-1]} cells and {hand[0] / 1e6:.0f} MPa with "
+        f"{CELLS[0]} cells"
     )
 
 

@@ -44,7 +44,7 @@ class Displayed(Claim):
     words: Callable[[Context], str]
 
     def rows(self, context: Context) -> list[Row]:
-        verdict = judge.Verdict(Status.SHOWN, f"measured: {self.words(context)}")
+        verdict = judge.Verdict(Status.SHOWN, f"computed: {self.words(context)}")
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
 

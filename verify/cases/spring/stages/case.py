@@ -111,7 +111,7 @@ class StageSpring(StageFormulas):
             "tail": x.tail, "head": x.head, "inner": x.radius == "r", "width_factor": x.factor,
             "theory": "bending",
         })  # fmt: skip
-        return State(spring, "reading", "reading whose k_1 is nearest to Eq. 10", displayed=False)
+        return State(spring, "reading", "calibrated interpretation of the paper", displayed=False)
 
     def _calibrated(self) -> Iterator[Comparison]:
         spring = StageSpring
@@ -122,7 +122,7 @@ class StageSpring(StageFormulas):
             (spring.F_A, "F", paper.ACCEPTED, "force at point A", ()),
         ):
             yield Comparison(quantity=q, state=self._reading, check=Accepted(
-                name=f"{words} against Eq. 10, reading whose k_1 is nearest to Eq. 10",
+                name=f"{words} against Eq. 10, calibrated interpretation of the paper",
                 symbol=q.symbol, unit=q.unit, margin=paper.keeps(key, figure), fem_needed=False,
                 fitted=paper.FITTED, printed=printed, paper_only=True,
             ))  # fmt: skip
@@ -135,7 +135,7 @@ class StageSpring(StageFormulas):
             (spring.intercept, "force of the second line at U = 0", "constant of Eq. 10",
              "eq10-ab-intercept"),
         ):  # fmt: skip
-            name = f"{words} against the {what}, reading whose k_1 is nearest to Eq. 10"
+            name = f"{words} against the {what}, calibrated interpretation of the paper"
             yield _beside(q, self._reading, name, printed)
         most = self.widest if self.width_factor is None else self.width_factor
         guided = self.model_copy(update={
