@@ -65,7 +65,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
     names = list(data["gate"]["red"])
     kinds: Mapping[str, Any] = {
         **data["kinds"], "all rows that must fail at ±1 %": data["gate"],
-        "of these, all rows that depend on a value of a formula": data["the rest"],
+        "all rows that must fail at ±1 % and depend on a value of a formula": data["the rest"],
     }  # fmt: skip
     lines = [
         Moved(kind, one["rows"], [one["red"][name] for name in names])

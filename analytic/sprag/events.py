@@ -37,7 +37,7 @@ TOUCHING = 1e-9  # m/s: v at an event
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Events:
-    """Times [s], states (q and q', 8 values each), and the forces N, T_i, T_e [N] at the steps."""
+    """Times [s], states (8 values each: q and q'), and the forces N, T_i, T_e [N] at the steps."""
 
     t: Array
     states: Array

@@ -86,7 +86,7 @@ class State(Touching):
         return sense * out, float(sense * r * turn)
 
     def unrest(self) -> Unrest:
-        """Motion of the roller, and corrected drags for which it would not move or rotate."""
+        """Motion of the roller, and corrected surface displacements that prevent this motion."""
         out, turned = self.motion
         drags = self.drags[0] - out - turned, self.drags[1] - out + turned
         return Unrest(max(abs(out), abs(turned)), self.place.d_i + self.place.d_o, drags)

@@ -66,7 +66,7 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
         ("identity", 60), ("all rows that must fail at ±1 %", 100),
-        ("of these, all rows that depend on a value of a formula", 50),
+        ("all rows that must fail at ±1 % and depend on a value of a formula", 50),
     ]  # fmt: skip
     assert lines[2].red == [49, 50]
     assert in_words(CAUGHT) == [

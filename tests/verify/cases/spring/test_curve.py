@@ -19,7 +19,7 @@ STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
 TENFOLD = "stiffness rises at least tenfold after the loops touch (stage BE)"
 JUDGED = ("no interpenetration of leaves",
           "slopes k_1 and k_2 do not depend on the contact stiffness",
-          "slopes k_1 and k_2 are equal on a mesh with cells of half the size",
+          "slopes k_1 and k_2 do not change if the cell size is halved",
           "work equals stored energy and friction losses",
           "loading and unloading coincide without friction", TENFOLD)  # fmt: skip
 THIN = tuple(

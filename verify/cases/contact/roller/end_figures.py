@@ -32,7 +32,7 @@ def drawn(context: Context) -> Iterator[Figure]:
 
 
 def line_loads(context: Context, state: State) -> Figure:
-    """Figure: line load along half of the roller: end face, control, half-space."""
+    """Figure: line load along half of the roller, with and without end face, and by half-space."""
     q, arrays = context.inputs, context.fem[-1].arrays
     on: Any = getattr(state.case, "contact")  # noqa: B009
     half = on.y > 0

@@ -18,7 +18,7 @@ from verify.core.case import Values
 from verify.form.adapter import adapted
 
 PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
-BELOW = "that {0} % of the random clutches whose rollers can wedge do not exceed"
+BELOW = "({0} % percentile of the random clutches whose rollers can wedge)"
 WITHIN = "share of the random clutches that"
 
 

@@ -121,7 +121,7 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
 
 
 def default_poisson(q: ClutchInputs) -> list[str]:
-    """Warnings for parts with another modulus whose Poisson's ratio is not given."""
+    """Warnings for parts with a separate Young's modulus but without a given Poisson's ratio."""
     return [
         f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for this part"
         for part in "rio"

@@ -40,8 +40,9 @@ COURSE = 3e-5  # relative error of splines between states
 BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
 BRACKET = (
-    "compliance of the cup, which lies between the compliances of two rings (the thinner ring has "
-    "a column below the flat); wind-up of shaft and cup; terms of the order (a/r)², which Hertz's "
+    "compliance of the cup, which lies between the compliances of two rings: one as thick as the "
+    "cup at the flat, and one as thick as the cup at its corners, with an elastic column between "
+    "flat and ring; wind-up of shaft and cup; terms of the order (a/r)², which Hertz's "
     "theory omits"
 )
 TANGENTIAL = (

@@ -75,9 +75,11 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     for q, at, less, name in (
         (race.smeared, race.load, None, "deflection at a load by Eq. 6"),
         (race.smeared, race.load, race.dent,
-         "deflection at a load minus δ_H (indentation to the wall depth) by Eq. 6"),
+         "deflection by Eq. 6 against the deflection at a load minus δ_H "
+         "(indentation to the wall depth)"),
         (race.smeared, race.load, race.dent_half,
-         "deflection at a load minus δ_Hh (indentation to half the wall depth) by Eq. 6"),
+         "deflection by Eq. 6 against the deflection at a load minus δ_Hh "
+         "(indentation to half the wall depth)"),
         (race.smeared, race.between, None, "deflection between loads by Eq. 6"),
         (race.with_dent, race.load, None,
          "deflection at a load by Eq. 6 plus δ_H (indentation to the wall depth)"),
@@ -93,7 +95,8 @@ def _fields() -> Iterator[Deviation]:
     for name, symbol, size, whole in (
         (f"largest displacement error at the nodes of both walls below {ACCEPTED:g}", "e_u",
          wall_errors, "radial displacement at a load"),
-        (f"largest stress error beyond one patch width from a load below {ACCEPTED:g}", "e_σ",
+        (f"largest stress error, at more than one patch width from a load, below {ACCEPTED:g}",
+         "e_σ",
          stress_errors, "largest stress beyond one patch width from a load"),
     ):  # fmt: skip
         yield Deviation(name=name, symbol=symbol, unit="1", size=finest(size), accepted=ACCEPTED,

@@ -167,9 +167,9 @@ class LoadsMap(Case):
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,
-            note=f"Error: {words}. δ_H is relative to the depth of the wall. a/r = {self.a_r:g}, "
-            "with the radius r of the loaded wall. Eq. 6 gives the mean deflection of the wall "
-            "exactly.",
+            note=f"Error: {words}. δ_H is the displacement relative to a point at the depth of the "
+            f"wall. a/r = {self.a_r:g}, with the radius r of the loaded wall. Eq. 6 gives "
+            "the mean deflection of the wall exactly.",
         )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ UNEVEN = {  # cause of the unevenness of each state, and its name in text
     "gap": (("with_gap",), "with sprags missing"),
     "together": (
         ("with_offset", "with_crown", "with_gap"),
-        "with offset, crown and sprags missing",
+        "with offset and crown, some sprags missing",
     ),
 }
 

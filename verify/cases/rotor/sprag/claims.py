@@ -104,11 +104,11 @@ FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
             symbol="Δn/n", unit="1", residual=hit, bound=1.1e-8, scale_name="printed speed",
             bound_reason="tolerance of the fit, and round-off of matrices assembled twice"),
     Share(name="share of initial values of the fit that lead to all three critical speeds",
-          symbol="", unit="%", of="initial values",
+          symbol="", unit="%", of="initial values of the fit",
           holds=lambda c: arrays(c)["start met"] > 0),
     Share(name="share of initial values of the fit that lead to all three critical speeds, with "
                "parameters in their ranges",
-          symbol="", unit="%", of="initial values",
+          symbol="", unit="%", of="initial values of the fit",
           holds=lambda c: arrays(c)["start in range"] > 0),
 )  # fmt: skip
 SHARES: tuple[Check, ...] = tuple(map(shares, STATEMENTS))

@@ -210,7 +210,8 @@ LINEAR_ROWS: tuple[Check, ...] = (
     *(Spread(name=f"ratio of the axes of the orbit of node {n}, bearings stiffer in y",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
-    Misprint(name="peak of node 19 at critical speed 3 over unbalance 2", symbol="x_19", unit="1",
+    Misprint(name="peak of node 19 at critical speed 3 as a function of unbalance 2",
+          symbol="x_19", unit="1",
           erratum="huang2022:unbalance-2-third-peak", margin=never_between,
           printed=("huang2022:anomaly-unbalance-with-larger-peak",
                    "huang2022:anomaly-unbalance-with-smaller-peak")),

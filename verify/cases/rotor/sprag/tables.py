@@ -48,9 +48,9 @@ def table_1(context: Context) -> Table:
         header=("mode", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
                 "error of 20 elements [%]", "elastic bodies [Hz]", "error of exact beams [%]"),
         rows=tuple(rows),
-        note="The frequencies are those of the central system; in each pair, backward whirl comes "
-             "before forward whirl. The numbers of Table 1 are not in the text of the paper that "
-             "was available for this project.",
+        note="The frequencies are those of the central system, which is fitted from the middle of "
+             "all ranges; in each pair, backward whirl comes before forward whirl. The numbers of "
+             "Table 1 are not in the text of the paper that was available for this project.",
     )  # fmt: skip
 
 
@@ -116,10 +116,10 @@ def slopes(elasticities: Array) -> Table:
         title="Change of a critical speed in % for an increase of a parameter by 1 %",
         header=("symbol", "parameter", *(f"n_{k}" for k in ORDERS)), rows=rows,
         note="The values are medians over the sets. The three speeds determine three combinations "
-             "of the parameters: a change of 1 % in one of these combinations changes the speeds "
-             "by " + ", ".join(f"{float(x):.2g}" for x in stiff)
-        + f" %, respectively. Changes in {len(PARAMETERS) - len(stiff)} other combinations do not "
-        "change the speeds.",
+             "of the parameters: a change of the first, second or third combination by 1 % changes "
+             "the speeds by " + ", ".join(f"{float(x):.2g}" for x in stiff)
+        + " %, respectively (root of the sum of squares). Changes in "
+        f"{len(PARAMETERS) - len(stiff)} other combinations do not change the speeds.",
     )  # fmt: skip
 
 

@@ -125,9 +125,9 @@ def by_force(context: Context) -> Curves:
         "Best and worst crown of Fig. 12 over the force", "N [kN]",
         "p_max / pressure of uniform load", curves, y_bottom=1.0,
         note="Of all printed crowns, these two have the lowest and the highest pressure "
-        f"{window(found, 'slices')}; the static load lies in this range. At the first peak under "
-        "25 N m the order is reversed. Strips model a half-space, on which pressures at loaded "
-        "ends are higher.",
+        f"{window(found, 'slices')}; the static load lies in this range. At the first force "
+        "peak of an engagement with 25 N m, the order is reversed. Strips model a half-space, on "
+        "which pressures at loaded ends are higher.",
     )  # fmt: skip
 
 

@@ -241,7 +241,8 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     yield approximation(
         Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; effect on the work"),
         order=4, by=BY,
-        name="first peak of the force without damping, from T θ = ∫T dθ with rolling contacts",
+        name="first peak of the force without damping, from equal work of torque and sprags, "
+        "rolling contacts",
         shares=CLOSURE,
     )  # fmt: skip
     name = f"first peak of the force without damping, with N_e/N_i by statics, within {HALVING:.2%}"

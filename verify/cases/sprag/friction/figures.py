@@ -114,8 +114,8 @@ def zones(context: Context) -> Figure:
         curves=(dashes("lower limit of locking, springs of the inputs", T, firm / tan),),
         note="The springs have the stiffness K_r/25, μ_s = μ_c = μ, the torque is a step, and ν is "
         "the wedge angle under T. The sprags slip first because the step accelerates the race "
-        "before the springs have built up N. With the springs of the inputs, the zone in which "
-        "they slip first is very small.",
+        "before the springs have built up N. With the springs of the inputs, the zone \"slips "
+        "first, then locks\" is very small.",
     )  # fmt: skip
 
 
@@ -151,7 +151,8 @@ def guarded(context: Context, factor: float) -> Figure:
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(
-        title=f"Error of N_max without the guard, {factor * q.T:.3g} N m, weak springs",
+        title="Error of N_max without the guard of the time step, "
+        f"{factor * q.T:.3g} N m, weak springs",
         x_label="D_V [m/s]", y_label="time step [µs]",
         columns=tuple(f"{D_V:g}" for D_V in BANDS),
         rows=tuple(f"{step * q.dt * 1e6:g}" for step in STEPS),

@@ -1,5 +1,7 @@
 """Runge-Kutta steps with sliding contacts: limits of locking, sliding states, guard of the band.
 
+The band is the range of sliding speeds in which a contact may stick.
+
 A level halves the time step of the inputs. Compiled code is imported inside functions.
 """
 

@@ -37,7 +37,7 @@ def deviations() -> Iterator[Deviation]:
     yield Deviation(name="slopes k_1 and k_2 do not depend on the contact stiffness", **slopes,
                     size=claims.same_contact, accepted=SAME_CONTACT,
                     source=suites(f"one fifth of {ASKED}"))  # fmt: skip
-    yield Deviation(name="slopes k_1 and k_2 are equal on a mesh with cells of half the size",
+    yield Deviation(name="slopes k_1 and k_2 do not change if the cell size is halved",
                     **slopes, size=claims.halved, accepted=HALVED,
                     source=suites(f"one third of {ASKED}"))  # fmt: skip
     yield Deviation(name="work equals stored energy and friction losses", symbol="W − V − D",
