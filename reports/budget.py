@@ -34,6 +34,7 @@ class Bar:
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MOST = 10  # rows side by side
 UNKNOWN = "no cause is known that would explain the difference"
+NONE = "none"  # start of the reason why a cause has no contribution
 UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
@@ -150,7 +151,8 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
 def _contribution(part: BudgetPart) -> tuple[str, str]:
     if part.contribution is None:
         label = dict.fromkeys(filter(None, (part.what, part.note)))
-        return "; ".join(label), "–"
+        text = "; ".join(label)
+        return text if part.what or text.startswith(NONE) else f"{NONE}: {text}", "–"
     return part.what, _number(part)
 
 

@@ -46,7 +46,7 @@ SUBJECTS: Mapping[str, str] = {
     "eq-9-torque-row": "row of the torque is missing",
     "eq-10-eta": "definition of η",
     "eq-10-gamma-missing": "γ, ω and OC_g are not computed",
-    "eq-10-increments": "increments instead of totals",
+    "eq-10-increments": "valid for increments, not for totals",
     "eq-10-initial-angle": "initial angle θ_i",
     "eq-10-inner-deflection": "deflection of the inner side",
     "eq-10-stage-ends": "ends of the stages",

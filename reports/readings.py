@@ -18,7 +18,7 @@ def found(one: ReadingsTried) -> str:
     more = one.hits - 1
     others = f"; also {more} other combination{'s' * (more > 1)}" if more else ""
     value = f" ({one.value:.6g})" if one.value is not None else ""
-    weight = "" if one.is_evidence else "; this is no evidence"
+    weight = "" if one.is_evidence else "; the agreement may be accidental"
     return f"{' and '.join(one.readings)}{value}{others}{weight}"
 
 

@@ -88,4 +88,6 @@ def loaded(
         now = after(state).scaled(by**power)
         if abs(by - 1) < near:
             return now
-    raise NotFoundError(f"{what} was not reached: the load must still change by {by - 1:.1%}")
+    raise NotFoundError(
+        f"{what} was not reached: the last step still changed the load by {by - 1:.1%}"
+    )

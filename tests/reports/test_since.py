@@ -54,7 +54,7 @@ def test_what_a_search_found_in_words():
         ({}, f"{words}; also 1 other combination"),
         (
             {"hits": 3, "is_evidence": False},
-            f"{words}; also 2 other combinations; this is no evidence",
+            f"{words}; also 2 other combinations; the agreement may be accidental",
         ),
         ({"readings": (), "hits": 0}, "no reading"),
         ({"met": True}, met),

@@ -145,7 +145,7 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("normal force per torque of free rollers, Eq. 4 as printed", "N_per_M"),
         ),
         finer=32,
-        headline="stick half-width of a roller pressed without friction, then released, "
+        headline="stick half-width of a roller pressed without friction, then loaded tangentially, "
         "T/(μN) = 0.6",
     ),
     "polyhedral-clutch": Statement(

@@ -15,7 +15,7 @@ from verify.studies.sweep.pairs import Pair
 
 Solutions = Mapping[Step, Solution]
 RICHARDSON = "Richardson from the three finest meshes"
-DIRECT = "no solver tolerance to change: u_it of the row"
+DIRECT = "no solver tolerance to change; u_it of the row is used"
 
 
 @dataclass(frozen=True)

@@ -39,25 +39,26 @@ def _start(found: Region, limit: str) -> str:
     """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
         return (
-            f"{_at_nominal(found, limit)}; starting from the middle of the range within {limit}, "
+            f"{_at_nominal(found, limit)}; from the middle of the range in which the "
+            f"error is within {limit}, "
         )
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
     if inside:
         return ""
-    return f"starting from the default inputs, which are outside the range within {limit}, "
+    return f"from the default inputs, which are within {limit} but outside the stated range, "
 
 
 def _broken(step: Break, limit: str) -> str:
-    axis, towards = step.axis, f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
+    axis, towards = step.axis, f"towards {'larger' if step.up else 'smaller'} {step.axis.symbol}"
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
-        return f"{towards}: the error first exceeds {limit} between {ends}{near}"
+        return f"{towards}, the error first exceeds {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
     doubt = f"it is undecided at {first}, because the error bar crosses the limit"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
-    return f"{towards}: the error is within {limit} as far as {last}; {then}"
+    return f"{towards}, the error is within {limit} as far as {last}; {then}"
 
 
 def _unsolved(step: Break) -> str:

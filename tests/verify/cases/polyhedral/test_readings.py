@@ -36,7 +36,7 @@ READINGS = [
                  id="a free roller's force in Eq. 4"),
     pytest.param(WEDGE, partial_slip, "stick_half_width", lambda _: lambda *, Q, P, mu, a: a * (
         1 - Q / (mu * P)),
-                 "stick half-width of a roller pressed without friction, then released, "
+                 "stick half-width of a roller pressed without friction, then loaded tangentially, "
                  "T/(μN) = 0.4",
                  id="c/a = 1 - T/(μN)"),
 ]  # fmt: skip

@@ -71,7 +71,11 @@ def extreme(design: int, *, most: bool) -> Margin:
         found = _designs(context, "uneven")
         this, others = float(found[-1, design]), np.delete(found[-1], design)
         next_ = float(others.max() if most else others.min())
-        words = f"{this:.1%} of the load deviates from a uniform line load, next design {next_:.1%}"
+        extent = "largest" if most else "smallest"
+        words = (
+            f"a uniform line load requires moving {this:.1%} of the load, the {extent} share of "
+            f"the designs (next design: {next_:.1%})"
+        )
         more = this / next_ if most else next_ / this
         return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"
 
@@ -87,8 +91,8 @@ def _peaks(context: Context, design: int) -> str:
         found = _designs(context, key)[-1]
         place = int(np.argsort(np.argsort(found))[design]) + 1
         peaks.append(
-            f"largest pressure {found[design] / 1e6:.0f} MPa {where}, rank {place} of {len(found)} "
-            "in ascending order"
+            f"largest pressure {found[design] / 1e6:.0f} MPa {where}, number {place} of the "
+            f"{len(found)} designs in ascending order"
         )
     return "; ".join(peaks)
 

@@ -80,7 +80,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         yield comparisons.agreeing(
             "load within d of the more loaded end: strips and half-space agree within "
             f"{comparisons.ENDS:.0%}",
-            q.F_high, comparisons.ENDS, self.F, suites("the accepted error without tilt"),
+            q.F_high, comparisons.ENDS, self.F, suites("equal to the accepted error without tilt"),
             symbol="F_d",
         )  # fmt: skip
         yield comparisons.end_pressure(self)

@@ -69,7 +69,8 @@ class WedgeFormulas(WedgeInputs):
     def N_per_M_caged(self) -> float:
         return float(wedging.least_normal_force(M_t=1.0, mu=self.mu, z=self.z, D_i=self.D_i))
 
-    @Quantity("c/a", "1", "stick half-width of a roller pressed without friction, then released",
+    @Quantity("c/a", "1",
+              "stick half-width of a roller pressed without friction, then loaded tangentially",
               role="step", source="Cattaneo", when=stays,
               tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
     def stick_free(self) -> float:
@@ -77,7 +78,7 @@ class WedgeFormulas(WedgeInputs):
         return float(partial_slip.stick_half_width(**load) / self.a)
 
     @Quantity("c/a({0:g})", "1", "stick half-width of a roller pressed without friction, then "
-              "released, T/(μN) = {0:g}",
+              "loaded tangentially, T/(μN) = {0:g}",
               source="Cattaneo").over(SHARES)  # fmt: skip
     def stick(self, k: Share) -> float:
         a = small(self)

@@ -75,14 +75,15 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     for q, at, less, name in (
         (race.smeared, race.load, None, "deflection at a load by Eq. 6"),
         (race.smeared, race.load, race.dent,
-         "deflection by Eq. 6 against the deflection at a load minus δ_H "
-         "(indentation to the wall depth)"),
+         "deflection under a load by Eq. 6; reference less the indentation δ_H "
+         "(relative to the depth of the wall)"),
         (race.smeared, race.load, race.dent_half,
-         "deflection by Eq. 6 against the deflection at a load minus δ_Hh "
-         "(indentation to half the wall depth)"),
+         "deflection under a load by Eq. 6; reference less the indentation δ_Hh "
+         "(relative to half the depth of the wall)"),
         (race.smeared, race.between, None, "deflection between loads by Eq. 6"),
         (race.with_dent, race.load, None,
-         "deflection at a load by Eq. 6 plus δ_H (indentation to the wall depth)"),
+         "deflection under a load by Eq. 6 plus the indentation δ_H "
+         "(relative to the depth of the wall)"),
     ):  # fmt: skip
         yield _smeared(self, q, at, less, name)
     check = Accepted(name="Eq. 6 overestimates the deflection at a load minus δ_H",
@@ -93,10 +94,11 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
 def _fields() -> Iterator[Deviation]:
     """Rows: Fourier ring at all nodes of both walls, and at points inside."""
     for name, symbol, size, whole in (
-        (f"largest displacement error at the nodes of both walls below {ACCEPTED:g}", "e_u",
+        (f"largest displacement error at the nodes of both walls is below {ACCEPTED:g} of the "
+         "displacement under a load", "e_u",
          wall_errors, "radial displacement at a load"),
-        (f"largest stress error, at more than one patch width from a load, below {ACCEPTED:g}",
-         "e_σ",
+        (f"largest stress error, at more than one patch width from a load, is below {ACCEPTED:g} "
+         "of the largest stress", "e_σ",
          stress_errors, "largest stress beyond one patch width from a load"),
     ):  # fmt: skip
         yield Deviation(name=name, symbol=symbol, unit="1", size=finest(size), accepted=ACCEPTED,

@@ -43,8 +43,9 @@ class Bodies(Claim):
         within = "below" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "above"
         reason = (
             f"the error of the beams is {m:+.2%} ± {100 * U:.1g} %; bearing seats 20 mm wide "
-            f"instead of 10 mm change the frequency of the bodies by {wide:+.2%}; the sum of the "
-            f"three magnitudes is {within} 0.3 %, the printed difference between beam models"
+            f"instead of 10 mm change the frequency of the bodies by {wide:+.2%}; error, "
+            f"uncertainty and this change together are {within} 0.3 %, the printed difference "
+            "between beam models"
         )
         verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [

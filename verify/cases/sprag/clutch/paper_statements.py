@@ -191,7 +191,7 @@ OF_THE_PAPER: tuple[Check, ...] = (
               by="Runge-Kutta steps"),
     OfPaper(name="length of the sprags is consistent with m_g and I_g of Table 1", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),
-    OfPaper(name="N_max changes by less than 0.5 % with the width b of a rectangular sprag",
+    OfPaper(name="N_max changes by less than 0.5 % if b is the width of a rectangular sprag",
              symbol="b", unit="1", margin=width, fitted=FITTED),
     Beside(name="wedge angle that gives the pressure printed for 25 N m with the optimal crown",
            symbol="ν_0", unit="deg",

@@ -160,8 +160,8 @@ def above(found: Mapping[str, Array]) -> Curves:
             for k, c in enumerate(names)
         ),
         y_bottom=-1.0,
-        note="K_1 = 1 suits low torques, K_1 = 5 suits torques above this range; at 30 N m, p_max "
-        "with K_1 = 5 is "
+        note="K_1 = 1 suits low torques. K_1 = 5 suits torques above the range of the figure: at "
+        "30 N m, p_max with K_1 = 5 is still "
         f"{found['named p'][number(FIG_14[1]), AT[30]] / found['many p'][:, AT[30]].min() - 1:.1%} "
         "above the lowest.",
     )  # fmt: skip

@@ -214,7 +214,7 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
-    """Inputs by prefix whose pressures are drawn: crowns of Fig. 13 by default, otherwise `q`."""
+    """Inputs whose pressures are drawn, by prefix: `q`, or crowns of Fig. 13 for default inputs."""
     if q != type(q)():
         return {"": q}
     return {

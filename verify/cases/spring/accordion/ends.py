@@ -25,7 +25,7 @@ class Ends(NamedTuple):
     inner: bool = False
 
     def named(self, name: str) -> str:
-        """Name of the value `name` with these end conditions."""
+        """Key of a value: `name`, with the key of these end conditions appended."""
         return f"{name}_{self.key}" if self.key else name
 
 

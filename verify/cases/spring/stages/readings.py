@@ -98,7 +98,7 @@ def meeting(q: StagesInputs) -> list[Reading]:
 
 
 def chosen(q: StagesInputs) -> Reading:
-    """The reading with the k_1 nearest to Eq. 10 among the sixteen without a given factor."""
+    """Reading whose k_1 is nearest to Eq. 10, of the sixteen readings without a given factor."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
