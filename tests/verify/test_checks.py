@@ -272,7 +272,7 @@ def test_points_and_errors_without_a_fit_fail():
 def test_a_fact_has_its_margin_in_its_unit():
     claim = Fact(name="first", symbol="m", unit="MPa", margin=lambda c: (-0.2e6, 0.1e6))
     (row,) = rows_of(claim)
-    assert (row.kind, row.status, row.reason) == (Kind.FACT, Status.FAIL, "not held")
+    assert (row.kind, row.status, row.reason) == (Kind.FACT, Status.FAIL, "not confirmed")
     assert (row.difference, row.tolerance) == pytest.approx((-0.2, 0.1))
 
 

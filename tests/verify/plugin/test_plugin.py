@@ -135,10 +135,10 @@ def test_what_is_shown_is_skipped_with_its_reason_and_fails_where_the_setting_is
     words = ("--freewheel", "case_shown.py", "-k", "inner and not convergence")
     status, text = pytest_in(project, *words)
     assert status == 0
-    assert "SHOWN: measured model error: -0.40%" in text
+    assert "SHOWN: measured model error: -0.40 ± 0.02 %" in text
     status, text = pytest_in(project, *words, "-o", "freewheel_strict=true")
     assert status == 1
-    assert "SHOWN: measured model error: -0.40%" in text.partition("FAILURES")[2]
+    assert "SHOWN: measured model error: -0.40 ± 0.02 %" in text.partition("FAILURES")[2]
 
 
 def test_junit_has_status_verdict_and_margin_of_a_part(project):

@@ -85,7 +85,7 @@ def test_a_curve_has_a_third_stage_if_its_force_doubles(own):
     assert judge(TENFOLD, context(own, **further(own, 1.03, 2.01))).status is Status.PASS
     soft = judge(TENFOLD, context(own, **further(own, 1 + reference.BEYOND[-1], 1.3)))
     assert soft.status is Status.FAIL
-    assert soft.reason.startswith("not held")
+    assert soft.reason.startswith("not confirmed")
     for curve in ({}, further(own, 1.03, 1.99)):  # it ends for want of an equilibrium
         found = judge(TENFOLD, context(own, **curve))
         assert found.reason.startswith("not converged: no result: no equilibrium was found beyond")
