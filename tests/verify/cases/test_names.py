@@ -15,7 +15,13 @@ def test_a_row_is_found_by_its_old_name_and_an_unknown_one_is_refused():
         find_row("way of the sprags", ids)
 
 
-def test_names_of_the_release_change_once():
-    for old in load(path_of("0.1.0")).rows:
+@pytest.mark.parametrize("version", ["0.1.0", "0.2.0"])
+def test_names_of_a_release_change_once(version):
+    for old in load(path_of(version)).rows:
         new = present_name(old)
         assert present_name(new) == present_name(former_name(new)) == new
+
+
+def test_names_of_the_first_release_lead_to_rows_of_the_second():
+    first, second = (load(path_of(version)).rows for version in ("0.1.0", "0.2.0"))
+    assert {present_name(old) for old in first} <= {present_name(old) for old in second}

@@ -56,7 +56,7 @@ def _replace(old: Any, new: Any) -> None:
     """Bind `new` to every name of a loaded module that is bound to `old`."""
     for module in list(sys.modules.values()):
         names = getattr(module, "__dict__", {})
-        for name in [name for name, value in names.items() if value is old]:
+        for name in [name for name, value in list(names.items()) if value is old]:
             names[name] = new
 
 

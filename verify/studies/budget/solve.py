@@ -85,8 +85,9 @@ def _both(plan: Plan, step: Step, folder: Path | None) -> tuple[Mapping[str, flo
     own = next((rerun.fem for rerun in mine if rerun.fem is not None), None)
     if own is None and not changes:  # only inputs or the mesh: the usual cache
         return case.analytic(q), _usual(plan, q, step.level, folder)
-    for name in source_code.modules_of(case.reference):
-        importlib.import_module(name)  # before the change, so that none imports a changed constant
+    for function in (case.reference, *([own] if own else ())):
+        for name in source_code.modules_of(function):
+            importlib.import_module(name)  # before the change: none imports a changed constant
     with changed(changes):
         return case.analytic(q), (own or case.reference)(q, step.level)
 

@@ -23,8 +23,8 @@ _GREEK = {
 def place(case: Case, pair: Pair) -> str:
     """Text with the paper and the equation number of a row.
 
-    The number is that in the ledger or in the name of the row. Without a number, the place of the
-    case is returned. If the name of the row states a paper before the number, this is the paper.
+    The number is that in the name of the row, otherwise that in the ledger. Without a number, the
+    place of the case is returned. If the name states a paper before the number, this is the paper.
     """
     found = _PLACE.search(pair.name)
     source = (found["paper"] if found else "") or cited(case.paper)
@@ -32,10 +32,8 @@ def place(case: Case, pair: Pair) -> str:
         str(equation.number) for paper in papers() for equation in paper.equations
         if paper.cited == source and equation.test == f"{case.id}/{pair.name}"
     ]  # fmt: skip
-    where = found["where"] if found else case.place
-    if known:
-        where = f"Eq{'s' * (len(known) > 1)}. {', '.join(known)}"
-    return f"{source}, {where}"
+    listed = f"Eq{'s' * (len(known) > 1)}. {', '.join(known)}" if known else case.place
+    return f"{source}, {found['where'] if found else listed}"
 
 
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:

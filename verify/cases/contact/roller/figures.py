@@ -128,5 +128,5 @@ def patch() -> Picture:
     return Picture(
         field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
         caption="Pressure on the contact patch. Horizontal: along the roller; vertical: across the "
-        f"roller, magnified {STRETCH:.0f} times", displacement="",
+        f"roller, magnified {STRETCH:.0f} times", displacement="", stretch=STRETCH,
     )  # fmt: skip
