@@ -116,7 +116,7 @@ def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
 def test_readings_state_how_far_the_value_moves(row):
     read = formula(readings=("ring-lame/a", "ring-lame/b"))
     rows = (row("x", 0.001), row("a", 0.0, analytic=0.9), row("b", 0.0, analytic=1.1))
-    assert verdict(read, *rows).readings == "x 0.9 to 1.1 1 (±10 %)"
+    assert verdict(read, *rows).readings == "x = 0.9 to 1.1 1 (±10 %)"
 
 
 def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(row, monkeypatch):
