@@ -63,7 +63,7 @@ class Ensemble:
 def ensemble(
     ranges: Ranges, speeds: tuple[float, ...], systems: Systems, members: int, *, seed: int
 ) -> Ensemble:
-    """At least `members` sets of parameters, all with the lowest critical `speeds` [rad/s].
+    """At least `members` sets of parameters whose lowest critical speeds are `speeds` [rad/s].
 
     There are fewer sets if 32 batches of initial points do not give as many.
     """

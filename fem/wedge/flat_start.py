@@ -89,5 +89,5 @@ def loaded(
         if abs(by - 1) < near:
             return now
     raise NotFoundError(
-        f"{what} was not reached: the last step still changed the load by {by - 1:.1%}"
+        f"{what} was not reached: the last step still changed the load by {by - 1:.1%} of its value"
     )

@@ -93,7 +93,7 @@ class Course:
 
 
 class CupBounds:
-    """Intervals of formula/reference - 1 in one state of a cup."""
+    """Intervals of the errors (formula/reference - 1) in one state of a cup."""
 
     def __init__(self, cup: FreewheelParts, at: Loaded, approaches: Approaches) -> None:
         self.cup, self.at, self.approaches = cup, at, approaches

@@ -33,7 +33,7 @@ STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 
 
 class StarBounds:
-    """Intervals of formula/reference - 1 in one state, from bounds of the approaches."""
+    """Intervals of the errors formula/reference - 1 in one state, from bounds of deflections."""
 
     def __init__(self, star: FreewheelParts, at: Loaded) -> None:
         self.star, self.at = star, at

@@ -36,8 +36,8 @@ def search(
     file
         Parameter file of the case; by default the inputs of the paper.
     changes
-        Largest number of readings in a combination, 1 to 3. 0 takes the number declared with the
-        published number or erratum, or 2 if none is declared.
+        Largest number of readings in a combination, 1 to 3. With 0, the
+        limit declared with the published number or erratum is used, or 2 if there is none.
     rounded
         Treat the paper's inputs as rounded to their last printed digit, not as exact.
     json

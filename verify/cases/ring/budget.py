@@ -55,12 +55,12 @@ LOADS = Statement(
     reruns=(
         Rerun(
             cause=Cause.GEOMETRY, what=WAVE,
-            rows=("deflection at a load by Eq. 6", "deflection between loads by Eq. 6"),
+            rows=("deflection under a load by Eq. 6", "deflection between loads by Eq. 6"),
             fem=fem_wave,
         ),
         Rerun(
             cause=Cause.GEOMETRY, what="in addition, uniform pressure on the wall: no harmonics",
-            rows=("deflection at a load by Eq. 6", "deflection between loads by Eq. 6"),
+            rows=("deflection under a load by Eq. 6", "deflection between loads by Eq. 6"),
             fem=fem_smeared, after=WAVE,
         ),
         Rerun(
@@ -76,7 +76,7 @@ LOADS = Statement(
         Left(("deflection *indentation*",), "the indentation of the half-plane is relative to an "
              "assumed depth; no body corresponds to this model"),
     ),
-    finer=20, headline="deflection at a load by Eq. 6",
+    finer=20, headline="deflection under a load by Eq. 6",
 )  # fmt: skip
 
 STATEMENTS: Mapping[str, Statement] = {

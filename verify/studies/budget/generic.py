@@ -1,4 +1,4 @@
-"""Causes that exist in the finite elements of any case, and stopping tolerances of the solvers."""
+"""Causes of differences in the finite elements of any case, and tolerances of the solvers."""
 
 from verify.core import source_code
 from verify.core.case import Case

@@ -50,7 +50,7 @@ def test_n_is_the_number_of_sprags(fails):
     found = fails(OUTER, smeared, "race_deflection", fault, "")
     assert {
         "bore displacement, mean",
-        "deflection at a load by Eq. 6",
+        "deflection under a load by Eq. 6",
         "deflection between loads by Eq. 6",
     } <= found
 

@@ -1,4 +1,4 @@
-"""Common part of the line contacts of two elastic bodies, and the error of Hertz's theory."""
+"""What the cases of line contact of two elastic bodies share, and the error of Hertz's theory."""
 
 from collections.abc import Iterator
 

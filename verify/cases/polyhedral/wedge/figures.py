@@ -16,15 +16,15 @@ from verify.form.plots import dashes, dots, line, plot
 
 
 def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
-    """Figures: limit, torques, stick zone and traction, if finite elements are solved."""
+    """Figures of limit, torques, stick zone and traction; none without finite elements."""
     yield converged(_limit)
     yield converged(lambda context: _torques(self, context))
     yield AlongLine(
-        title="Stick zone of a roller pressed without friction and then released",
+        title="Stick zone of a roller pressed without friction, then loaded tangentially",
         x=("T/(μN)", "1"), y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k),
         points=np.linspace(0.0, 1.0, 201), at=GROWTH, reference="growth", order=1, scale=1.0,
         neglects=True,
-        note=f"The released roller is in equilibrium at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
+        note=f"A free roller is in equilibrium at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
     )  # fmt: skip
     yield AlongLine(
         title="Tangential traction on a roller while N and T grow together", x=("x/a", "1"),

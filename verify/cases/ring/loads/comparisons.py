@@ -73,7 +73,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     yield identity(race.strain_energy, name="strain energy of the race", order=EDGE, **shared)
     yield from _fields()
     for q, at, less, name in (
-        (race.smeared, race.load, None, "deflection at a load by Eq. 6"),
+        (race.smeared, race.load, None, "deflection under a load by Eq. 6"),
         (race.smeared, race.load, race.dent,
          "deflection under a load by Eq. 6; reference less the indentation δ_H "
          "(relative to the depth of the wall)"),

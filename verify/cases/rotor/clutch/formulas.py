@@ -153,7 +153,7 @@ class ClutchStiffness(SpragLink):
         return {"": self, **found}
 
     def state(self, key: str) -> State:
-        """State `key` with its text for names of rows."""
+        """The state that is named `key`, with its text for names of rows."""
         return State(self.in_state[key], key, UNEVEN[key][1])
 
     @shared

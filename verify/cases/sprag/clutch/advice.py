@@ -42,7 +42,7 @@ def findings(q: ClutchFormulas) -> Sequence[str]:
 
 
 def as_it_grows(q: ClutchFormulas) -> list[str]:
-    """Sentences on limits that the torque exceeds, and on the next limits of a larger torque."""
+    """Sentences on limits that the torque exceeds, and on limits reached next if it increases."""
     known = [x for x in as_torque_grows(q) if x.key != "wide"]
     passed, ahead = [x for x in known if x.at <= q.T], [x for x in known if x.at > q.T]
     lines = []

@@ -147,9 +147,9 @@ def above_lowest(context: Context, which: int) -> tuple[float, str]:
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
     lower = int((p < named).sum())
     words = (
-        f"p_max is {named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above the lowest p_max of "
-        f"{p.size} crowns, that of crown {label(tuple(found['box'][k]))}; {lower} of these crowns "
-        f"have a lower p_max than this crown of Fig. 14"
+        f"p_max of the crown of Fig. 14 is {named / MPa:.0f} MPa; the lowest p_max of {p.size} "
+        f"crowns is that of crown {label(tuple(found['box'][k]))}, and p_max of the crown of "
+        f"Fig. 14 exceeds it by {named / p[k] - 1:.1%}; {lower} of these crowns have a lower p_max"
     )
     return named / float(p[k]) - 1, words
 

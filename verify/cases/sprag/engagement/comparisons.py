@@ -247,7 +247,7 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     )  # fmt: skip
     name = f"first peak of the force without damping, with N_e/N_i by statics, within {HALVING:.2%}"
     strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
-                      source=suites("same tolerance as for half the time step"),
+                      source=suites("same tolerance as for a run with half the time step"),
                       by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(

@@ -98,7 +98,7 @@ def meeting(q: StagesInputs) -> list[Reading]:
 
 
 def chosen(q: StagesInputs) -> Reading:
-    """Reading whose k_1 is nearest to Eq. 10, of the sixteen readings without a given factor."""
+    """Reading whose k_1 is nearest to Eq. 10; a width factor in the inputs is not used."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
