@@ -116,7 +116,7 @@ class Body:
         self.eta, self.past = self.nearest(x)
 
     def nearest(self, x: Array) -> tuple[Array, Surface]:
-        """Parameter of the point of each cell nearest to the shape, and the shape's surface there."""
+        """Parameter of the point of each cell nearest to the shape, and surface of the shape."""
         p = self.probes
         curves = powers(x[p.nodes, :2])
 
