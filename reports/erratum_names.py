@@ -125,7 +125,7 @@ SUBJECTS: Mapping[str, str] = {
     "table-2-torque": "torque is not stated",
     "tail-contact-at-the-same-time": "contact of head and tail at the same time",
     "tail-support": "support of the tail",
-    "theory-error-six-percent": "error of 6 % of the theory",
+    "theory-error-six-percent": "stated error of the theory, 6 %",
     "traffic-light-wording": "wording of the coloured classes",
     "unbalance-1-location": "location of unbalance 1",
     "unbalance-2-third-peak": "third peak with unbalance 2",

@@ -62,7 +62,9 @@ def mean_rim_displacement(ring: FreeRim) -> float:
 
 
 def stiffness_factors(*, sector: Sector, nu: float, assumption: Assumption) -> StiffnessFactors:
-    r"""Stiffness factors K = p/p_1, where p is the pressure at which the rim expands by j_D/2.
+    r"""Stiffness factors K = p/p_1 of a polygonal ring relative to a thin round ring.
+
+    p is the pressure at which the rim expands by j_D/2, and p_1 that of the thin round ring.
 
     .. math:: p_1 = \frac{2\,\delta_1 E\, j_D}{d_i d_m}, \qquad d_m = \frac{d_e + d_i}{2},
               \qquad \delta_1 = \frac{d_e - d_i}{2}

@@ -47,7 +47,7 @@ def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliance
 
 
 def ratios(parts: Sequence[Compliances]) -> tuple[float, float]:
-    """Ratios of wind-up and peak force (no unit), uniformly loaded races over Fourier rings.
+    """Wind-up and peak force with uniformly loaded races, divided by those with Fourier rings.
 
     The compliances of the `parts` in series are added. The wind-up is that under N_0. The peak
     force is that for the energy that is stored with uniformly loaded races under N_0.

@@ -77,7 +77,7 @@ def _one(entry: Declared, studies: Sequence[Study]) -> DesignRange:
 
 
 def axis_of(entry: Declared) -> Axis:
-    """Both ends of a design range as an axis of the default inputs.
+    """Axis from one end of a design range to the other; other inputs have their default values.
 
     Raises InputError if the case has no such input.
     """

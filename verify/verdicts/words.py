@@ -148,7 +148,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
         own = " and ".join(found.own_only)
         return (
             f"accurate within {percent(found.within)} over {_studied(found)}",
-            f"at {found.unsolved} points, there is no answer" if found.unsolved else "",
+            f"{found.unsolved} points could not be compared" if found.unsolved else "",
             f"no study covers the whole design range of {', '.join(missing)}" if missing else "",
             f"the formula was compared only at the default inputs in {own}" if own else "",
         )  # fmt: skip

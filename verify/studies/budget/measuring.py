@@ -136,7 +136,7 @@ class _Run:
 
 
 def solve_step(step: Step) -> Solution:
-    """Solution of a rerun with the default cache, in any process."""
+    """Solution of a rerun, from the default cache or computed; for any process."""
     return solved(plan_of(step.case), step, cache.default_folder())
 
 

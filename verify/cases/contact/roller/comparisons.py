@@ -188,7 +188,7 @@ def nearer(context: Context) -> tuple[float, float, str]:
     return (
         alone - share,
         U + U_alone,
-        f"slices misplace {share:.1%} of the load, independent slices {alone:.1%}",
+        f"coupled slices misplace {share:.1%} of the load, independent slices {alone:.1%}",
     )
 
 

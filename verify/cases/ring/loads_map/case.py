@@ -82,7 +82,8 @@ class LoadsMap(Case):
         wall = min(RATIOS) - 1
         if self.a_r > 0.3 * wall:
             raise ValueError(
-                f"a/r_i = {self.a_r:g} must not exceed 0.3 of the thinnest wall, {wall:g} r_i"
+                f"a/r_i must be at most {0.3 * wall:g}, 0.3 times the thinnest wall {wall:g} r_i, "
+                f"got {self.a_r:g}"
             )
         return self
 

@@ -40,8 +40,8 @@ class MapInputs(SpringInputs):
     def _straight(self) -> "MapInputs":
         if self.x_r > 0.7 * self.length:
             raise ValueError(
-                f"the roller's travel must be at most 0.7 times the spring's length, "
-                f"{0.7 * self.length * 1e3:.4g} mm, got x_r = {self.x_r * 1e3:g} mm"
+                f"the roller's travel must be at most {0.7 * self.length * 1e3:.4g} mm (0.7 times "
+                f"the spring's length), got x_r = {self.x_r * 1e3:g} mm"
             )
         if self.y_r > 0.2 * self.x_r:
             raise ValueError(
