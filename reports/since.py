@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run
-from verify.core.results import Change, Drift
+from verify.core.results import NAME, Change, Drift
 
 MOST = 150  # lines; results.json has all
 
@@ -12,9 +12,11 @@ MOST = 150  # lines; results.json has all
 def summary(drift: Drift) -> str:
     """Sentence with the numbers of changes, without a full stop."""
     loosened = sum(c.loosened for c in drift.changes)
+    renamed = sum(c.aspect == NAME and not c.loosened for c in drift.changes)
     without = len(drift.unexplained)
     counts = [
-        (len(drift.changes) - loosened, "change{} listed"),
+        (renamed, "row{} renamed"),
+        (len(drift.changes) - loosened - renamed, "other change{} listed"),
         (loosened, "requirement{0} loosened"),
         (without, "of these without a reason"),
         (drift.tightened, "row{} tightened"),
@@ -24,8 +26,15 @@ def summary(drift: Drift) -> str:
 
 
 def shown(drift: Drift) -> list[Change]:
-    """Changes to list, at most MOST; loosened requirements without a reason come first."""
-    return sorted(drift.changes, key=lambda c: (not c.loosened, bool(c.reason)))[:MOST]
+    """Changes to list, at most MOST.
+
+    Loosened requirements without a reason come first, names of rows last.
+    """
+
+    def rank(c: Change) -> tuple[bool, bool, bool]:
+        return not c.loosened, bool(c.reason), c.aspect == NAME
+
+    return sorted(drift.changes, key=rank)[:MOST]
 
 
 def left_out(drift: Drift) -> str:

@@ -108,11 +108,12 @@ def test_a_row_is_named_by_its_id_a_part_of_it_or_words():
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("plane", "2 rows match 'plane': ring-a/bore displacement, plane stress; "),
+        ("plane", "2 rows match 'plane'; give one of these names: "
+         "ring-a/bore displacement, plane stress; "),
         ("bore displacment plane stres", "similar rows: ring-a/bore displacement, plane str"),
         ("xyz", "no row matches 'xyz'; the cases are ring-a"),
     ],
-)
+)  # fmt: skip
 def test_a_name_of_no_row_or_of_several_is_answered_with_names(name, message):
     with pytest.raises(InputError, match=rf"^[^\n]*{message}[^\n]*$"):
         find_row(name, IDS)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from verify.app.commands import load
 from verify.cases.files import is_file_name
-from verify.cases.names import former_name
+from verify.cases.names import former_name, present_name
 from verify.cases.registry import CASES, find
 from verify.core import source_memory
 from verify.core.case import Case, Context
@@ -112,12 +112,19 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
     """Id of the row that `name` matches.
 
     `name` is the id of the row, the id without the case, a part of the id, or words of the id, in
-    this order of precedence. A row takes precedence over its convergence row, and present names
-    over earlier names. Raises InputError with a list of the matches unless exactly one row matches.
+    this order of precedence. A complete earlier name takes precedence over parts of present names,
+    and these over parts of earlier names. A row takes precedence over its convergence row. Raises
+    InputError with a list of the matches unless exactly one row matches.
     """
     text = _plain(name)
     if not text:
         raise InputError(f"give the name of a row, such as {ids[0]!r}")
+    cases = dict.fromkeys(i.partition("/")[0] for i in ids)
+    has_case = name.partition("/")[0] in cases
+    wholes = [name] if has_case else [f"{case}/{name}" for case in cases]
+    complete = set(map(present_name, wholes))
+    if name not in ids and len(found := [i for i in ids if i in complete]) == 1:
+        return found[0]
     tests: tuple[Callable[[str], bool], ...] = (
         lambda i: text in (i, i.partition("/")[2]),
         lambda i: text in i,
@@ -131,11 +138,12 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
         if len(found) == 1:
             return found[0]
         if found:
-            raise InputError(f"{len(found)} rows match {name!r}: {_listed(found)}")
+            raise InputError(
+                f"{len(found)} rows match {name!r}; give one of these names: {_listed(found)}"
+            )
     near = get_close_matches(text, map(_plain, ids), n=3, cutoff=0.3)
     meant = [i for i in ids if _plain(i) in near]
-    cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
-    hint = f"similar rows: {_listed(meant)}" if meant else f"the cases are {cases}"
+    hint = f"similar rows: {_listed(meant)}" if meant else f"the cases are {', '.join(cases)}"
     raise InputError(f"no row{where} matches {name!r}; {hint}")
 
 

@@ -17,6 +17,7 @@ from verify.core.figures import (
 )
 from verify.core.verdicts import FormulaVerdict, Safe
 
+NAME = "name"  # aspect of a change of the name of a row alone
 SCHEMA_VERSION = 2  # version 1 had other names of rows (verify/cases/renamed.toml)
 
 FE = "FE"  # finite elements, as method of a reference

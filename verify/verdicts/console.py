@@ -102,7 +102,8 @@ def in_list(case: Case) -> str:
     """Text with the equations of a case, grouped by verdict: "unsafe: Eq. 6; exact: Eq. 8"."""
     names: dict[Verdict, list[str]] = {}
     for one in of_case(case):
-        names.setdefault(one.verdict, []).append(_short(one))
+        paper = "" if one.paper == case.paper else f"{one.source}, "
+        names.setdefault(one.verdict, []).append(f"{paper}{_short(one)}")
     return "; ".join(f"{verdict}: {', '.join(same)}" for verdict, same in names.items())
 
 

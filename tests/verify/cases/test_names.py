@@ -22,6 +22,13 @@ def test_names_of_a_release_change_once(version):
         assert present_name(new) == present_name(former_name(new)) == new
 
 
+@pytest.mark.parametrize("version", ["0.1.0", "0.2.0"])
+def test_explain_finds_each_row_by_its_complete_earlier_name(version):
+    ids = [*dict.fromkeys(present_name(old) for old in load(path_of("0.2.0")).rows)]
+    for old in load(path_of(version)).rows:
+        assert find_row(old, ids) == present_name(old)
+
+
 def test_names_of_the_first_release_lead_to_rows_of_the_second():
     first, second = (load(path_of(version)).rows for version in ("0.1.0", "0.2.0"))
     assert {present_name(old) for old in first} <= {present_name(old) for old in second}

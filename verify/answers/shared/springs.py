@@ -42,7 +42,7 @@ def wide(q: Any, quantity: str, given: float = 1.0) -> tuple[SharedReading, ...]
     factor = float(width_factor(q.h, leaf_length(q), nu=q.nu))
     if abs(given / factor - 1) < SAME:
         return ()
-    taken = "E I, as for a narrow strip," if given == 1 else f"{given:.5g} E I"
+    taken = "E I, as for a narrow strip" if given == 1 else f"{given:.5g} E I"
     return (
         SharedReading(
             assumption=f"the bending stiffness is {taken}",

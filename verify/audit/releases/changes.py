@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from verify.audit.releases.compare import drift
 from verify.audit.releases.reasons import read
 from verify.audit.releases.store import newest
-from verify.core.results import CaseResult, Change, Drift
+from verify.core.results import NAME, CaseResult, Change, Drift
 
 WITHOUT = "tolerance loosened without a reason"
 MOST = 12  # lines of changes; the report lists all
@@ -25,7 +25,8 @@ def lines(found: Drift) -> list[str]:
     head = f"since {found.release}: {summary(found)}"
     red = [f"{WITHOUT}: {line(c)}" for c in found.unexplained]
     explained = [f"  {line(c)}" for c in found.changes if c.loosened and c.reason]
-    other = [f"  {line(c)}" for c in found.changes if not c.loosened]
+    more = sorted((c for c in found.changes if not c.loosened), key=lambda c: c.aspect == NAME)
+    other = [f"  {line(c)}" for c in more]
     if len(other) > MOST:
         other = [*other[:MOST], f"  and {len(other) - MOST} more, see the report"]
     unused = [f"  unused reason: {text}" for text in found.unused]
@@ -35,8 +36,10 @@ def lines(found: Drift) -> list[str]:
 def summary(found: Drift) -> str:
     """Text of the counts: "1672 rows compared, no changes"."""
     loosened = sum(c.loosened for c in found.changes)
+    renamed = sum(c.aspect == NAME and not c.loosened for c in found.changes)
     counts = [
-        (len(found.changes) - loosened, "{} changed"),
+        (renamed, "{} renamed"),
+        (len(found.changes) - loosened - renamed, "{} changed"),
         (loosened, "{} loosened"),
         (len(found.unexplained), "{} of them without a reason"),
         (found.tightened, "{} tightened"),

@@ -8,7 +8,7 @@ from verify.audit.releases.row_changes import CONVERGENCE
 from verify.audit.releases.store import Kept
 from verify.audit.releases.thresholds import SOLVE_TOL
 from verify.cases.names import present_name
-from verify.core.results import Change
+from verify.core.results import NAME, Change
 
 SAME_RUN = 1e-9  # relative, of all numbers of a row on the same processor
 
@@ -81,7 +81,7 @@ def name_change(old: str, new: str) -> Change:
     """
     figures = [re.findall(r"\d+(?:\.\d+)?(?= ?%)", name) for name in (old, new)]
     return Change(
-        row=new, aspect="name", was=old.partition("/")[2], now=new.partition("/")[2],
+        row=new, aspect=NAME, was=old.partition("/")[2], now=new.partition("/")[2],
         loosened=figures[0] != figures[1],
     )  # fmt: skip
 
