@@ -15,7 +15,7 @@ from reports.pdf_tables import Data, prose
 from reports.pdf_verdicts import counts_data, group_data
 from reports.verdicts import not_to_be_used
 from verify.core.results import Report
-from verify.core.verdicts import Form, Verdict
+from verify.core.verdicts import Form, FormulaVerdict, Verdict
 
 PAGES = 70  # at most, of the suite's cases
 BYTES = 5_000_000
@@ -57,6 +57,10 @@ def _has(part: PaperPart) -> bool:
     return bool(part.verdicts or part.tables)
 
 
+def _named(one: FormulaVerdict) -> str:
+    return f"{one.name}{' corrected' * (one.form is Form.CORRECTED)}"
+
+
 def _paper(part: PaperPart, report: Report, places: Mapping[str, str], errata: Labels) -> Data:
     here = {case.id for case in report.cases}
     definitions = [v for v in part.verdicts if v.verdict is Verdict.DEFINITION]
@@ -65,12 +69,9 @@ def _paper(part: PaperPart, report: Report, places: Mapping[str, str], errata: L
         "cited": part.cited, "part": part.part, "title": prose(part.title),
         "claim": prose(part.claim), "place": prose(part.place),
         "cases": [case.id for case in part.cases],
-        "unusable": [
-            f"{v.name}{' corrected' * (v.form is Form.CORRECTED)}"
-            for v in not_to_be_used(part.verdicts)
-        ],
+        "unusable": [_named(v) for v in not_to_be_used(part.verdicts)],
         "lines": [group_data(group, here) for group in groups(part.verdicts)],
-        "definitions": prose("; ".join(f"{v.name}, {v.what}" for v in definitions)),
+        "definitions": prose("; ".join(f"{_named(v)}, {v.what}" for v in definitions)),
         "tables": [
             _compared(paper_table(t, part.cited, places, errata, shortened=True))
             for t in part.tables

@@ -127,4 +127,4 @@ def _verdict(cells: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _value(v: FormulaValue) -> tuple[str, ...]:
-    return v.symbol, f"{v.value:.6g}", unit_of(v.unit), f"{v.what}{' *' if v.judged else ''}"
+    return v.symbol, f"{v.value:.6g}", unit_of(v.unit), f"{v.label}{' *' if v.judged else ''}"

@@ -33,7 +33,7 @@ def _case(file: Path) -> Case:
 
 
 def _lines(outputs: Sequence[Output]) -> list[tuple[str, ...]]:
-    return [(identifier(o.key), unit_of(o.unit), o.what) for o in outputs]
+    return [(identifier(o.key), unit_of(o.unit), o.label) for o in outputs]
 
 
 def _print(title: str, lines: Sequence[tuple[str, ...]]) -> None:

@@ -65,7 +65,7 @@ def _dynamic(found: DynamicResult) -> dict[str, Any]:
 
 def _values(outputs: Sequence[Output], values: Values) -> list[dict[str, Any]]:
     return [
-        {"key": identifier(o.key), "symbol": o.symbol, "what": o.what, "unit": o.unit,
+        {"key": identifier(o.key), "symbol": o.symbol, "what": o.label, "unit": o.unit,
          "value": values[o.key] / units.factor(o.unit)}
         for o in outputs if o.key in values
     ]  # fmt: skip

@@ -408,6 +408,11 @@ class FormulaValue:
     form: str = ""
     safe: str = ""
 
+    @property
+    def label(self) -> str:
+        """Text of the value; a formula as printed is marked, if it differs from the corrected."""
+        return f"{self.what}, as printed" if self.form == "as printed" else self.what
+
 
 @dataclass(frozen=True, kw_only=True)
 class Table:

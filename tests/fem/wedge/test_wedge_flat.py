@@ -146,5 +146,6 @@ def test_a_load_is_searched_by_states_that_share_their_overlap_as_they_rest(monk
     given = {"power": 0.5, "near": 0.02, "what": "the torque"}
     found = loaded(pitch(1), rest, lambda _: 1.01, **given)
     assert found.d == pytest.approx(rest.scaled(1.01**0.5).d, rel=1e-12)
-    with pytest.raises(NotFoundError, match=r"the torque was not reached: the last step .* by -50\.0%"):
+    message = r"the torque was not reached: the last step .* by -50\.0%"
+    with pytest.raises(NotFoundError, match=message):
         loaded(pitch(1), rest, lambda _: 0.5, **given)

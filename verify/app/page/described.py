@@ -94,7 +94,7 @@ def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
     return Described(
         id=case_name, title=case.title, fields=_fields(case.inputs, assumable),
         raw=as_texts(tomllib.loads(template(case))["inputs"]),
-        outputs=tuple((o.key, _named(o.symbol, o.what, o.unit)) for o in case.outputs),
+        outputs=tuple((o.key, _named(o.symbol, o.label, o.unit)) for o in case.outputs),
         method=case.method.case,
     )  # fmt: skip
 
