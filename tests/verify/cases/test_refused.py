@@ -72,7 +72,7 @@ REFUSED = [
     ),
     ("spring-stages", {"tail": 3}, "inputs.tail: needs one of arc, mid-leaf, got 3"),
     ("spring-curve", {"stroke": "20 mm"}, "between 5% and 72% of the free length L_0 = 2"),
-    ("spring-map", {"x_r": "20 mm"}, "0.7 times the spring's length, 17.84 mm, got x_r"),
+    ("spring-map", {"x_r": "20 mm"}, "at most 17.84 mm (0.7 times the spring's length), got x_r"),
     ("spring-map", {"y_r": "5 mm"}, "straight: y_r <= 0.2 x_r, got x_r = 8.3 mm, y_r = 5 mm"),
     ("contact-flat", {"F": "1 MN"}, "the half-width of the contact, "),
     ("contact-pair", {"R_2": "50 m"}, "must not differ by more than a factor of 1000"),

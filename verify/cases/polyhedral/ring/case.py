@@ -140,8 +140,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface (place: {1}) by the hub "
-              "force (place: {0}); mid is the middle of the flats",
+    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at {1} by the hub "
+              "force at {0} (mid: middle of the flats; e: offset e; corner)",
               source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]

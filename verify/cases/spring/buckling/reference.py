@@ -110,7 +110,7 @@ def shortening(one: "PressedFrame", length: float) -> float:
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
-    """Stiffnesses, by name, of a middle unit clamped at one end, with respect to its centre."""
+    """Stiffnesses of a middle unit (name: value); one end is clamped, loads act at its centre."""
     from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 
