@@ -94,7 +94,7 @@ def asked(w: RaceSpring, theta: float) -> float:
 
 
 def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Largest |T|/N required for rolling of both contacts at the start, under the whole torque."""
+    """Largest ratio of tangential to normal force that rolling requires at the start, under T."""
     system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
     _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
     return float(np.abs(tangential).max() / N)

@@ -208,6 +208,6 @@ def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
         x, y = wanted[:, worst]
         raise ValueError(
             f"tie {tie}: no follower matches the leader's node at ({x:.5g}, {y:.5g}), the nearest "
-            f"is {distance[worst]:.3g} away: use equal meshes, or correct angle, about and shift"
+            f"is {distance[worst]:.3g} away: use equal meshes, or change angle=, about= and shift="
         )
     return leader.tolist(), follower[nearest].tolist()

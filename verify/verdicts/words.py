@@ -150,7 +150,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
             f"accurate within {percent(found.within)} over {_studied(found)}",
             f"{found.unsolved} points could not be compared" if found.unsolved else "",
             f"no study covers the whole design range of {', '.join(missing)}" if missing else "",
-            f"the formula was compared only at the default inputs in {own}" if own else "",
+            f"in {own}, the formula was compared only at the default inputs" if own else "",
         )  # fmt: skip
     widest = _widest(found)
     best = [one for one in widest if one.inside]

@@ -61,7 +61,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the smallest determinant with a hinged head, on a guided path."""
+    """Smallest determinant for a hinged head, over the states with a guided head (function)."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]
