@@ -115,10 +115,10 @@ def test_pages_are_silent_and_legible_at_every_width(folder, name, width, flags)
 def test_the_search_finds_words_and_symbols_and_leaves_out_a_status(folder, report):
     seen = looked_at(folder / FOLDER, "rows", 390, host="search_host.html", status="peak star")
     assert len(seen["all"]["rows"]) > 200
-    assert seen["all"]["said"] == ""
-    assert seen["none"] == {"rows": [], "said": "0 rows"}
+    assert seen["all"]["found"] == ""
+    assert seen["none"] == {"rows": [], "found": "0 rows"}
     found = seen["some"]["rows"]
-    assert seen["some"]["said"] == f"{len(found)} row{'s' if len(found) > 1 else ''}"
+    assert seen["some"]["found"] == f"{len(found)} row{'s' if len(found) > 1 else ''}"
     assert 0 < len(found) < len(seen["all"]["rows"])
     alone = [line.row for case in report.cases for line in lines(case.rows)]
     quantities = {

@@ -297,7 +297,7 @@ def test_scatter_counts_by_the_points_beyond_three(n):
 def test_points_count_by_their_uncertainties():
     eps = np.geomspace(1.0, 0.1, 5)
     d = 0.3 * eps
-    d[-1] += 0.01  # one wrong point that says so itself
+    d[-1] += 0.01  # one wrong point with a large uncertainty
     vague = judge.fit_limit(eps, d, [1e-6] * 4 + [0.01])
     assert vague.d0 == pytest.approx(0.0, abs=1e-6)
     assert judge.asymptotic(vague, q=1, scale=1.0).status is Status.PASS

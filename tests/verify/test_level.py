@@ -60,7 +60,7 @@ def without_level(form, file):
 
 
 class Exact(Bars):
-    """The area is exact, and says so."""
+    """The area is exact, and its uncertainty is round-off."""
 
     round_off: ClassVar = {"area": 1e-12}
 

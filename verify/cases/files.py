@@ -108,10 +108,10 @@ def _loaded(path: Path) -> Case:
     except InputError:
         raise
     except (Exception, SystemExit) as error:
-        raise InputError(_told(error, path)) from error
+        raise InputError(_message(error, path)) from error
 
 
-def _told(error: BaseException, path: Path) -> str:
+def _message(error: BaseException, path: Path) -> str:
     """Message of one line: place and cause of the error in the user's file."""
     if isinstance(error, SyntaxError):
         return f"{path.name}:{error.lineno}: {error.msg}"

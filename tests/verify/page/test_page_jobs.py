@@ -12,33 +12,33 @@ from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
 from verify.core.inputs import InputError
 
 ENDED = 20.0  # s within which each test has ended, also where a limit is not observed
-Tell = Callable[[Any], None]
+Notify = Callable[[Any], None]
 
 
-def doubled(x: int, tell: Tell) -> int:
-    tell("half")
+def doubled(x: int, notify: Notify) -> int:
+    notify("half")
     return 2 * x
 
 
-def wrong(_tell: Tell) -> None:
+def wrong(_notify: Notify) -> None:
     raise InputError("r_i: needs\na length")
 
 
-def broken(_tell: Tell) -> None:
+def broken(_notify: Notify) -> None:
     raise SystemExit(3)
 
 
-def dead(_tell: Tell) -> None:
+def dead(_notify: Notify) -> None:
     os._exit(1)
 
 
-def sleeping(_tell: Tell) -> None:
+def sleeping(_notify: Notify) -> None:
     time.sleep(ENDED)
 
 
 async def _all(worker: Worker) -> None:
     states: list[Any] = []
-    assert await worker.ask(doubled, 4, tell=states.append) == 8
+    assert await worker.ask(doubled, 4, notify=states.append) == 8
     assert states == ["half"]
     with pytest.raises(InputError, match="needs a length"):
         await worker.ask(wrong)

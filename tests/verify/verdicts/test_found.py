@@ -28,7 +28,7 @@ def verdict(declared, *rows, corrected=()):
 
 
 def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
-    for changes, says in (
+    for changes, expected in (
         ({"status": Status.FAIL}, "ring-lame/x cannot be evidence: it has the status FAIL"),
         ({"status": Status.CALIBRATED}, "it has the status CALIBRATED"),
         ({"status": Status.NOTE}, "it has the status NOTE"),  # enough for a caution alone
@@ -41,7 +41,7 @@ def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
     ):
         got = verdict(formula(), row("x", 0.001, **changes))
         assert got.verdict is Verdict.NONE
-        assert says in got.words
+        assert expected in got.words
         assert verdict(formula()).verdict is Verdict.NONE
 
 
@@ -53,12 +53,12 @@ def test_an_error_is_formula_less_reference_also_where_a_row_states_reference_le
 
 
 def test_what_is_no_declaration_is_refused():
-    for changes, says in (
+    for changes, expected in (
         ({"part": ()}, "give one of defines, missing, or evidence"),
         ({"form": Form.CORRECTED} | MISPRINT, "only the printed form can have errata"),
         ({"caution": "but it buckles"}, "give caution and caution_row together"),
     ):
-        with pytest.raises(ValueError, match=says):
+        with pytest.raises(ValueError, match=expected):
             formula(**changes)
 
 

@@ -85,7 +85,7 @@ def test_the_centre_of_a_star_with_constant_inputs_can_be_beyond_a_limit():
 def test_the_smallest_limit_that_all_studies_keep_is_stated():
     half = replace(R_I, high=10.0)
     two, five, ten = study(half, studied=(R_I,), limit=0.02), study(R_I), study(R_I, limit=0.1)
-    for ranges, r_i, says in (
+    for ranges, r_i, expected in (
         ((ten, five, two), 8e-3, "inside the range with errors within 2 %"),
         ((ten, five, two), 20e-3, "inside the range with errors within 5 %"),
         ((two,), 20e-3, "outside the range with all errors within 2 %: r_i 5 to 10 mm"),
@@ -96,25 +96,25 @@ def test_the_smallest_limit_that_all_studies_keep_is_stated():
         ((study(R_I, NU),), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
         ((study(NU, R_I),), 25e-3, "outside the compared range: r_i 5 to 24 mm"),
     ):  # fmt: skip
-        assert placed(*ranges, inputs={"r_i": r_i}).words == says
+        assert placed(*ranges, inputs={"r_i": r_i}).words == expected
 
 
 def test_inputs_that_no_study_varies_are_named():
     star = study(R_I, NU, is_star=True)
-    for inputs, says in (
+    for inputs, expected in (
         ({"E": 1e11, "nu": 0.2}, "not compared with other values of E"),
         ({"r_i": 6e-3, "nu": 0.2}, "not compared with r_i, ν changed at once"),
         ({}, DEFAULT),
     ):
-        assert placed(star, inputs=inputs).words == says
+        assert placed(star, inputs=inputs).words == expected
     at = study(NU, held=(replace(R_I, low=6.0, high=6.0),))
-    for inputs, says in (
+    for inputs, expected in (
         ({"r_i": 7e-3}, "not compared with other values of r_i"),
         ({"r_i": 7e-3, "nu": 0.2}, "not compared with other values of r_i"),
         ({"r_i": 6e-3, "E": 1e11}, "not compared with other values of E"),
         ({"nu": 0.2}, "not compared with ν changed alone"),
     ):
-        assert placed(at, inputs=inputs).words == says
+        assert placed(at, inputs=inputs).words == expected
     assert placed(star, case="ring-rotation").words == "compared only in ring-lame"
     for verdict in WITHOUT_RANGE:
         assert placed(star, verdict=verdict).where is Where.NONE
@@ -141,12 +141,12 @@ def test_an_input_that_changes_no_error_is_not_named():
     ):
         assert place(K, "polyhedral-ring", ring(**inputs)).where is where
     offset = find("rotor-clutch").inputs(e=0.5e-6)
-    for name, says in (
+    for name, expected in (
         ("huang2022/Eq. 4, printed", DEFAULT_ERROR),
         ("huang2022/Eq. 8, corrected", "not compared with other values of Δx"),
         ("huang2022/Eq. 9, corrected", "inside the range with errors within 2 %"),
     ):
-        assert place(of_record(name), "rotor-clutch", offset).words == says
+        assert place(of_record(name), "rotor-clutch", offset).words == expected
 
 
 @pytest.mark.slow("finite elements of each case are solved with other inputs")

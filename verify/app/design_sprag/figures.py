@@ -62,11 +62,11 @@ def pressures(outcome: Outcome) -> Curves:
             _along("strips", c.strips, l, 1),
             Curve(name="half-space", x=c.half.y[half] / mm, y=c.half.centre_pressure[half] / MPa,
                   style="dots", colour=2),
-        ), y_bottom=0.0, note=_told(c),
+        ), y_bottom=0.0, note=_load_text(c),
     )  # fmt: skip
 
 
-def _told(c: Check) -> str:
+def _load_text(c: Check) -> str:
     ends = "The ends are unloaded." if c.end == 0 else "The ends are loaded."
     return f"{c.T:g} N m, N_max = {c.N:.5g} N at the inner race. {ends}"
 

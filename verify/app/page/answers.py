@@ -55,7 +55,7 @@ class Shown:
 
 
 def shown(
-    case_name: str, name: str, raw: Mapping[str, Any], notes: bool, _tell: Callable[[Any], None]
+    case_name: str, name: str, raw: Mapping[str, Any], notes: bool, _notify: Callable[[Any], None]
 ) -> Shown:
     """The answer for raw inputs.
 

@@ -87,7 +87,7 @@ class Described:
                 raise InputError(f"inputs.{table}: needs tables [[inputs.{table}]]")
 
 
-def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
+def describe(case_name: str, _notify: Callable[[Any], None] = print) -> Described:
     """Form of a case, given by its name or its file. Raises InputError or ValueError."""
     case = find(case_name)
     assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}

@@ -37,11 +37,11 @@ class Worker:
 
     async def ask(
         self, function: Callable[..., Any], *arguments: Any, seconds: float = LONGEST,
-        tell: Callable[[Any], None] = lambda _state: None,
+        notify: Callable[[Any], None] = lambda _state: None,
     ) -> Any:  # fmt: skip
         """Result of `function`, which is executed in the process.
 
-        `function` must be defined at the top level of a module. `tell` receives each state of
+        `function` must be defined at the top level of a module. `notify` receives each state of
         progress that it reports. Raises InputError or FailedError with the message of an error in
         `function`, FailedError after `seconds`, and CancelledError after `end`.
         """
@@ -49,7 +49,7 @@ class Worker:
             pipe = self._started()
             try:
                 pipe.send((function, arguments))
-                return await self._answer(pipe, time.monotonic() + seconds, seconds, tell)
+                return await self._answer(pipe, time.monotonic() + seconds, seconds, notify)
             except (EOFError, OSError) as error:
                 ended = self._process is None
                 self.end()
@@ -57,7 +57,7 @@ class Worker:
 
     async def _answer(
         self, pipe: connection.Connection, until: float, seconds: float,
-        tell: Callable[[Any], None],
+        notify: Callable[[Any], None],
     ) -> Any:  # fmt: skip
         while True:
             while not pipe.poll():
@@ -67,7 +67,7 @@ class Worker:
                 await asyncio.sleep(POLL)
             kind, value = pipe.recv()
             if kind == "state":
-                tell(value)
+                notify(value)
             elif kind == "done":
                 return value
             else:

@@ -29,10 +29,10 @@ class ShapeView:
         self.dark = False
         self.body = ui.element("div").props('id="shape"')
 
-    async def solve(self, worker: Worker, tell: Callable[[Any], None]) -> None:
+    async def solve(self, worker: Worker, notify: Callable[[Any], None]) -> None:
         """Display the fields of the present inputs."""
         asked = self.screen.asked(self.screen.session.state)
-        self.shapes = await worker.ask(tasks.fields, *asked, tell=tell)
+        self.shapes = await worker.ask(tasks.fields, *asked, notify=notify)
         self.dark = not self.body.is_deleted and await is_dark()
         if self.body.is_deleted:  # another case was selected
             return

@@ -26,47 +26,47 @@ from verify.jobs.level import Job
 from verify.jobs.scheduler import run
 from verify.studies.sweep.axes import Axis, axis, changed
 
-Tell = Callable[[Any], None]
+Notify = Callable[[Any], None]
 MOST_POINTS = 1000
 MARGIN, DESIGN = "margin", "design value"  # results of a sweep in addition to the case's values
 
 
-def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:
+def finite_elements(case: str, name: str, raw: Mapping[str, Any], notify: Notify) -> Shown:
     """Answer with judged rows. Raises InputError if the inputs cannot be solved.
 
-    Each solved level (mesh) is stored, and `tell` receives the progress.
+    Each solved level (mesh) is stored, and `notify` receives the progress.
     """
     file = _file(case, name, raw)
-    return of_checked(in_system(_solved(file, tell), file.system))
+    return of_checked(in_system(_solved(file, notify), file.system))
 
 
-def fields(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> tuple[Shape, ...]:
+def fields(case: str, name: str, raw: Mapping[str, Any], notify: Notify) -> tuple[Shape, ...]:
     """The fields of the finest mesh as bodies; InputError if the case has none."""
     file = _file(case, name, raw)
     if not file.case.pictures(file.inputs):
         raise InputError("this case has no field to display: it states no pictures of fields")
-    result = _solved(file, tell).result
+    result = _solved(file, notify).result
     if found := shapes(result.fields, result.pictures):
         return found
     raise InputError("the solution has none of the fields that the pictures of this case name")
 
 
-def _solved(file: ParameterFile, tell: Tell) -> Checked:
+def _solved(file: ParameterFile, notify: Notify) -> Checked:
     """The check with finite elements, whose levels are solved first to report the progress."""
     if reason := file.case.too_large(file.inputs):
         raise InputError(f"these inputs cannot be solved by finite elements: {reason}")
 
     def show(state: Progress) -> None:
-        tell((state.done, state.total, names(state.running)))
+        notify((state.done, state.total, names(state.running)))
 
-    tell((0, len(file.case.levels), ""))
+    notify((0, len(file.case.levels), ""))
     job = Job(file.case, file.inputs, values=file.values, drawn=False)
     run([job], engine=ThisProcess().entered(), cache_folder=cache.default_folder(), show=show)
-    tell((len(file.case.levels), len(file.case.levels), "judging"))
+    notify((len(file.case.levels), len(file.case.levels), "judging"))
     return check_part(file, WHERE, Options(fem=True, json=True), ThisProcess())
 
 
-def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:
+def report(path: Path, out: Path, fem: bool, _notify: Notify) -> tuple[str, ...]:
     """Write the report of `freewheel check --out` for a parameter file.
 
     Returns the names of the files of the report.
@@ -95,7 +95,7 @@ class Swept:
 
 
 def sweep(
-    case: str, name: str, raw: Mapping[str, Any], vary: Sequence[str], result: str, tell: Tell
+    case: str, name: str, raw: Mapping[str, Any], vary: Sequence[str], result: str, notify: Notify
 ) -> Swept:
     """Values of one result of the formulas over one or two varied inputs.
 
@@ -113,7 +113,7 @@ def sweep(
     for second in (line[0] for line in lines):
         row: list[float | None] = []
         for first in found[0].values:
-            tell((len(values) * len(found[0].values) + len(row), count, ""))
+            notify((len(values) * len(found[0].values) + len(row), count, ""))
             row.append(point.value(first, second))
         values.append(tuple(row))
     return Swept(

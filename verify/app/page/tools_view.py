@@ -22,7 +22,7 @@ from verify.app.page.widgets import Choice, Typed, button, enable, html, is_dark
 from verify.core.inputs import InputError
 
 OLD = "of earlier inputs: the form has changed since then"
-Tell = Callable[[Any], None]
+Notify = Callable[[Any], None]
 
 
 class Tools:
@@ -73,16 +73,16 @@ class Tools:
         self.made[name] = raw
         self.mark_outdated()
 
-    async def _fem(self, worker: Worker, tell: Tell) -> None:
+    async def _fem(self, worker: Worker, notify: Notify) -> None:
         state = self.screen.session.state
         asked = self.screen.asked(state)
-        found: Shown = await worker.ask(tasks.finite_elements, *asked, tell=tell)
+        found: Shown = await worker.ask(tasks.finite_elements, *asked, notify=notify)
         self.rows.set_content(evidence(found))
         self._is_made("fem", state.raw)
 
-    async def _fields(self, worker: Worker, tell: Tell) -> None:
+    async def _fields(self, worker: Worker, notify: Notify) -> None:
         raw = self.screen.session.state.raw
-        await self.shape.solve(worker, tell)
+        await self.shape.solve(worker, notify)
         self._is_made("fields", raw)
 
     def _sweep_form(self) -> None:
@@ -105,7 +105,7 @@ class Tools:
         self._job("Sweep the formulas", "sweep", self._sweep)
         self.figure = ui.element("div").props('id="sweep-figure"')
 
-    async def _sweep(self, worker: Worker, tell: Tell) -> None:
+    async def _sweep(self, worker: Worker, notify: Notify) -> None:
         state = self.screen.session.state
         axes = [(self.first.value, self.values.value)]
         if self.second.value:
@@ -116,7 +116,7 @@ class Tools:
         vary = [f"{name}={values}" for name, values in axes]
         try:
             found: tasks.Swept = await worker.ask(
-                tasks.sweep, *self.screen.asked(state), vary, self.result.value, tell=tell
+                tasks.sweep, *self.screen.asked(state), vary, self.result.value, notify=notify
             )
         except InputError as error:
             raise InputError(str(error).removeprefix("--vary ")) from error
@@ -158,7 +158,7 @@ class Tools:
         raws = (state.raw, state.other)
         self.compared.set_content(compared(self.screen.case, raws, (present, other)))
 
-    async def _report(self, worker: Worker, _tell: Tell) -> None:
+    async def _report(self, worker: Worker, _notify: Notify) -> None:
         place, state = self.screen.place, self.screen.session.state
         folder = place.reports / f"{self.screen.number}"
         folder.mkdir(exist_ok=True)

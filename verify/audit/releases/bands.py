@@ -63,7 +63,7 @@ def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
         for old, new in zip(was, now, strict=True):
             if _is_looser(old, new):
                 yield Change(
-                    row=row_id, aspect="acceptance", was=_told([old]), now=_told([new]),
+                    row=row_id, aspect="acceptance", was=_listed([old]), now=_listed([new]),
                     loosened=True,
                 )  # fmt: skip
         return
@@ -71,7 +71,7 @@ def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
     pairs = ((old, new) for old, new in zip(sorted(was), sorted(now), strict=False))
     looser = any(old[0] == new[0] and _is_looser(old, new) for old, new in pairs)
     yield Change(
-        row=row_id, aspect="acceptance", was=_told(was), now=_told(now),
+        row=row_id, aspect="acceptance", was=_listed(was), now=_listed(now),
         loosened=bool(lost) or looser,
     )  # fmt: skip
 
@@ -81,7 +81,7 @@ def _is_looser(old: tuple[str, float], new: tuple[str, float]) -> bool:
     return new[1] > old[1] if old[0] == "accepted" else new[1] < old[1]
 
 
-def _told(accepted: Accepted) -> str:
+def _listed(accepted: Accepted) -> str:
     return ", ".join(f"{value:.12g} % {word}" for word, value in accepted) or NOTHING
 
 

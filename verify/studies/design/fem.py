@@ -109,16 +109,20 @@ def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
 
 
 def verified(
-    s: Springs, f: Formulas, members: Sequence[int], q: Demands, tell: Callable[[int, float], None]
+    s: Springs,
+    f: Formulas,
+    members: Sequence[int],
+    q: Demands,
+    notify: Callable[[int, float], None],
 ) -> list[Verified]:
     """Finite-element results of all candidates in `members`.
 
-    `tell` receives the number of solved members and the estimated remaining time [s].
+    `notify` receives the number of solved members and the estimated remaining time [s].
     """
     found: list[Verified] = []
     start = time.monotonic()
     for done, i in enumerate(members):
-        tell(done, (len(members) - done) * (time.monotonic() - start) / max(done, 1))
+        notify(done, (len(members) - done) * (time.monotonic() - start) / max(done, 1))
         found.append(verified_by_fem(s, f, i, q))
     return found
 

@@ -68,10 +68,10 @@ def carry_out(
         return Outcome(found, (), (choose or 1) - 1)
     with progress.shown(quiet=quiet) as show:
 
-        def tell(done: int, remaining: float) -> None:
+        def notify(done: int, remaining: float) -> None:
             show(progress.State(done, len(members), (f"member {done + 1}",), remaining))
 
-        checked = verified(found.springs, found.formulas, members, task.demands, tell)
+        checked = verified(found.springs, found.formulas, members, task.demands, notify)
     accepted = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
     chosen = accepted if choose is None else choose - 1
     i, f = members[chosen], found.formulas

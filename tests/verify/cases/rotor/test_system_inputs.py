@@ -58,14 +58,14 @@ def test_a_rotor_that_cannot_be_is_refused_in_one_line(raw, message):
 # Findings and warnings.
 
 
-def said_of(raw):
+def texts_of(raw):
     q = built(raw)
     v = SYSTEM.analytic(q)
     return q, SYSTEM.findings(q, v), SYSTEM.summary(q, v), SYSTEM.warnings(q, v)
 
 
 def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_speeds():
-    q, found, summary, warned = said_of(RAW)
+    q, found, summary, warned = texts_of(RAW)
     below, above = (q.study.excited[k].speeds[j] / RPM for k, j in ((0, 0), (1, 1)))
     assert found[0] == (
         "clear: no critical speed within 15% of the operating range 5600 to 9000 r/min"
@@ -80,7 +80,7 @@ def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_spe
     assert f"{above / 9000 - 1:.1%} above the operating range" in found[2]
     assert summary["verdict"] == "clear"
     assert not warned
-    q, found, summary, _ = said_of(changed(margin=0.25))
+    q, found, summary, _ = texts_of(changed(margin=0.25))
     assert found[0] == (
         "not clear: 2 critical speeds within 25% of the operating range 5600 to 9000 r/min"
     )
@@ -88,7 +88,7 @@ def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_spe
     distances = {round(c["speed"]): c["distance"] for c in summary["critical_speeds"]}
     first = q.study.excited[0].speeds[0] / RPM
     assert distances[round(first)] == pytest.approx(first / 5600 - 1)
-    _, found, _, _ = said_of(changed(speed_from="4000 r/min"))
+    _, found, _, _ = texts_of(changed(speed_from="4000 r/min"))
     assert found[0].startswith("not clear: 1 critical speed within")
     assert found[1].endswith("in the operating range")
 
@@ -120,5 +120,5 @@ UNDAMPED = changed(
     ],
 )  # fmt: skip
 def test_an_odd_rotor_is_warned_of(raw, words):
-    warned = said_of(raw)[3]
+    warned = texts_of(raw)[3]
     assert any(words in line for line in warned) if words else not warned

@@ -56,11 +56,11 @@ def _verdict(q: TransferRotor) -> list[str]:
     number = f"{len(met)} critical speed{'s' if len(met) > 1 else ''}"
     return [
         f"not clear: {number} within {q.margin:.0%} of the operating range {asked}",
-        *(_told(q, c) for c in met),
+        *(_critical_text(q, c) for c in met),
     ]
 
 
-def _told(q: TransferRotor, critical: Critical) -> str:
+def _critical_text(q: TransferRotor, critical: Critical) -> str:
     far = distance(q, critical.speed)
     place = "in the operating range" if far == 0 else f"{abs(far):.1%} "
     place += (
@@ -78,7 +78,7 @@ def _neighbours(q: TransferRotor) -> list[str]:
     found = criticals(q)
     below = [c for c in found if c.speed < low][-1:]
     above = [c for c in found if c.speed > high][:1]
-    return [_told(q, c) for c in below + above]
+    return [_critical_text(q, c) for c in below + above]
 
 
 def _frequencies(q: TransferRotor) -> str:

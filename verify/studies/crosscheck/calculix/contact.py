@@ -124,7 +124,7 @@ class ContactDeck:
         return self.depth / self.bodies.thickness
 
     @property
-    def told(self) -> float:
+    def force_ratio(self) -> float:
         """Contact forces printed by calculix divided by those of the problem."""
         return TURN if self.bodies.turn else self.share
 

@@ -51,7 +51,7 @@ class Touched:
         from verify.studies.crosscheck.calculix.reading import contact_totals
 
         pairs = len(self.deck.surfaces.pairs)
-        return contact_totals(self.path.with_suffix(".dat"), pairs) / self.deck.told
+        return contact_totals(self.path.with_suffix(".dat"), pairs) / self.deck.force_ratio
 
     def force(self, pair: int = 0) -> tuple[float, float]:
         """Contact force (x, y) on the master surface of a contact pair."""
