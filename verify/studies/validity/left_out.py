@@ -13,7 +13,8 @@ LEFT_OUT: Mapping[str, str] = {
     "the stiffness k_1 of the same spring",
     "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
     "contact-roller measures the same formulas outside the ends",
-    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
+    "rotor-step": "one set of inputs takes three minutes with solid elements; the maps of this "
+    "case show the errors over the dimensions",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case

@@ -59,8 +59,8 @@ CASES = [
      peaks({11: 2}), first(11)),
     ("node 19 has the highest amplitude of the inner rotor at every peak",
      peaks({19: 2}), peaks({18: 3, 19: 2})),
-    ("torsion is uniform along both rotors at critical speeds 3 and 5", twisted(0.05, 0.05),
-     twisted(0, 0.2)),
+    ("torsional rotation is uniform along both rotors at critical speeds 3 and 5",
+     twisted(0.05, 0.05), twisted(0, 0.2)),
     ("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
      over_unbalance([3, 2, 1], 1, 19), over_unbalance([3, 2, 1], 2, 19)),
     ("amplitude of node 2 at every peak is below half the median amplitude of nodes without "
@@ -68,9 +68,9 @@ CASES = [
      peaks({2: 0.4}), peaks({2: 0.6})),
     ("nodes 13 to 19 have their highest peaks at critical speed 1", first(*range(13, 20)),
      first(*range(13, 19))),
-    ("torsion is uniform along the outer rotor at critical speed 1", twisted(0.05, 9),
+    ("torsional rotation is uniform along the outer rotor at critical speed 1", twisted(0.05, 9),
      twisted(0.2, 0)),
-    ("torsion is highest at critical speed 1", falling(3, 2, 1), falling(2, 1, 3)),
+    ("torsional rotation is highest at critical speed 1", falling(3, 2, 1), falling(2, 1, 3)),
     ("peaks of node 4 grow with unbalance 2", over_unbalance(RISING, 2, 4),
      over_unbalance([1, 3, 2], 2, 4)),
     ("peak of node 19 at critical speed 3 is lower with unbalance 2 = 5e-5 than with 3e-5 kg m",
@@ -80,7 +80,8 @@ CASES = [
      loads(over_peaks=[2, 1, 3])),
     ("load of bearing 4 exceeds that of bearing 3 at every peak", loads(),
      loads(over_bearings=(2, 1))),
-    ("ratio of the torsions of nodes 4 and 19 is −J_in/J_out within 3 % at critical speed 1",
+    ("ratio of the torsional rotations of nodes 4 and 19 is −J_in/J_out within 3 % at critical "
+     "speed 1",
      turned(-0.25), turned(-0.27)),
 ]  # fmt: skip
 

@@ -25,7 +25,7 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
     rolled = (
         "would roll over between the races"
         if held <= 0
-        else f"would give {held:.0%} of the torsional stiffness K_zz"
+        else f"would reduce the torsional stiffness to {held:.0%} of K_zz"
     )
     return (
         f"under {q.T:g} N m, the normal force of each sprag is {q.N:.4g} N, the deflection of both "
@@ -35,12 +35,13 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
         "under torque alone, bending and torsion are not coupled; with an offset of "
         f"{q.e * 1e6:g} µm, the coupling K_xz is {abs(offset.coupling):.2%} of √(K_xx K_zz); with "
         f"{q.missing} of {q.Z} sprags missing, K_xz is {abs(gap.coupling):.2%} of √(K_xx K_zz)",
-        "the stiffness is proportional to the tenth root of the torque: at half the torque, the "
-        f"stiffness is {1 - 0.5**0.1:.1%} lower; Eq. 3 neglects the inclination of the sprag "
-        f"forces, and thus tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under even load and "
-        f"terms of the order of tan ν = {math.tan(q.nu):.2%} under uneven load; with {q.missing} "
-        f"of the sprags missing, the coupling of x and y is {gap.K_xy / gap.K_xx:.2%} of K_xx, and "
-        "that of y and torsion is K_xz tan ν; by Eq. 3 both couplings are zero",
+        "the stiffness is proportional to the tenth root of the torque: if the torque is halved, "
+        f"the stiffness decreases by {1 - 0.5**0.1:.1%}; Eq. 3 neglects the inclination of the "
+        f"sprag forces, and thus tan²ν = {math.tan(q.nu) ** 2:.2%} of the stiffness under even "
+        f"load and terms of the order of tan ν = {math.tan(q.nu):.2%} under uneven load; with "
+        f"{q.missing} of the sprags missing, the coupling of x and y is "
+        f"{gap.K_xy / gap.K_xx:.2%} of K_xx, and "
+        "the coupling of y and torsion is K_xz tan ν; by Eq. 3, both couplings are zero",
         "d_t = R_i tan ν is constant only if the sprags roll on the races: sprags pinned to both "
         f"races {rolled}",
     )

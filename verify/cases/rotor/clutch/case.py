@@ -46,8 +46,9 @@ class ClutchLink(ClutchStiffness):
     assumptions: ClassVar = (
         "the races are rigid; each sprag transmits a force along the line through both contacts "
         "and deflects as two line contacts",
-        "with elastic races, the wind-up of the same clutch is almost twice as large; the verdicts "
-        "of Eqs. 2, 4 and 11 use the comparison with elastic races in the case sprag-wedge",
+        "with elastic races, the wind-up of the same clutch is almost twice the wind-up with rigid "
+        "races; the verdicts of Eqs. 2, 4 and 11 use the comparison with elastic races in the case "
+        "sprag-wedge",
         "the sprags roll on the races, so that the distance from the axis to the line of action of "
         "each sprag force is constant",
         "if the inner race has an offset or sprags are missing, bearings hold the inner race in "

@@ -33,9 +33,9 @@ SAME = "formula and struts solve the same problem and differ only by round-off"
 RIGID = "rigid races; each sprag is a strut with the deflection of line contacts"
 HELD = "sprags pinned to both races"
 DIFFERENCES = 1e-8  # relative error of a tangent by central differences
-INCLINED = "derived: two effects, each ± 5 %: the inclination ν of the sprag forces (cos ψ − tan "\
-           "ν sin ψ in place of cos ψ in Eq. 3), and the rotation of these forces with the "\
-           "race"  # fmt: skip
+INCLINED = "derived from the inclination ν of the sprag forces (cos ψ − tan ν sin ψ in place of "\
+           "cos ψ in Eq. 3) and from the rotation of these forces with the race; the uncertainty "\
+           "is 5 % of both effects"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]
 link = ClutchStiffness
 
@@ -69,7 +69,7 @@ def _identical(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
 
 def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     """Rows of the entries of K under even and uneven load."""
-    leading = "derived: −tan²ν, which Eq. 3 omits; the upper limit adds twice the next term, tan⁴ν"
+    leading = "derived: −tan²ν, which Eq. 3 omits; the upper limit is −tan²ν + 2 tan⁴ν"
     for one in (link.K_xx, link.K_yy):
         yield approximation(one, order=2, state=q.state(""), shares=RIGID,
                             expected=Computed(partial(bounds.leading, q.nu), leading))  # fmt: skip
@@ -91,8 +91,9 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     yield _identical(q, link.K_zz, "gap")
     for entry in ENTRIES:
         yield _approximate(q, getattr(link, entry), "together")
-    tilted = "derived: two effects, each ± 5 %: the inclination ν of the sprag forces, and the "\
-             "radial and axial motion of the contact points as the race tilts"  # fmt: skip
+    tilted = "derived from the inclination ν of the sprag forces and from the radial and axial "\
+             "motion of the contact points if the race tilts; the uncertainty is 5 % of both "\
+             "effects"  # fmt: skip
     fine = q.clutch(n_s=FINE)
     for entry in PLACES:
         interval = partial(left_out, entry, fine, T=q.T, n_s=q.n_s, **q.aside)
@@ -219,8 +220,8 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
                    fem_needed=False, printed=(f"huang2022:{id_}",))  # fmt: skip
     exponent = Agreement(name="exponent of the force law of a line contact", symbol="n", unit="1",
                          pair=palmgrens, accepted=1e-12,
-                         source="both exponents are equal, to round-off", by="theory",
-                         fem_needed=False, everywhere=True,
+                         source="Palmgren's law has the printed exponent, to round-off",
+                         by="theory", fem_needed=False, everywhere=True,
                          printed=("huang2022:exponent-numerator",
                                   "huang2022:exponent-denominator"))  # fmt: skip
     yield Comparison(check=exponent, quantity=link.n)

@@ -19,7 +19,7 @@ FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 
 
 class UniformShaft(BeamTheories):
-    """Beam elements by Euler, Rayleigh and Timoshenko, compared with closed-form solutions.
+    """Beam elements by Euler's, Rayleigh's and Timoshenko's theories against closed-form solutions.
 
     The whirl frequencies of the uniform shaft as an elastic body are also known exactly and give
     the errors of the three beam theories. The paper prints no dimensions; the dimensions here were

@@ -20,8 +20,9 @@ class SpragRotor(CentralSystem):
 
     The paper prints three critical speeds, but none of the dimensions and stiffnesses. Many sets of
     these parameters give all three speeds; each set is compared with all other statements of the
-    paper. One set, the central system, is fitted with the middle of all ranges as initial value. It
-    is computed by exact transfer matrices, by refined beam elements and as elastic bodies.
+    paper. One set is fitted from mid-range parameters: its fit starts from the middle of each
+    range. The system with this set is computed by exact transfer matrices, by refined beam elements
+    and as elastic bodies.
     """
 
     id = "rotor-sprag"
@@ -38,7 +39,8 @@ class SpragRotor(CentralSystem):
     readings: ClassVar = (
         "critical speeds 1, 3 and 5 of the paper are the three lowest forward critical speeds, "
         "because unbalance on isotropic bearings excites forward whirl only; critical speeds 2, 4 "
-        "and 6 are backward, although each is lower than the forward critical speed of its pair",
+        "and 6 belong to backward whirl, although each is lower than the forward critical speed of "
+        "its pair",
         "the parameters are fitted with the mesh of the paper, one beam element in each of the 20 "
         "segments",
         "node 12 is the free end of the drum; in an overhung drum it moves more than node 11, "
@@ -65,7 +67,7 @@ class SpragRotor(CentralSystem):
     sketch = tabulated.sketch
 
     def reference(self, level: int) -> Level:
-        """Beams of the central system; on the mesh of the paper, also the ensemble."""
+        """Beams with fitted mid-range parameters; on the mesh of the paper, also the ensemble."""
         from verify.cases.rotor.sprag.reference import solve
 
         return solve(self, level)
@@ -80,13 +82,14 @@ class SpragRotor(CentralSystem):
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())
         yield (
-            f"the forward critical speeds of the central system are {speeds} r/min; its twelve "
-            "parameters were fitted to three printed speeds, so that this agreement is no evidence "
-            "for the value of any parameter"
+            "the forward critical speeds of the system fitted from mid-range parameters are "
+            f"{speeds} r/min; its twelve parameters were fitted to three printed speeds, so that "
+            "agreement with these speeds is no evidence for the value of any parameter"
         )
         yield (
-            f"the speed of the test rig, {self.rig_speed / RPM:.5g} r/min, differs by "
-            f"{near[0]:.0%} from the nearest critical speed, number {near[1]}"
+            f"the difference between the speed of the test rig, {self.rig_speed / RPM:.5g} r/min, "
+            f"and the nearest critical speed is {near[0]:.0%} of this critical speed (critical "
+            f"speed {near[1]})"
         )
         yield (
             f"under {self.T:.3g} N m, the deflection of each sprag is {self.delta_0 * 1e6:.2g} µm; "

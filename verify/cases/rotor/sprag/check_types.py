@@ -18,7 +18,7 @@ from verify.papers.ledger import published
 Arrays = Mapping[str, Array]
 COARSE = 2e-4  # acceptance figure of the mesh with one beam element for each element of the paper
 NO_SETS = "no set of parameters gives the three printed critical speeds"
-FITTED = f"{len(PARAMETERS)} parameters were fitted to three critical speeds"
+FITTED = f"in each set, {len(PARAMETERS)} parameters were fitted to three critical speeds"
 
 
 def arrays(context: Context) -> Arrays:
@@ -47,7 +47,7 @@ class Share(Claim):
 
     def words(self, context: Context) -> str:
         held = self.holds(context)
-        return f"{int(held.sum())} of {held.size} {self.of}"
+        return f"this result is reached from {int(held.sum())} of the {held.size} {self.of}"
 
     def rows(self, context: Context) -> list[Row]:
         held, asked = self.holds(context), self.asked(context)
@@ -58,7 +58,7 @@ class Share(Claim):
                 Status.SKIP, "no set of parameters has the peaks that the statement compares"
             )
         else:
-            reason = f"holds in {self.words(context)}; {FITTED}"
+            reason = f"{self.words(context)}; {FITTED}"
             verdict = judge.Verdict(Status.CALIBRATED, reason)
             share = Partner(by=f"share of {self.of}", value=float(held[asked].mean()))
             return [self._row(context.case, Kind.FACT, verdict, partner=share)]
@@ -67,7 +67,7 @@ class Share(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Share):
-    """A statement of the paper, evaluated for the sets that have the compared peaks.
+    """A statement of the paper, evaluated for the sets in which all compared peaks exist.
 
     The statement is also evaluated with opposite unbalances. It contains only nodes, no values of
     the response.
@@ -81,14 +81,17 @@ class Claimed(Share):
     def words(self, context: Context) -> str:
         a = arrays(context)
         other = held_of(self.statement, opposite(a))
-        return f"{held_of(self.statement, a)}; with opposite unbalances in {other}"
+        return (
+            f"the statement holds in {held_of(self.statement, a)}; with opposite unbalances, in "
+            f"{other}"
+        )
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Text: in how many of the sets that have the compared peaks a statement holds."""
+    """Text: in how many of the sets in which all compared peaks exist a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
-    with_peak = "" if asked.all() else " that have the compared peaks"
-    return f"{int((held & asked).sum())} of {int(asked.sum())} parameter sets{with_peak}"
+    with_peak = "" if asked.all() else " in which all compared peaks exist"
+    return f"{int((held & asked).sum())} of the {int(asked.sum())} parameter sets{with_peak}"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,7 +108,9 @@ class Spread(Claim):
         if not values.size:
             verdict = judge.Verdict(Status.FAIL, NO_SETS)
             return [self._row(context.case, Kind.FACT, verdict)]
-        spread = f"median (5 to 95 % of sets): {band(values, f)} {self.unit}".removesuffix(" 1")
+        spread = (
+            f"median of all sets (5th to 95th percentile): {band(values, f)} {self.unit}"
+        ).removesuffix(" 1")
         verdict = judge.Verdict(Status.CALIBRATED, f"{spread}{self.words}; {FITTED}")
         return [
             self._row(
@@ -139,7 +144,7 @@ class Rounded(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class FittedTo(Claim):
-    """A critical speed of the central system, which was fitted to the printed value.
+    """A critical speed of the system fitted from mid-range parameters, and its printed value.
 
     The speed was fitted with the mesh of the paper; the formula is the exact model of the same
     system. The status is CALIBRATED if the formula differs from the printed value by at most 2e-4
@@ -162,7 +167,10 @@ class FittedTo(Claim):
         r = entry.value * units.factor(entry.unit)
         status = Status.CALIBRATED if abs(v / r - 1) <= COARSE else Status.FAIL
         verdict = judge.Verdict(
-            status, f"the relative error of the exact model is {v / r - 1:+.1e}; {FITTED}", v - r
+            status,
+            "the speed by transfer matrices differs from the printed speed by "
+            f"{v / r - 1:+.1e} of the printed speed; {FITTED}",
+            v - r,
         )
         return [
             self._row(

@@ -36,7 +36,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"the error of 20 elements is at most {error:.1e}"
+    return WITHIN_PRINTED - error, 0.0, f"the relative error of 20 elements is at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
@@ -80,14 +80,14 @@ IDENTITIES = (
     identity(system.coupling, sensitivity=(1e-9, "formula and reference compute the same sums")),
     Comparison(
         check=Accepted(
-            name="largest error of natural frequencies 1 to 6 by 20 beam elements",
+            name="largest error of natural frequencies 1 to 6 with 20 beam elements",
             symbol="Δf/f", unit="1", margin=printed_bound, fitted="computed for a fitted system",
             printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies"),
         ),
         quantity=system.frequency(1), shares=BEAM,
     ),
     Comparison(
-        check=Agreement(name="frequency or critical speed with the largest error by 20 beam "
+        check=Agreement(name="frequency or critical speed with the largest error, 20 beam "
                              "elements", symbol="ω", unit="rad/s", pair=coarse, accepted=COARSE,
                         source=SUBJECT),
         quantity=system.critical_forward(1), shares=BEAM,
@@ -95,8 +95,8 @@ IDENTITIES = (
 )  # fmt: skip
 FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
     *(Comparison(
-        check=FittedTo(name=f"critical speed {k} of the central system", symbol=f"n_{k}",
-                       unit="r/min", analytic=f"critical_forward_{k}",
+        check=FittedTo(name=f"critical speed {k} of the system fitted from mid-range parameters",
+                       symbol=f"n_{k}", unit="r/min", analytic=f"critical_forward_{k}",
                        printed=(f"huang2022:critical-speed-{k}",)),
         quantity=system.critical_forward(k),
       ) for k in ORDERS),

@@ -42,10 +42,10 @@ class Bodies(Claim):
         wide = arrays(context)["solid, wide bands"][self.order - 1] / values[0] - 1
         within = "below" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "above"
         reason = (
-            f"the error of the beams is {m:+.2%} ± {100 * U:.1g} %; bearing seats 20 mm wide "
-            f"instead of 10 mm change the frequency of the bodies by {wide:+.2%}; error, "
-            f"uncertainty and this change together are {within} 0.3 %, the printed difference "
-            "between beam models"
+            f"the error of the beam model is {m:+.2%} ± {100 * U:.1g} %; if the bearing seats are "
+            "20 mm wide instead of 10 mm, the frequency of the elastic bodies changes by "
+            f"{wide:+.2%}; the sum of error, uncertainty and this change is {within} 0.3 %, the "
+            "printed difference between beam models"
         )
         verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [

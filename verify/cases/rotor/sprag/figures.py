@@ -61,7 +61,8 @@ def campbell(a: Arrays) -> Campbell:
     peers = natural_frequencies(rotor(), PEERS, count=6) / (2 * pi)
     speeds = np.repeat(PEERS[:, None], 6, axis=1) / RPM
     return Campbell(
-        title="Natural frequencies of the central system (Fig. 8)", x_label="n [r/min]",
+        title="Natural frequencies of the system fitted from mid-range parameters (Fig. 8)",
+        x_label="n [r/min]",
         y_label="f [Hz]", speeds=a["swept"] / RPM, frequencies=a["branches"],
         whirl=tuple(int(w) for w in a["branches, whirl"]), excitations=(("1×", 1 / 60),),
         critical=tuple((n / RPM, n / (2 * pi), f"n_{k}")
@@ -83,8 +84,8 @@ def shapes(context: Context, a: Arrays) -> Whirl:
         )
         modes.append(Mode(name=f"mode {order}, forward", lines=lines))
     return Whirl(
-        title=f"Modes 1, 3 and 5 of the central system at {context.inputs.speed / RPM:.5g} r/min "
-        "(Fig. 7)",
+        title="Modes 1, 3 and 5 of the system fitted from mid-range parameters, at "
+        f"{context.inputs.speed / RPM:.5g} r/min (Fig. 7)",
         unit="m", modes=tuple(modes), outlines=tuple(_outline(k) for k in range(2)),
         supports=tuple(float(z[n - 1]) for n in GROUNDED),
         links=tuple(float(z[a_ - 1]) for a_, _ in (*BETWEEN, CLUTCH)),
@@ -156,7 +157,7 @@ def torsion(context: Context, a: Arrays) -> Curves:
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
     return plot(
-        "Torsion of node 19 at bending critical speeds over the offset",
+        "Torsional rotation of node 19 at bending critical speeds over the offset",
         "offset of the clutch Δx/δ_0",
         "|θ_z| [µrad]",
         (line(f"n_{k}", offsets, middle[i] * offsets, i) for i, k in enumerate(ORDERS)),
@@ -164,7 +165,7 @@ def torsion(context: Context, a: Arrays) -> Curves:
             Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
             for i in range(len(ORDERS))
         ),
-        y_log=True, note=f"{BANDS} The torsion is proportional to the offset, and zero without "
+        y_log=True, note=f"{BANDS} The rotation is proportional to the offset, and zero without "
                          "offset.",
     )  # fmt: skip
 
@@ -203,7 +204,7 @@ def parallel(a: Arrays) -> Parallel:
     members = np.concatenate([a["members"], CENTRAL[None]]) / factors
     return Parallel(
         title="Sets of parameters that give the three printed critical speeds", axes=axes,
-        members=members, highlighted=((len(members) - 1, "central system", 0),),
+        members=members, highlighted=((len(members) - 1, "fit from mid-range parameters", 0),),
         members_name="sets of parameters",
         note="Each line is a set of parameters that gives all three speeds: the speeds determine "
              "none of the parameters.",

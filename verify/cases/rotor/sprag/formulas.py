@@ -1,4 +1,4 @@
-"""The central system by exact transfer matrices, and its clutch with unequal sprag deflections."""
+"""The system fitted from mid-range parameters by exact transfer matrices, and its clutch."""
 
 from math import atan, pi
 from typing import Any, Literal
@@ -37,7 +37,7 @@ ORDERS = (1, 3, 5)
 
 
 def rotor() -> transfer.TransferMatrixRotor:
-    """Rotor of the central system without damping, for transfer matrices."""
+    """Rotor fitted from mid-range parameters, without damping, for transfer matrices."""
     s = layout(CENTRAL)
     segments = tuple(
         transfer.Segment(length=length, d_o=d_o, d_i=d_i, E=E, nu=NU, rho=RHO)
@@ -71,7 +71,7 @@ def rotor() -> transfer.TransferMatrixRotor:
 
 
 def coupling(offset: float) -> float:
-    """Coupling K_xz [N/rad] of the central clutch if its rings are offset along x.
+    """Coupling K_xz [N/rad] of the clutch of this rotor if its rings are offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection.
     """
@@ -79,7 +79,7 @@ def coupling(offset: float) -> float:
 
 
 def uneven(offset: float) -> Array:
-    """Stiffness K (5, 5) of the central clutch if its rings are offset along x.
+    """Stiffness K (5, 5) of the clutch of this rotor if its rings are offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection of 1 µm. K depends on this ratio
     only.
@@ -103,22 +103,27 @@ Whirl = Literal["forward", "backward"]
 
 
 class CentralSystem(SpragRotorInputs):
-    """Results of the central system."""
+    """Results of the system fitted from mid-range parameters."""
 
     @Quantity("f_{0}", "Hz", "natural frequency {0} at speed n").over(range(1, MODES + 1))
     def frequency(self, k: int) -> float:
         return float(self._frequencies[k - 1] / (2 * pi))
 
-    @Quantity("n_{0}", "r/min", "critical speed {0} (forward) of the central system",
+    @Quantity("n_{0}", "r/min", "critical speed {0} (forward) of the system fitted from "
+                                "mid-range parameters",
               safe="too low").over(ORDERS)  # fmt: skip
     def critical_forward(self, k: int) -> float:
         return self._critical("forward", k)
 
-    @Quantity("n_{0}'", "r/min", "critical speed {0} (backward) of the central system").over(ORDERS)
+    @Quantity(
+        "n_{0}'", "r/min",
+        "critical speed {0} (backward) of the system fitted from mid-range parameters",
+    ).over(ORDERS)  # fmt: skip
     def critical_backward(self, k: int) -> float:
         return self._critical("backward", k)
 
-    @Quantity("Ω_1", "rad/s", "lowest forward critical speed of the central system", role="step",
+    @Quantity("Ω_1", "rad/s", "lowest forward critical speed of the system fitted from mid-range "
+                              "parameters", role="step",
               source="Sec. 1, text before Fig. 6; forward critical speeds, written in r = x + iy",
               tex=r"\Omega,\quad M \ddot q + (C + \Omega G)\dot q + K q=f,\quad "
               r"K v=\Omega^2 (M - G_1) v,\quad C=\alpha M + \beta K,\quad "
@@ -146,7 +151,8 @@ class CentralSystem(SpragRotorInputs):
     def exponent(self) -> float:
         return EXPONENT
 
-    @Quantity("K_xx", "N/µm", "radial stiffness of the clutch of the central system", role="step")
+    @Quantity("K_xx", "N/µm", "radial stiffness of the clutch in the system fitted from mid-range "
+                              "parameters", role="step")  # fmt: skip
     def across(self) -> float:
         return float(CENTRAL[K_C])
 

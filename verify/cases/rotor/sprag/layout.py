@@ -47,7 +47,7 @@ PARAMETERS = (
     Parameter(symbol="l_2", what="distance from bearing 2 to bearing 3", unit="mm", factor=1e-3,
               low=60, high=180, reason="assumed overhang of the drum that carries the clutch"),
     Parameter(symbol="l_3", what="distance from bearing 3 to bearing 4", unit="mm", factor=1e-3,
-              low=40, high=100, reason="clutch about 10 mm long, with a bearing on either side"),
+              low=40, high=100, reason="clutch about 10 mm long, with a bearing on each side"),
     Parameter(symbol="l_4", what="distance from bearing 4 to bearing 5", unit="mm", factor=1e-3,
               low=150, high=450, reason="assumed: this part of the inner rotor carries a disc"),
     Parameter(symbol="d_1", what="shaft diameter of the outer rotor", unit="mm", factor=1e-3,

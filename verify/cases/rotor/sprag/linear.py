@@ -92,14 +92,15 @@ def never_between(context: Context) -> tuple[float, str]:
     rising = peaks[:, 1] > peaks[:, 0]
     if not rising.any():
         return -1.0, (
-            "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak rises in none of "
-            f"{rising.size} sets with a peak"
+            "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak amplitude increases in none "
+            f"of the {rising.size} sets that have a peak"
         )
     step = peaks[rising, 2] / peaks[rising, 1] - 1
     words = (
-        "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak rises in "
-        f"{int(rising.sum())} of {rising.size} sets with a peak; from 3e-5 to 5e-5 kg m, the peak "
-        f"rises in all of these sets, by {100 * step.min():.0f} % or more, and falls in "
+        "as unbalance 2 increases from 1e-5 to 3e-5 kg m, the peak amplitude increases in "
+        f"{int(rising.sum())} of the {rising.size} sets that have a peak; as unbalance 2 increases "
+        "further to 5e-5 kg m, the peak amplitude increases in all of these sets, by "
+        f"{100 * step.min():.0f} % or more, and decreases in "
         f"{int((peaks[:, 1] > peaks[:, 2]).sum())} sets"
     )
     return float(step.min()), words
@@ -128,8 +129,8 @@ def ellipses(context: Context) -> tuple[float, str]:
     same, other = ((a[f"axes, {k}"][..., 0] / a[f"axes, {k}"][..., 1])
                    for k in ("isotropic", "anisotropic"))  # fmt: skip
     words = (
-        f"both axes of an orbit differ by at most {float(np.abs(same - 1).max()):.0e} if the "
-        "bearings are equally stiff in x and y; the median difference is "
+        f"the ratio of the axes of an orbit exceeds 1 by {float(np.abs(same - 1).max()):.0e} or "
+        "less if the bearings are equally stiff in x and y; the median of this ratio exceeds 1 by "
         f"{100 * float(np.median(other[:, 1]) - 1):.1f} % (node 19) and "
         f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) if k_y of the bearings to the "
         f"ground is {1 + context.inputs.anisotropy:.2g} k_x"
@@ -140,9 +141,9 @@ def ellipses(context: Context) -> tuple[float, str]:
 def no_coupling(context: Context) -> tuple[float, str]:
     p = exponents(dict(arrays(context)))
     words = (
-        "torsion at the bending critical speeds is zero for an evenly loaded clutch in every set; "
-        "with an offset, it is proportional to a power of the offset with the exponent "
-        f"{p.min():.4f} to {p.max():.4f}"
+        "torsional rotation at the bending critical speeds is zero for an evenly loaded clutch in "
+        "every set; with an offset, this rotation is proportional to a power of the offset with "
+        f"the exponent {p.min():.4f} to {p.max():.4f}"
     )
     return 1e-12 - untouched(context), words
 
@@ -162,7 +163,8 @@ def on_the_ground(_: Context) -> tuple[float, str]:
     between = {node for pair in BETWEEN for node in pair}
     wrong = {6, 21} - between
     return 0.5 if wrong <= set(GROUNDED) and wrong else -0.5, (
-        "nodes 6 and 21 are on bearings to the ground, and bearing 3 (nodes 9 and 14) is not drawn"
+        "nodes 6 and 21 are on bearings to the ground, and the responses of bearing 3 (nodes 9 and "
+        "14), which is between the rotors, are not plotted in the paper"
     )
 
 
@@ -189,25 +191,29 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Rounded(name="orbits are circles on isotropic bearings", symbol="b/a − 1", unit="1",
             residual=circles, bound=ROUND_OFF, scale_name="semi-major axis",
             bound_reason="round-off"),
-    Rounded(name="torsion is zero without offset", symbol="θ_z", unit="1", residual=untouched,
-            bound=1e-12, scale_name="torsion with offset", bound_reason="round-off"),
+    Rounded(name="torsional rotation is zero without offset", symbol="θ_z", unit="1",
+            residual=untouched, bound=1e-12, scale_name="torsional rotation with offset",
+            bound_reason="round-off"),
     Rounded(name="angular momenta of both rotors balance", symbol="ΣJθ_z", unit="1",
             residual=momentum, bound=FREE, scale_name="angular momentum of the inner rotor",
             bound_reason="stiffness of the drive, 0.1 N m/rad, over J_out Ω² at critical speed 1"),
-    Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
-              accepted=LINEAR,
+    Agreement(name="torsional rotation is linear in small offsets", symbol="p", unit="1",
+              pair=linear, accepted=LINEAR,
               source=suites("half of the required sensitivity of 1 %"),
               by="theory", everywhere=True),
-    *(Spread(name=f"change of critical speed {k} without {what} stiffness of the clutch",
+    *(Spread(name=f"change of critical speed {k} if {what} zero",
              symbol=f"Δn_{k}/n_{k}", unit="%", values=of_speed(key, i))
-      for key, what in (("without clutch", "radial and tilting"),
-                        ("without clutch across", "radial"), ("without clutch in tilt", "tilting"))
+      for key, what in (
+          ("without clutch", "radial and tilting stiffness of the clutch are"),
+          ("without clutch across", "the radial stiffness of the clutch is"),
+          ("without clutch in tilt", "the tilting stiffness of the clutch is"),
+      )
       for i, k in enumerate(ORDERS)),
     *(Spread(name="difference between backward and forward critical speed "
                   f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
              values=of_speed("backward", i), words=" of the forward critical speed")
       for i, k in enumerate(ORDERS)),
-    *(Spread(name=f"ratio of the axes of the orbit of node {n}, bearings stiffer in y",
+    *(Spread(name=f"ratio of the axes of the orbit of node {n} on anisotropic bearings",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
     Misprint(name="peak of node 19 at critical speed 3 as a function of unbalance 2",

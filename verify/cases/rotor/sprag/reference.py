@@ -1,4 +1,4 @@
-"""The central system as refined beams; on the mesh of the paper, also the ensemble."""
+"""The fitted mid-range system as refined beams; on the mesh of the paper, also the ensemble."""
 
 from math import pi
 from typing import Any
@@ -85,7 +85,7 @@ def critical_fem(members: Array) -> dict[str, Array]:
 
 
 def drawn_fem(q: SpragRotorInputs) -> dict[str, Array]:
-    """Frequency branches, whirl and mode shapes of the central system, for figures."""
+    """Frequency branches, whirl and mode shapes of the fitted mid-range system, for figures."""
     from fem.rotor.campbell import campbell
     from fem.rotor.modes import modes
 

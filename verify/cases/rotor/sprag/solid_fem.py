@@ -1,4 +1,4 @@
-"""The central system as two elastic bodies of revolution, with the beams' springs and discs."""
+"""The system fitted from mid-range parameters as two elastic bodies of revolution."""
 
 from math import pi
 from typing import TYPE_CHECKING

@@ -48,9 +48,9 @@ def table_1(context: Context) -> Table:
         header=("mode", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
                 "error of 20 elements [%]", "elastic bodies [Hz]", "error of exact beams [%]"),
         rows=tuple(rows),
-        note="The frequencies are those of the central system, which is fitted from the middle of "
-             "all ranges; in each pair, backward whirl comes before forward whirl. The numbers of "
-             "Table 1 are not in the text of the paper that was available for this project.",
+        note="The frequencies are those of the system fitted from mid-range parameters. In each "
+             "pair of modes, the first is backward whirl, the second is forward whirl. The numbers "
+             "of Table 1 are not in the text of the paper that was available for this project.",
     )  # fmt: skip
 
 
@@ -64,7 +64,7 @@ def facts(context: Context) -> Table:
     )
     return Table(
         title="Statements of the paper that were not used in the fit",
-        header=("statement", "place", "holds in", "%", "opposite unbalances: holds in", "%"),
+        header=("statement", "place", "holds in", "%", "with opposite unbalances, holds in", "%"),
         rows=rows,
         note=f"At most {int(most.max())} of the "
              f"{len(STATEMENTS)} statements hold in the same set of parameters. For each "

@@ -49,7 +49,7 @@ class SteppedBeam(SteppedShaft):
     id = "rotor-step"
     title = "Rotating shaft with a step"
     source = "huang2022"
-    place = "Sec. 1 (Timoshenko's beam elements); Sec. 2.1 (0.3 % from other beam elements)"
+    place = "Sec. 1 (Timoshenko's beam elements); Sec. 2.1 (0.3 % difference from other elements)"
     levels: ClassVar = (1, 2, 3)
     cone: ClassVar[bool] = False  # whether the 45° rule reduces the stiffness of the beam below
     slices: ClassVar[int] = SLICES
@@ -155,7 +155,7 @@ class SteppedBeam(SteppedShaft):
 
     def _beams(self) -> Iterator[Comparison]:
         """Rows of closed-form elements and of the weak form against the exact beam."""
-        beam, fast = SteppedBeam, "elements and exact beam solve the same equation"
+        beam, fast = SteppedBeam, "both methods solve the same beam equation"
         options: dict[str, Any] = {"unit": "rad/s", "shares": BEAM}
         for q, words in self._named((1, "forward"), (1, "backward"), (3, "forward")):
             yield identity(q, f"beam_{q.name}", order=2,

@@ -154,9 +154,9 @@ ROTORS = (
     *(
         Cross(
             id=f"rotor-sprag, node {n}", case="rotor-sprag", solver=ROSS,
-            what="two rotors connected by bearings and a clutch without tilting and torsional "
-            f"stiffness, with the orbit of node {n}, at 5,000 r/min (speed 1) and 7,000 r/min "
-            "(speed 2)",
+            what="two rotors connected by bearings and by a clutch that has radial stiffness only: "
+            f"natural frequencies at 5,000 r/min (speed 1), and the orbit of node {n} at 7,000 "
+            "r/min (speed 2)",
             pose=partial(sprags, n),
             quantities=(
                 *(frequency(k, f"natural frequency {k}, beam elements", beside=True)
@@ -171,8 +171,8 @@ ROTORS = (
     ),
     Cross(
         id="rotor-system", case="rotor-system", solver=ROSS,
-        what="two coaxial shafts of equal speed (200, 600 and 1,200 rad/s) with discs, bearings to "
-        "the ground and an intershaft bearing, all with damping",
+        what="two coaxial shafts at equal speeds (200, 600 and 1,200 rad/s) with discs, bearings "
+        "to the ground and an intershaft bearing, all with damping",
         pose=partial(system, SPEEDS),
         quantities=(
             *(frequency(k, f"natural frequency {k} at speed n" if i == 2 else "", i,

@@ -27,7 +27,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """Inner hub of a clutch, displaced and tilted, then rotated back by a small angle."""
+    """Inner hub of a clutch, displaced and tilted, and then rotated so that the torque is less."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
@@ -117,8 +117,8 @@ def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
 STRUTS = (
     Cross(
         id="rotor-clutch", case="rotor-clutch", solver=CALCULIX,
-        what="struts between two rigid hubs; the outer hub is fixed, the inner hub is displaced "
-        "and tilted, then rotated back by a small angle",
+        what="struts between two rigid hubs; the outer hub is fixed; the inner hub is displaced "
+        "and tilted, and then rotated about the axis by a small angle that reduces the torque",
         pose=struts,
         quantities=(
             quantity("F_x", "F_x", "N", "stiffness along x, sprags pinned to both races"),
