@@ -37,7 +37,8 @@ READINGS = [
                  "weak form of Rayleigh's beam: whirl frequency of mode 1 backward",
                  id="polar for diametral inertia"),
     pytest.param(STEP, SteppedBeam, "rotor", lambda f: lambda s, **_: f(s),
-                 "the 45° rule removes more than half of the error of mode 1", id="no 45° rule"),
+                 "the 45° rule removes more than half of the frequency error of mode 1",
+                 id="no 45° rule"),
 ]  # fmt: skip
 
 

@@ -136,7 +136,8 @@ class ClutchStiffness(SpragLink):
             Z=self.Z, R_i=self.R_i, R_e=self.R_e, nu=self.nu, k=self.k, N=self.N
         )
 
-    @Quantity("p", "1", "exponent of the stiffness over the torque", tex=r"1 - \frac{1}{n}")
+    @Quantity("p", "1", "exponent of the power law of the stiffness over the torque",
+              tex=r"1 - \frac{1}{n}")  # fmt: skip
     def exponent(self) -> float:
         return 1 - 1 / LINE_CONTACT
 

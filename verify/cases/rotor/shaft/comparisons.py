@@ -63,7 +63,8 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
                           "Timoshenko's beam are within 1e-5 of the exact value",
                      pair=partial(_fine, beam), accepted=FINE, **stated)  # fmt: skip
     yield Comparison(check=fine, quantity=first, shares=BEAM)
-    sense = Accepted(name="rotation raises forward and lowers backward whirl frequencies",
+    sense = Accepted(name="rotation increases the forward and decreases the backward whirl "
+                          "frequencies",
                      symbol="ω", unit="1", margin=_sense)  # fmt: skip
     yield sense
 

@@ -109,8 +109,8 @@ def campbell(context: Context) -> Campbell:
         names=tuple(names), excitations=(("n", 1 / 60),),
         critical=((critical / RPM, critical / HZ, f"{critical / RPM:.5g} r/min"),),
         peers=peers, peers_name="elastic body, FE",
-        note="Timoshenko's beam: forward whirl frequencies increase, backward whirl frequencies "
-             "decrease.",
+        note="By Timoshenko's theory, forward whirl frequencies increase with the speed, backward "
+             "whirl frequencies decrease.",
     )  # fmt: skip
 
 

@@ -80,7 +80,7 @@ def more_on_4(a: Arrays) -> Members:
 
 
 def small(a: Arrays, node: int) -> Members:
-    """Whether the peaks of `node` are below half the median of nodes without bearings."""
+    """Whether the peaks of `node` are below half the median of nodes not at bearings 1 and 2."""
     others = [i for i in range(OUTER) if i + 1 not in (2, 6)]
     of = base(a)
     return np.asarray((of[:, :, node - 1] < SMALL * np.median(of[:, :, others], axis=2)).all(1))
@@ -153,7 +153,7 @@ STATEMENTS = (
               compares=lambda a: outer_peaks(a, 3, 5, last=11),
               printed=value("outer-highest-node-at-critical-3-and-5")),
     *(Statement(name=f"amplitude of node {node} at every peak is below half the median amplitude "
-                     "of nodes without bearings",
+                     "of outer-rotor nodes without bearings to the ground",
                 symbol=f"x_{node}", holds=partial(small, node=node),
                 compares=lambda a: outer_peaks(a, *ORDERS),
                 printed=value(f"outer-small-node-at-bearing-{k}"))

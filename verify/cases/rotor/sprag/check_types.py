@@ -96,7 +96,7 @@ def held_of(statement: Statement, a: Arrays) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Spread(Claim):
-    """Median of a value over the members, with its 5 to 95 % range; the paper does not print it."""
+    """Median, 5th and 95th percentile of a value over the members; the paper does not print it."""
 
     kind = Kind.FACT
 

@@ -43,7 +43,10 @@ um, mm = 1e-6, 1e-3
 PEERS = np.array([0, 10_000, 20_000, 30_000, 40_000]) * RPM
 FORWARD, BACKWARD = 1, -1
 TURN = np.exp(2j * pi * np.linspace(0, 1, 91))
-BANDS = "Each line is the median over the sets of parameters; its band is the 5 to 95 % range."
+BANDS = (
+    "Each line is the median over the sets of parameters; its band extends from the 5th to the "
+    "95th percentile."
+)
 CRITICAL = tuple((n / RPM, f"n_{k}") for k, n in zip(ORDERS, PRINTED, strict=True))
 
 

@@ -68,7 +68,7 @@ def facts(context: Context) -> Table:
         rows=rows,
         note=f"At most {int(most.max())} of the "
              f"{len(STATEMENTS)} statements hold in the same set of parameters. For each "
-             "statement, only sets are counted in which all responses that it compares have a peak "
+             "statement, only sets are counted in which all compared responses have a peak "
              "near a critical speed.",
     )  # fmt: skip
 

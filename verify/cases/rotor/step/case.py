@@ -79,8 +79,8 @@ class SteppedBeam(SteppedShaft):
     def split(self) -> float:
         return self.whirl(2, "forward") - self.whirl(2, "backward")
 
-    @Quantity("ω_1f/ω_1f'", "1", "ratio of the frequencies of mode 1 forward, nominal "
-                                "diameters to 45° rule",
+    @Quantity("ω_1f/ω_1f'", "1", "frequency of mode 1 forward with nominal diameters, "
+                                "divided by this frequency by the 45° rule",
               role="step", tex=r"\frac{\omega_{1f}}{\omega_{1f}'}")  # fmt: skip
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))
@@ -146,8 +146,9 @@ class SteppedBeam(SteppedShaft):
                     points=self._without_step)  # fmt: skip
         for name, margin, more in (
             ("beam theory overestimates the frequencies of modes 1 to 3", self._too_fast, {}),
-            ("the 45° rule removes more than half of the error of mode 1", self._helps, {}),
-            ("the error of mode 1 exceeds the printed difference between beam models",
+            ("the 45° rule removes more than half of the frequency error of mode 1",
+             self._helps, {}),
+            ("the frequency error of mode 1 exceeds the printed difference between beam models",
              self._beyond_claim, {"printed": ("huang2022:frequency-deviation-bound",)}),
         ):  # fmt: skip
             check = Accepted(name=name, symbol="ω", unit="1", margin=margin, **more)  # type: ignore[arg-type]
@@ -228,19 +229,19 @@ class SteppedBeam(SteppedShaft):
         return float(m.min()), U, ", ".join(f"{x:+.2%}" for x in m)
 
     def _helps(self, context: Context) -> tuple[float, float, str]:
-        """Relative reduction of the error of mode 1 by the 45° rule, minus one half."""
+        """Relative reduction of the frequency error of mode 1 by the 45° rule, minus one half."""
         (m, *_), U = self._errors(context, self)
         (left, *_), _ = self._errors(context, self.by_rule)
         return (
             0.5 - abs(left / m),
             U / m,
-            f"the error is {m:+.2%} with nominal diameters and {left:+.2%} by the 45° rule",
+            f"the frequency error is {m:+.2%} with nominal diameters, {left:+.2%} by the 45° rule",
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
         """Amount by which the error at the step exceeds 0.3 %."""
         (m, *_), U = self._errors(context, self)
-        return float(m) - CLAIMED, U, f"the error of mode 1 is {m:+.2%}"
+        return float(m) - CLAIMED, U, f"the frequency error of mode 1 is {m:+.2%}"
 
     def _without_step(self, levels: Any) -> Points:
         """Error of the beam at rest as d_2 approaches d_1."""
