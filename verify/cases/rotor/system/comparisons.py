@@ -14,7 +14,7 @@ from verify.core.results import Row
 from verify.judging.checks import Fact, Identity, Order
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-SHARP = "both methods solve the same beam: only the element size causes a difference"
+SHARP = "both methods solve the same equations: only the element size causes a difference"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 COARSE, FINE = 2e-4, 5e-6
 FINER = 8
