@@ -131,12 +131,14 @@ STATEMENTS: Mapping[str, Statement] = {
     "contact-roller-crowns": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
     "contact-roller-end": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="overhang of the races × 4",
-                  rows=("*: end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
+            Rerun(cause=Cause.GEOMETRY, what="length of the races beyond the roller × 4",
+                  rows=("*: model with end faces", "*without end faces"), inputs=long_races,
+                  levels=(2,)),
         ),
         left=(
-            Left(("*end face", "*beyond the ends"), "only the overhang of the races was varied; "
-                 "the effect of the free end face, which a half-space does not have, remains"),
+            Left(("*model with end faces", "*without end faces"), "only the length of the races "
+                 "beyond the roller was varied; the effect of the free end face, which a "
+                 "half-space does not have, remains"),
         ),
         without=(Without(Cause.PLANE, "none: the bodies are bodies of revolution"),),
     ),

@@ -11,10 +11,10 @@ LEFT_OUT: Mapping[str, str] = {
     "the crowns",
     "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
     "the stiffness k_1 of the same spring",
-    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
-    "contact-roller measures the same formulas outside the ends",
-    "rotor-step": "one set of inputs takes three minutes with solid elements; the maps of this "
-    "case show the errors over the dimensions",
+    "contact-roller-end": "errors over ranges were not measured, because the finite elements of "
+    "one set of inputs take two minutes; the case contact-roller measures errors of the same "
+    "formulas except near the ends",
+    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case

@@ -44,7 +44,8 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
                 (SYMBOLS[key], np.abs(np.array(v) / to[key] - 1))
                 for key, (_, v) in levels.items()
             ),
-            order=2.0, note=f"Lines: order 2 through the error on the finest mesh; {note}.",
+            order=2.0,
+            note=f"Lines: slope of order 2, through the point of the finest mesh; {note}.",
         )  # fmt: skip
 
     return drawn
@@ -90,7 +91,7 @@ def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
     yield converged(errors)
     yield refinement(
         lambda context: {key: extrapolated(*context.series(key)) for key in SYMBOLS},
-        "the limit is extrapolated from the last two meshes; the coarser meshes test the order",
+        "the limit is extrapolated from the two finest meshes; the coarser meshes test the order",
     )
 
 

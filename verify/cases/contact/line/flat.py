@@ -41,14 +41,14 @@ LIMITS = "accepted error of the contact models"
 DEPTH = 5e-3  # relative to the depth of the largest shear stress
 DISC = "elastic disc between flats"
 SERIES = (
-    "derived series of the disc, ± (a/R)⁴ as an estimate of the next term (at the given load: at "
-    "least 3e-4)"
+    "derived series of the disc, ± (a/R)⁴ as an estimate of the next term; under the load F, at "
+    "least ± 3e-4"
 )
 SHEAR = (
     "derived: −0.693 a/R due to the opposite flat and the round surface, "
     "± (a/R)² as an estimate of the next term, at least 1e-3"
 )
-DERIVED = 0.2, "detects if a third or more of the derived coefficient is missing"
+DERIVED = 0.2, "the row must fail if a third or more of the derived coefficient is missing"
 
 
 def key(ratio: float) -> str:
@@ -65,11 +65,11 @@ def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
 
 
 class RollerOnFlat(FlatInputs):
-    """Hertz's theory replaces the roller by a half-plane and its round surface by a parabola.
+    """Hertz's theory replaces the roller by a half-plane and the circular profile by a parabola.
 
-    Finite elements must agree with the elastic disc, a solution without these simplifications. A
-    sweep over a/R measures the error of Hertz's theory. The measured error of p_0 confirms the
-    derived error, −3/16 (a/R)².
+    Finite elements must agree with the exact solution of an elastic disc, which does not contain
+    these simplifications. A sweep over a/R measures the error of Hertz's theory. The measured error
+    of p_0 confirms the derived error, −3/16 (a/R)².
     """
 
     id = "contact-flat"
@@ -90,7 +90,7 @@ class RollerOnFlat(FlatInputs):
     )
 
     @Quantity("δ", "µm", "approach of flat and roller centre, Hertz", source="Hertz, "
-              "for the roller's "
+              "approach of flat and roller "
               "centre", tex=r"\frac{P}{\pi E*} (2 \ln\left(\frac{4 R}{a}\right) - 1)")  # fmt: skip
     def approach(self) -> float:
         sizes = {"P": self.P, "a": self.a, "R": self.R}
@@ -100,8 +100,8 @@ class RollerOnFlat(FlatInputs):
     def ratio(self) -> float:
         return self.a / self.R
 
-    @Quantity("e_p", "1", "relative excess of the disc's peak pressure over Hertz's, first term",
-              role="step",
+    @Quantity("e_p", "1", "relative excess of the disc's peak pressure over Hertz's peak "
+              "pressure, first term of the series", role="step",
               source="derived", tex=r"\frac{3}{16} \frac{a^2}{R^2}")  # fmt: skip
     def excess(self) -> float:
         return -PRESSURE * self.ratio**2
@@ -154,7 +154,10 @@ class RollerOnFlat(FlatInputs):
                                sensitivity=(sharp, LIMITS))  # fmt: skip
         yield self.profile()
         yield identity(by.tau_max_disc, order=2)
-        name = f"depth of the largest shear stress within {DEPTH:.1%} of its depth in the disc"
+        name = (
+            "depth of the largest shear stress: finite elements and elastic disc agree within "
+            f"{DEPTH:.1%}"
+        )
         depth = Fact(name=name, symbol="z", unit="1", margin=self.depth_margin)
         yield Comparison(check=depth, quantity=by.z_disc)
         narrow = OnFlat(self.ratio)

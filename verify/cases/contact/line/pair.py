@@ -23,13 +23,13 @@ from verify.form.adapter import adapted
 RATIO = 0.1  # of rollers of different materials: Hertz's a over the smaller radius
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
 WHERE = f"different materials, a/R = {RATIO:g}"
-SECOND = 1e-3, "well below the second-order term, 2.6e-3, which the row must detect"
+SECOND = 1e-3, "well below the second-order term, 2.6e-3, so that the row detects this term"
 SERIES = "derived series of two discs, ± an estimate of its next terms, at least 3e-4"
 BOUNDED = "derived series of two discs, ± a bound of its next terms, at least 3e-4"
 COUPLING = "estimated: ± ((a/R)²/2 + effect of different materials), at least 3e-4"
 SHEAR = (
-    "derived: −0.693 a/R_1 as on a flat, and −0.093 κa due to the inclined pressure; "
-    "± ((a/R)² + effect of different materials), at least 1e-3"
+    "derived: −0.693 a/R_1 as on a flat, and −0.093 κa due to the inclined pressure (κ: curvature "
+    "of the contact surface); ± ((a/R)² + effect of different materials), at least 1e-3"
 )
 
 
@@ -83,7 +83,7 @@ class TwoRollers(TwoBodies):
     def radius(self) -> float:
         return float(hertz_line.relative_radius(R_1=self.R_1, R_2=self.R_2))
 
-    @Quantity("δ", "µm", "approach of the centres, Hertz", source="Hertz, centre to centre",
+    @Quantity("δ", "µm", "approach of the centres, Hertz", source="Hertz, approach of the centres",
               tex=r"\frac{P (1 - \nu_1^2)}{\pi E_1} (2 \ln\left(\frac{4 R_1}{a}\right) - 1)"
               r" + \frac{P (1 - \nu_2^2)}{\pi E_2} (2 \ln\left(\frac{4 R_2}{a}\right) - 1)",
               )  # fmt: skip

@@ -15,11 +15,12 @@ from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, which takes half a minute
-BOUND = "estimated: ± ((a/R)² for the curvature + (a/wall)² for the fixed rim)"
-APPROACH = "estimated: ± (((a/R)² + (a/wall)²)/2 + effect of different materials)"
+BOUND = "estimated: ± ((a/R)² for the curvature + (a/wall thickness)² for the fixed rim)"
+APPROACH = "estimated: ± (((a/R)² + (a/wall thickness)²)/2 + effect of different materials)"
 SHEAR = (
-    "derived: −0.693 a/R as on a flat, and −0.093 κa due to the inclined pressure; "
-    "± ((a/R)² + (a/wall)² + effect of different materials), at least 1e-3"
+    "derived: −0.693 a/R as on a flat, and −0.093 κa due to the inclined pressure (κ: curvature of "
+    "the contact surface); ± ((a/R)² + (a/wall thickness)² + effect of different "
+    "materials), at least 1e-3"
 )
 
 
@@ -86,7 +87,8 @@ class RollerInRace(TwoBodies):
     def radius(self) -> float:
         return float(hertz_line.relative_radius(R_1=self.R, R_2=-self.r_i))
 
-    @Quantity("δ_1", "µm", "part of the approach in the roller", role="step", source="Hertz",
+    @Quantity("δ_1", "µm", "part of the approach due to the deformation of the roller",
+              role="step", source="Hertz",
               tex=r"\frac{P (1 - \nu_1^2)}{\pi E_1} (2 \ln\left(\frac{4 R}{a}\right) - 1)",
               )  # fmt: skip
     def in_roller(self) -> float:
@@ -94,14 +96,14 @@ class RollerInRace(TwoBodies):
         sizes = {"P": self.P, "a": self.a, "R": self.R}
         return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=E_plane))
 
-    @Quantity("s", "1", "constant s of the approach in the race, rim fixed", role="step",
+    @Quantity("s", "1", "constant s in the formula for δ_2, with fixed rim", role="step",
               source="U_n cos nθ: radial displacement of the bore under a pressure cos nθ",
               tex=r"\frac{E_2' U_0}{4 r_i} + \sum_{n=1}^{\infty}"
               r"\left(\frac{E_2' U_n}{2 r_i} - \frac{1}{n}\right)")  # fmt: skip
     def s(self) -> float:
         return clamped_race.rim_constant(**self.race, assumption="plane strain")
 
-    @Quantity("δ_2", "µm", "part of the approach in the race", role="step",
+    @Quantity("δ_2", "µm", "part of the approach due to the deformation of the race", role="step",
               source="Fourier series of the race",
               tex=r"\frac{2 P (1 - \nu_2^2)}{\pi E_2}"
               r" (\ln\left(\frac{2 r_i}{a}\right) + \frac{1}{2} + s)")  # fmt: skip

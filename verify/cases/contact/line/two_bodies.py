@@ -16,15 +16,27 @@ class TwoBodies(LineContact):
     """Line contact of two elastic bodies, which may have different materials."""
 
     E_1: float = given(
-        "206 GPa", "GPa", "E_1", "Young's modulus, roller (upper roller of two)", gt=0, le=1e5
+        "206 GPa",
+        "GPa",
+        "E_1",
+        "Young's modulus of the roller, or of the upper roller",
+        gt=0,
+        le=1e5,
     )
     nu_1: float = given(
-        0.3, "1", "ν_1", "Poisson's ratio, roller (upper roller of two)", ge=0, le=0.45
+        0.3,
+        "1",
+        "ν_1",
+        "Poisson's ratio of the roller, or of the upper roller",
+        ge=0,
+        le=0.45,
     )
     E_2: float = given(
-        "206 GPa", "GPa", "E_2", "Young's modulus, race or lower roller", gt=0, le=1e5
+        "206 GPa", "GPa", "E_2", "Young's modulus of the race, or of the lower roller", gt=0, le=1e5
     )
-    nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race or lower roller", ge=0, le=0.45)
+    nu_2: float = given(
+        0.3, "1", "ν_2", "Poisson's ratio of the race, or of the lower roller", ge=0, le=0.45
+    )
 
     @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
               tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}")  # fmt: skip

@@ -21,7 +21,8 @@ def sketch(q: FitFormulas) -> Sketch:
     sizes = (("r_o", 130, 1.0), ("r_f", 158, fit), ("r_i", 220, inner))
     return sketches.sketch(
         f"inner ring (E_i = {q.shown('E_i')}) pressed into the outer ring (E_o = "
-        f"{q.shown('E_o')}), {q.shown('p_i')} in the bore, {q.shown('p_o')} outside",
+        f"{q.shown('E_o')}), pressure {q.shown('p_i')} in the bore and "
+        f"{q.shown('p_o')} on the outer rim",
         sketches.ring(inner, 1.0), shape("modelled", np.array(quarter)),
         sketches.circle(fit, "line"),
         sketches.arrow((-1.12, 0.0), (1.12, 0.0), style="axis"),

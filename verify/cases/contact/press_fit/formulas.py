@@ -38,7 +38,8 @@ class FitFormulas(FitInputs):
         wall = self.pair[1]
         return float(wall.displacement(wall.r_i, p_i=1, p_o=0, assumption=self.ends))
 
-    @Quantity("δ_0", "µm", "increase of the interference by p_i and p_o", role="step", source=LAME,
+    @Quantity("δ_0", "µm", "increase of the interference due to p_i and p_o", role="step",
+              source=LAME,
               tex=r"\frac{2 p_i r_f r_i^2}{E_i (r_f^2 - r_i^2)}"
               r" + \frac{2 p_o r_f r_o^2}{E_o (r_o^2 - r_f^2)}")  # fmt: skip
     def delta_0(self) -> float:

@@ -102,7 +102,7 @@ class RollerOnRace(CrownedRoller):
         yield self.peaks_over(
             context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
             loads=FINE_AT, x=FINE_AT, best=("optimal crown for each load", BEST_AT), y_top=1.6,
-            note="The optimal crown of a load leaves the ends unloaded. Dots: loads at which the "
+            note="The optimal crown for a load leaves the ends unloaded. Dots: loads at which the "
             "ends of the given crown are loaded; on a half-space, the pressure there is unbounded.",
         )  # fmt: skip
 

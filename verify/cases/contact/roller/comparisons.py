@@ -28,10 +28,10 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded
 
 HALF_SPACE = "half-space"
 SHARED = "half-spaces with the modulus E*"
-ACCEPTED = "accepted error of the finite line contact"
+ACCEPTED = "accepted error of models of a line contact of finite length"
 ESTIMATE = (
     "derived: 0.5 to 2 times the estimated effect of the terms that strips neglect, ± "
-    "(discretisation error of the strips, of first order, + 1e-4; for user inputs + 1e-3)"
+    "(first-order discretisation error of the strips + 1e-4, or + 1e-3 for user inputs)"
 )
 PALMGREN = underived("Palmgren's law was fitted to measured approaches: no error can be derived")
 SHARPEST = 3e-3  # acceptance of the strips
@@ -93,7 +93,7 @@ def sliced_rows(
     for check in (
         Accepted(name="share of the load that slices misplace relative to the half-space, below "
                  f"{SHARE:.0%}", margin=misplaced, **load),
-        Accepted(name="share of misplaced load, smaller for slices than for independent slices",
+        Accepted(name="coupled slices misplace a smaller share of the load than independent slices",
                  margin=nearer, **load),
     ):  # fmt: skip
         yield Comparison(check=check, quantity=SlicedRoller.p_max_slices, shares=SHARED)
@@ -177,7 +177,8 @@ def misplaced(context: Context) -> tuple[float, float, str]:
     return (
         SHARE - share,
         U,
-        f"slices misplace {share:.1%} of the load; L2 error of their line load {error:.1%}",
+        f"relative to the half-space, coupled slices misplace {share:.1%} of the load; the L2 "
+        f"error of their line load is {error:.1%}",
     )
 
 
@@ -188,7 +189,8 @@ def nearer(context: Context) -> tuple[float, float, str]:
     return (
         alone - share,
         U + U_alone,
-        f"coupled slices misplace {share:.1%} of the load, independent slices {alone:.1%}",
+        f"relative to the half-space, coupled slices misplace {share:.1%} of the load, independent "
+        f"slices {alone:.1%}",
     )
 
 

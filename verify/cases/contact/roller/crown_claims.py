@@ -14,8 +14,7 @@ from verify.judging.tolerance_checks import Deviation, suites
 
 FLAT = 0.01  # acceptance of a uniform pressure
 FITTED = (
-    "the paper prints neither length nor load: both are fitted; at other loads, another design is "
-    "best"
+    "the paper prints neither length nor load: both are fitted; the best design depends on the load"
 )
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # relative to the half-length: 9 µm of the paper's roller
@@ -28,7 +27,11 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 
     def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(key)[1]
-        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"largest deviation from p_0 {v[-1]:.2%}"
+        return (
+            FLAT - v[-1],
+            3 * abs(v[-1] - v[-2]),
+            f"the largest deviation from p_0 is {v[-1]:.2%}",
+        )
 
     return Accepted(
         name=f"pressure with {crown} uniform within {FLAT:.0%}, except within {far:g} b of the "
@@ -40,10 +43,10 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 def printed_designs() -> Iterator[Check]:
     """Rows: the designs of Fig. 12 with the most and the least uniform pressure."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
-    yield Accepted(name="Fig. 12: of the printed crowns (K_1, K_2, z_m), (1, 0.7, 0.01 mm) has "
+    yield Accepted(name="Fig. 12: of the printed crowns, (K_1, K_2, z_m) = (1, 0.7, 0.01 mm) has "
                    "the most uniform pressure",
                    margin=extreme(0, most=False), printed=BEST, **shared)  # fmt: skip
-    yield Accepted(name="Fig. 12: of the printed crowns (K_1, K_2, z_m), (5, 0.7, 0.015 mm) has "
+    yield Accepted(name="Fig. 12: of the printed crowns, (K_1, K_2, z_m) = (5, 0.7, 0.015 mm) has "
                    "the least uniform pressure",
                    margin=extreme(1, most=True), **shared)  # fmt: skip
 
@@ -73,8 +76,8 @@ def extreme(design: int, *, most: bool) -> Margin:
         next_ = float(others.max() if most else others.min())
         extent = "largest" if most else "smallest"
         words = (
-            f"a uniform line load requires moving {this:.1%} of the load, the {extent} share of "
-            f"the designs (next design: {next_:.1%})"
+            f"{this:.1%} of the load would have to move along the roller to make the line load "
+            f"uniform, the {extent} share of all designs (next design: {next_:.1%})"
         )
         more = this / next_ if most else next_ / this
         return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"

@@ -38,7 +38,8 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     def A(self) -> float:
         return float(self.K_1 * self.Q / (np.pi * self.L * self.E_star))
 
-    @Quantity("t", "1", "coordinate t of the crown at y = l/2 - d: 0 at its start, 1 at the end",
+    @Quantity("t", "1", "coordinate t at y = l/2 - d; t is 0 at the start of the crown and 1 "
+              "at the end of the roller",
               equation="1", form="corrected", role="step",
               tex=r"\max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right) "
               r"= 1 - \frac{2 d}{K_2 l}")  # fmt: skip

@@ -56,19 +56,20 @@ class ComparedCrowns(Divided, StripRoller):
     assumptions: ClassVar = texts.ASSUMPTIONS[:4]
     crown: ClassVar[str] = "Lundberg"  # of the quantities
 
-    @Quantity("A_1", "µm", "scale of the drop of crowns for uniform pressure", source="Lundberg",
-              role="step", tex=r"\frac{F}{\pi l E*}")  # fmt: skip
+    @Quantity("A_1", "µm", "scale of the drop of both crowns for uniform pressure",
+              source="Lundberg", role="step", tex=r"\frac{F}{\pi l E*}")  # fmt: skip
     def A_1(self) -> float:
         return float(self.F / (np.pi * self.L * self.E_star))
 
-    @Quantity("z", "µm", "Lundberg's crown at y = l/2 - d", source="Lundberg", role="step",
+    @Quantity("z", "µm", "drop of Lundberg's crown at y = l/2 - d", source="Lundberg", role="step",
               tex=r"A_1 \ln\left(\frac{1}{1 - (2 y/l)^2}\right) "
               r"= A_1 \ln\left(\frac{1}{1 - (1 - \frac{2 d}{l})^2}\right)")  # fmt: skip
     def drop(self) -> float:
         return float(self._even("Lundberg")(np.array(self.L / 2 - self.d)))
 
     @Quantity(
-        "z_e", "µm", "Johns and Gohar's crown at the ends", source="Johns and Gohar", role="step",
+        "z_e", "µm", "drop of Johns and Gohar's crown at the ends", source="Johns and Gohar",
+        role="step",
         tex=r"A_1 \ln\left(\frac{1}{1 - (1 - 0.6065 b/l) \cdot (2 y/l)^2}\right) "
         r"= A_1 \ln\left(\frac{l}{\exp\left(-\frac{1}{2}\right) b}\right)",
     )  # fmt: skip
@@ -135,7 +136,9 @@ class ComparedCrowns(Divided, StripRoller):
                 by=comparisons.HALF_SPACE, expected=Computed(interval, BESIDE),
                 sensitivity=(0.01, ""), shares=comparisons.SHARED,
             )  # fmt: skip
-        third = suites("a third of 6 %, the accepted error of a roller without crown")
+        third = suites(
+            "a third of 6 %, which is the accepted error of this load for a roller without crown"
+        )
         for name, words in EVEN.items():
             state = State(self.with_crown(name), ending(name)[1:], words)
             for one, what, bound, source in (

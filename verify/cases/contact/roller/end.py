@@ -40,8 +40,8 @@ FACE = 0.10  # of the load within d of the ends: least reduction by the face
 SIZE_SHARE = 1 / 3  # of the reduction by the face: limit for that by the bodies' size
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
 TERMS = (
-    "estimated: terms of the order of distance over radius (0.001 and 0.002), because the exponent "
-    "is computed at a distance from the edge"
+    "estimated: terms of the order r/R, because the exponent is extrapolated from the distances "
+    "r = 0.001 R and 0.002 R to the edge (R: radius of the shaft)"
 )
 
 
@@ -51,7 +51,7 @@ class EndFace(Crown):
     Finite elements of whole bodies, with Fourier series around the axes, give the error of this
     assumption at a free end face. In a control model, both bodies continue beyond the ends. The
     control model separates the effect of the end face from the effect of the finite size of the
-    bodies. The roller is modelled with its crown (crowned) and without (flat).
+    bodies. The roller is modelled with its crowned profile and with a flat profile, without crown.
     """
 
     id = "contact-roller-end"
@@ -66,8 +66,8 @@ class EndFace(Crown):
     assumptions: ClassVar = (
         "linear elasticity, no friction; solid cylinders with circular sections",
         "the pressure acts along the common normal and is uniform in each cell of the contact",
-        "Fourier terms around the axis are solved for some wavelengths down to that of a cell; the "
-        "other terms are interpolated",
+        "Fourier terms around the axis are solved for selected wavelengths down to the length of a "
+        "cell; the other terms are interpolated",
         "the exponent of the pressure at the edge is computed with an axisymmetric model of a ring "
         "shrunk onto a longer shaft",
     )
@@ -108,8 +108,9 @@ class EndFace(Crown):
 
     p_mid = Quantity("p", "MPa", f"{MIDDLE}, half-space", source="half-space",
                      safe="too high").reads(lambda q: q.contact.mid_pressure)  # fmt: skip
-    p_mid_flat = Quantity("p_f", "MPa", f"{MIDDLE} without crown, half-space", source="half-space",
-                          role="step").reads(lambda q: q.flat.p_mid)  # fmt: skip
+    p_mid_flat = Quantity("p_f", "MPa", f"{MIDDLE}, half-space, roller without crown",
+                          source="half-space", role="step",
+                          ).reads(lambda q: q.flat.p_mid)  # fmt: skip
 
     @Quantity("F_d", "N", "load within d of both ends, half-space", source="half-space",
               safe="too high",
@@ -166,10 +167,10 @@ class EndFace(Crown):
         for crown in CROWNS:
             yield Comparison(quantity=q.p_0, numbers={"one": 1.0}, check=Approximation(
                 name="ratio of the pressure at mid-length to Hertz's pressure of the local line "
-                f"load, {crown} roller; reference: {BODIES['end']}",
+                f"load, roller with {crown} profile; reference: {BODIES['end']}",
                 symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
                 analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
-                demand_reason="the pressure is uniform in each cell across the contact",
+                demand_reason="the assumption of uniform pressure in each cell causes an error",
                 source="estimated: ± ((b/R_1)² + (2b/l)² + 1e-3 for the size of the cells)",
             ))  # fmt: skip
         cost = underived("this case measures the error of a half-space")
@@ -177,8 +178,8 @@ class EndFace(Crown):
             for state in self.states:
                 yield estimated(
                     q.F_d, f"F_d_{name}_{state.words}", state=state, symbol="F_d", order=1,
-                    name=f"load within d of both ends, half-space, {state.words} roller; "
-                         f"reference: {words}",
+                    name=f"load within d of both ends, half-space, roller with {state.words} "
+                         f"profile; reference: {words}",
                     expected=cost,
                 )  # fmt: skip
         for what, margin in (
@@ -187,8 +188,8 @@ class EndFace(Crown):
              "third of the reduction", mostly),
         ):  # fmt: skip
             for state in self.states:
-                check = Accepted(name=f"{what} for the {state.words} roller", symbol="F_d",
-                                 unit="1", margin=margin(state))  # fmt: skip
+                check = Accepted(name=f"{what} for the roller with {state.words} profile",
+                                 symbol="F_d", unit="1", margin=margin(state))  # fmt: skip
                 yield Comparison(check=check, quantity=q.F_d, state=state)
         yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))
 

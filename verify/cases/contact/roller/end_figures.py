@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from verify.cases.contact.roller.end import EndFace
 
 MPa, mm = roller_figures.MPa, roller_figures.mm
-BODIES = {"end": "end face", "control": "both bodies continue beyond the ends"}
+BODIES = {"end": "model with end faces", "control": "control model without end faces"}
 EDGE_DRAWN = 5e-3
 
 
@@ -41,7 +41,8 @@ def line_loads(context: Context, state: State) -> Figure:
         y, line = (arrays[f"{key}_{name}_{state.words}"] for key in "yq")
         curves.append(curve(f"FE, {words}", y / mm, line / 1e3, "line", 2 * i))
     return plot(
-        f"Line load from mid-length to the end, {state.words}", "y [mm]", "q [N/mm]", curves,
+        f"Line load from mid-length to the end, roller with {state.words} profile", "y [mm]",
+        "q [N/mm]", curves,
         y_top=1.7 * q.F / q.L / 1e3,
         note="If both bodies continue beyond the ends, the half-space is nearly exact. At a free "
         "end face, the roller deflects more, and load shifts to the middle.",
@@ -62,7 +63,7 @@ def edge(context: Context) -> Figure:
         line(f"slope {k:.3f}", at, k * (at - middle), 2),
         dashes("slope −0.5, half-space", at, -0.5 * (at - middle), 4),
         note="Axisymmetric model of a ring on a shaft: near the edge, the section of the ring is a "
-        "right-angled corner on a flat, as is the longitudinal section of a roller.",
+        "right-angled corner on a flat. At its end, a roller has the same longitudinal section.",
     )  # fmt: skip
 
 

@@ -61,11 +61,11 @@ class FlatRoller(OnHalfSpace):
     def comparisons(self) -> Iterator[Comparison | Check]:
         """Rows: converging results at mid-length and ends, and the slope of the unbounded peak."""
         q = FlatRoller
-        yield comparisons.agreeing(f"{MIDDLE}, {WITHIN}", q.p_mid, FLAT, lambda: self.p_0)
-        yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
+        yield comparisons.agreeing(f"{MIDDLE}: {WITHIN}", q.p_mid, FLAT, lambda: self.p_0)
+        yield comparisons.agreeing(f"approach: {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
         yield comparisons.loaded_ends(self)
         yield comparisons.end_pressure(self)
-        yield Order(name="exponent with which 1/(peak pressure) decreases with the cell size",
+        yield Order(name="exponent of the cell size in the power law for 1/(peak pressure)",
                     symbol="p", unit="1", errors=self._inverse_peaks, order=SLOPE)  # fmt: skip
         yield from comparisons.sliced_rows(self, (q.p_mid_slices,), (q.p_mid_lamina,))
         yield comparisons.balanced(self)

@@ -93,8 +93,8 @@ class StripRoller(Roller):
         return self.F_d / self.F
 
     p_largest = Quantity("p_n", "MPa",
-                         "largest pressure of n strips, ends included; at loaded ends, it grows "
-                         "with n", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
+                         "largest pressure of n strips, ends included; at loaded ends, this "
+                         "pressure grows with n", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
     delta = Quantity("δ", "µm", "approach, strips", source="strips").reads(lambda q: q.strips.delta)
 
     @Quantity("l_c", "mm", "length in contact, strips", role="step")

@@ -29,8 +29,8 @@ ASSUMPTIONS = (
     "neighbouring grids counts as iteration error",
     "the weights w are Love's influence coefficients for uniform pressure over Hertz's contact "
     "width under the mean line load; the exponent is 10/9 (Palmgren's law). With other influence "
-    "functions for this width, or with the exponent 1 and the same approach, pressures change by "
-    "less than the rows resolve",
+    "functions for this width, or with the exponent 1 and an equal approach of the bodies, the "
+    "pressures change by less than the rows can detect",
 )
 
 

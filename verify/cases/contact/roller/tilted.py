@@ -75,7 +75,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         yield from comparisons.sliced_rows(self, (q.p_max_slices,), (q.p_max_lamina,))
         yield comparisons.agreeing(
             f"tilting moment: strips and half-space agree within {MOMENT:.0%}", q.M, MOMENT,
-            self.F * self.L, suites("the largest error that a row may have"),
+            self.F * self.L, suites("equal to the default required sensitivity of a row"),
         )  # fmt: skip
         yield comparisons.agreeing(
             "load within d of the more loaded end: strips and half-space agree within "

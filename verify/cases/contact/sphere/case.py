@@ -38,7 +38,7 @@ class Spheres(SphereFormulas):
 
     The reference consists of whole spheres that are pressed from both sides. The error of Hertz's
     radius and pressure is proportional to a/R and follows from the logarithmic term in the solution
-    of a sphere. The error of the approach is due to the finite distance between contact and
+    of a sphere. The error of Hertz's approach δ is due to the finite distance between contact and
     equator.
     """
 

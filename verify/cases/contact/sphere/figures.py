@@ -92,8 +92,8 @@ def errors(q: SphereFormulas) -> Drawn:
         return Dots(
             title=f"Error of Hertz's theory: upper sphere {where}",
             label="formula / FE − 1 [1/10 000]", items=tuple(items),
-            note="The correction is of first order in a/R. The difference that remains after it "
-            "consists of the mesh error and terms of second order.",
+            note="The correction is of first order in a/R. After the correction, the remaining "
+            "difference consists of the mesh error and terms of second order.",
         )  # fmt: skip
 
     return drawn
