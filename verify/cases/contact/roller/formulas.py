@@ -94,7 +94,8 @@ class StripRoller(Roller):
 
     p_largest = Quantity("p_n", "MPa",
                          "largest pressure of n strips, ends included; at loaded ends, this "
-                         "pressure grows with n", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
+                         "pressure grows with n", role="step",
+                         ).reads(lambda q: q.strips.p.max())  # fmt: skip
     delta = Quantity("δ", "µm", "approach, strips", source="strips").reads(lambda q: q.strips.delta)
 
     @Quantity("l_c", "mm", "length in contact, strips", role="step")
