@@ -222,7 +222,7 @@ class RollerOnFlat(FlatInputs):
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Figures: pressure with the exact disc, error of Hertz's theory over a/R, convergence."""
         note = (
-            "Line: exact disc, pressure per length of arc; dots: finite elements, finest mesh, up "
+            "Line: exact disc, pressure per area of the arc; dots: finite elements, finest mesh, up "
             "to x = 0.85 a. Lower diagram: line minus dots; band: uncertainty of the whole profile."
         )
         yield figures.pressure(self, self.disc_pressure, "the exact disc", note)

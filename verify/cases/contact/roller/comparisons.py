@@ -91,8 +91,8 @@ def sliced_rows(
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
-        Accepted(name="share of the load that slices misplace relative to the half-space, below "
-                 f"{SHARE:.0%}", margin=misplaced, **load),
+        Accepted(name=f"coupled slices misplace less than {SHARE:.0%} of the load, relative to the "
+                 "half-space", margin=misplaced, **load),
         Accepted(name="coupled slices misplace a smaller share of the load than independent slices",
                  margin=nearer, **load),
     ):  # fmt: skip

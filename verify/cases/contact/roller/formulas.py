@@ -138,7 +138,9 @@ class StripRoller(Roller):
 class SlicedRoller(StripRoller):
     """A roller divided into slices: coupled slices of the paper, and independent slices."""
 
-    slices: int = count(50, "n_s", "number of slices of Eqs. 2-5, not printed", ge=10, le=401)
+    slices: int = count(
+        50, "n_s", "number of slices of Eqs. 2-5; the paper prints none", ge=10, le=401
+    )
 
     @Quantity("δ_P", "µm", "approach by Palmgren's law for steel", role="step",
               source="Palmgren; units N and m", fitted=True,
