@@ -83,7 +83,7 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
         "and 3 mm (at about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one input varied at a time"
-    assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
+    assert limits(star)[1] == (0.05, 2, 3, 0, "a 1 to 2 mm (other inputs constant)")
     assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
     assert limits(held)[0] == (0.02, 2, 0, 0, "the whole measured range")
     assert held.breaks == "no measured point is beyond 5 %"
@@ -112,7 +112,10 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     of = {(1e-3, 2e-3): 0.01, (2e-3, 2e-3): 0.03, (5e-3, 2e-3): 0.2, (4e-3, 1e-3): 0.2}
     errors = [of.get((v[0], v[1]), 0.01) for v in plan.points.tolist()]
     found = region(plan, course(plan, errors, [1e-4] * 5))
-    assert found.limits[1].words == "a alone 1 to 4 mm; b alone at 2 mm"
+    assert (
+        found.limits[1].words
+        == "a 1 to 4 mm (other inputs constant); only b = 2 mm (other inputs constant)"
+    )
     errors = [0.2 if v[0] == 1e-3 else NAN if v[0] == 5e-3 else 0.01 for v in plan.points]
     found = region(plan, course(plan, errors, [1e-4] * 5))  # no answer hides no break
     assert (

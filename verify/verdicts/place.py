@@ -91,7 +91,10 @@ def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, 
     if other := [symbols[name] for name in changed if name not in known]:
         return f"not compared with other values of {_named(other)}"
     both = _named([symbols[name] for name in changed])
-    return f"not compared with {both} changed {'at once' if len(changed) > 1 else 'alone'}"
+    return (
+        f"not compared with {both} "
+        f"{'changed at once' if len(changed) > 1 else 'as the only changed input'}"
+    )
 
 
 def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:

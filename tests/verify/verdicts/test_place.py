@@ -112,7 +112,7 @@ def test_inputs_that_no_study_varies_are_named():
         ({"r_i": 7e-3}, "not compared with other values of r_i"),
         ({"r_i": 7e-3, "nu": 0.2}, "not compared with other values of r_i"),
         ({"r_i": 6e-3, "E": 1e11}, "not compared with other values of E"),
-        ({"nu": 0.2}, "not compared with ν changed alone"),
+        ({"nu": 0.2}, "not compared with ν as the only changed input"),
     ):
         assert placed(at, inputs=inputs).words == expected
     assert placed(star, case="ring-rotation").words == "compared only in ring-lame"

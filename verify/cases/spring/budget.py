@@ -113,7 +113,7 @@ STATEMENTS: Mapping[str, Statement] = {
                       "k_V", "inner radius of the arcs instead of the radius of their centre line"),
             *(Corrected(f"stiffness by Eqs. 1-9 with the inner radius only in {part}", "k_V",
                         "inner radius of these arcs instead of the radius of their centre line")
-              for part in ("the arc of head or tail (Eqs. 1, 2, 6)",
+              for part in ("the arc of one end, head or tail (Eqs. 1, 2, 6)",
                            "the inner segments (Eqs. 3, 4)")),
             Corrected("stiffness by Eqs. 1-9 with the leaf length as printed in Eq. 3", "k1",
                       "leaf length by the geometry instead of Eq. 3 as printed"),

@@ -105,7 +105,7 @@ class FreeStage(AccordionInputs, Case):
             yield (
                 f"the bending stiffness of a strip {self.h / self.b:.0f} times as wide as thick is "
                 f"between E I and E I/(1 - ν²): k_1 may be up to "
-                f"{1 / (1 - self.nu**2) - 1:.1%} larger"
+                f"{1 / (1 - self.nu**2) - 1:.1%} larger than with E I"
             )
         if self.b > 0.3 * self.R:
             yield (

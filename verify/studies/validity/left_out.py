@@ -9,11 +9,10 @@ LEFT_OUT: Mapping[str, str] = {
     "crowns",
     "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
     "the crowns",
-    "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
-    "the stiffness k_1 of the same spring",
-    "contact-roller-end": "errors over ranges were not measured, because the finite elements of "
-    "one set of inputs take two minutes; the case contact-roller measures errors of the same "
-    "formulas except near the ends",
+    "spring-curve": "not measured at other inputs, because one point takes a minute of computing "
+    "time; case spring-stages contains measurements of the stiffness k_1 of the same spring",
+    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
+    "contact-roller measures the same formulas outside the ends",
     "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 

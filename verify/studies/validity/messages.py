@@ -23,10 +23,10 @@ def span(axis: Axis, low: float, high: float) -> str:
 
 
 def alone(axis: Axis, low: float, high: float) -> str:
-    """Text of the range [SI] of one input with all others constant: "T alone 5 to 15 N m"."""
+    """Text of the range [SI] of one varied input: "T 5 to 15 N m (other inputs constant)"."""
     if low == high:
-        return f"{axis.symbol} alone at {quantity(axis, low)}"
-    return f"{axis.symbol} alone {_ends(axis, low, high)}"
+        return f"only {axis.symbol} = {quantity(axis, low)} (other inputs constant)"
+    return f"{axis.symbol} {_ends(axis, low, high)} (other inputs constant)"
 
 
 def between(axis: Axis, last: float, first: float) -> str:

@@ -44,7 +44,7 @@ def _limit(found: Region, *, star: bool) -> ValidityLimit:
 
 
 def box_words(found: Region, *, star: bool) -> str:
-    """Text of the largest box, a range for each axis; for a star, the range of each input alone.
+    """Text of the largest box, a range for each axis; for a star, of each range with its input.
 
     If all points or no points are inside, the text states this.
     """
@@ -62,8 +62,10 @@ def _range(one: Range) -> str:
 def _alone(ranges: Sequence[Range]) -> str:
     """Text of the ranges of single inputs; inputs without a restriction come last."""
     texts = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
-    whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
-    return "; ".join([*texts, f"{whole} alone over the whole range"] if whole else texts)
+    whole = " or ".join(one.axis.symbol for one in ranges if one.whole)
+    return "; ".join(
+        [*texts, f"{whole} over the whole range (other inputs constant)"] if whole else texts
+    )
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:

@@ -79,7 +79,7 @@ class AccordionSpring(FreeStage):
         "r is the inner radius. Eqs. 1-9 as printed contain r as radius of the centre line of the "
         "arcs, but r + b/2 in L_2. With r + b/2 everywhere, k_1 of the paper's spring is 3.2 % "
         "smaller",
-        "in Eq. 3, 2 L_1/sin α means 2 (L_1/2)/sin α, and h/2 means b/2",
+        "the term 2 L_1/sin α of Eq. 3 means 2 (L_1/2)/sin α, and its h/2 means b/2",
         "the signs of Eq. 3 alternate from unit to unit; T_0 in the text is T_1 = F (L_1/2 + r)",
         "the head is free to rotate and to move sideways; the tail is clamped at the end of its "
         "arc",
@@ -186,7 +186,7 @@ class AccordionSpring(FreeStage):
             shares=SHARED,
         )  # fmt: skip
         for one, where in (
-            (spring.k1_inner_head, "in the arc of head or tail (Eqs. 1, 2, 6)"),
+            (spring.k1_inner_head, "in the arc of one end, head or tail (Eqs. 1, 2, 6)"),
             (spring.k1_inner_segments, "in the inner segments (Eqs. 3, 4)"),
         ):
             yield approximation(

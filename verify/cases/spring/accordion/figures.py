@@ -48,7 +48,8 @@ def moments(context: Context) -> Iterator[Profile]:
     scale = float(abs(m).max())
     values, u = along(context, "moments", formal=2.0, scale=scale)
     yield Profile(
-        title="Bending moment over force along the spring", x_label="arc length from the head [mm]",
+        title="Bending moment divided by the force, along the spring",
+        x_label="arc length from the head [mm]",
         y_label="M/F [mm]", x=s / mm, y=m / mm, x_fem=at / mm, y_fem=values / mm,
         y_ref=reference / mm, u=u / mm, scale=scale / mm,
         note="Line: Eqs. 1, 3 and 5. Dots: straight frame at the joints of leaves and arcs, where "

@@ -51,7 +51,8 @@ class BucklingSpring(BucklingFormulas):
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
         "free head: the force has a constant direction and acts at O, which moves and rotates "
-        "with the head; P is the Euler load of a column that bends like the unfolded strip",
+        "with the head; P is the Euler load of a cantilever column that has the length of the "
+        "spring and the bending compliance of the unfolded strip",
         "buckling: the spring is compressed with a guided head, and the guide is then replaced by "
         "its reactions as dead loads; the spring buckles at the compression at which the head can "
         "then move without a change of these loads",
@@ -130,7 +131,7 @@ def _swept() -> Iterator[Check]:
     yield Agreement(
         name="U_cr of springs with the same centre line is equal for thicknesses of 0.5 b to 2 b",
         symbol="U_cr", unit="mm", pair=claims.spread, accepted=SPREAD,
-        source=suites("half of the required sensitivity, 1 %"),
+        source=suites("half of the required sensitivity of 1 %"),
     )  # fmt: skip
     yield Accepted(
         name="springs with equal L_0/b buckle at displacements that differ by a factor of more "
@@ -139,9 +140,10 @@ def _swept() -> Iterator[Check]:
         printed=("wang2023:rule-length-thickness-max",),
     )  # fmt: skip
     for name, margin in (
-        ("a free head moves sideways without a critical point", claims.stays),
-        (f"a spring with a hinged head does not buckle up to {HINGED_TO:.0%} of L_0",
-         claims.hinged),
+        ("a head that is free from the first load moves sideways without a critical point",
+         claims.stays),
+        (f"a spring with a hinged head does not buckle at displacements up to {HINGED_TO:.0%} "
+         "of L_0", claims.hinged),
     ):  # fmt: skip
         for tail in TAILS:
             yield Accepted(name=f"{name}, {WHERE[tail]}", symbol="det", unit="1",

@@ -52,9 +52,9 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
         k = int(left.argmin())
         share = U[-1] / context.inputs.length
         return float(left[k]), 1e-3, (
-            f"smallest determinant of the head's stiffness matrix: {left[k]:.1%} of its value "
-            f"without load, at {F[k]:.3g} N; no critical point up to a displacement of "
-            f"{share:.0%} of the length"
+            f"the smallest determinant of the head's stiffness matrix is {left[k]:.1%} of its "
+            f"value without load (at {F[k]:.3g} N); there is no critical point up to a "
+            f"displacement of {share:.0%} of the length"
         )  # fmt: skip
 
     return margin
@@ -66,8 +66,8 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]
         return float(left.min()), 1e-3, (
-            f"smallest determinant of the head's stiffness matrix: {left.min():.0%} of its value "
-            "without load"
+            f"the smallest determinant of the head's stiffness matrix is {left.min():.0%} of its "
+            "value without load"
         )  # fmt: skip
 
     return margin

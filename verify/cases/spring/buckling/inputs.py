@@ -37,7 +37,10 @@ class BucklingInputs(SpringInputs):
 
     @property
     def P(self) -> float:
-        """Scale of loads [N]: Euler load of a column that bends like the unfolded strip."""
+        """Scale of loads [N]: Euler load of a cantilever column of the length of the spring.
+
+        The column has the bending compliance of the unfolded strip.
+        """
         unfolded = (self.n - 2) * (self.leaf + 2 * self.R * self.alpha)
         EI = self.E * self.h * self.b**3 / 12
         return math.pi**2 / 4 * EI / (unfolded * self.length)

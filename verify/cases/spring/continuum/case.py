@@ -54,8 +54,8 @@ class PlaneSpring(FreeStage):
     )
     readings: ClassVar = (
         "r is the inner radius: the centre line of the arcs has the radius r + b/2",
-        "the strip is 56 mm wide, and its loops measure only 1 mm: the bending stiffness of the "
-        "strip is between E I and E I/(1 − ν²)",
+        "the strip is 56 mm wide, and its loops have a diameter of only 1 mm: the bending "
+        "stiffness of the strip is between E I and E I/(1 − ν²)",
     )
     assumptions: ClassVar = (
         "head free, tail clamped at the end of its arc",

@@ -43,7 +43,8 @@ class CurveSpring(CurveInputs, Case):
     quick: ClassVar = False
     readings: ClassVar = (
         "r is the radius of the centre line of the arcs, as in a shell model drawn with the "
-        "printed dimensions; this reading of r, tail and head is chosen by k_1 alone (calibrated)",
+        "printed dimensions; this reading of r, tail and head is chosen only by its k_1 "
+        "(calibrated)",
         "the tail is clamped in the middle of its leaf; the head moves along the axis without "
         "rotation",
         "k_1 and k_2 of a curve are slopes of least-squares lines before and after the leaves "

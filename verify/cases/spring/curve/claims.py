@@ -173,8 +173,8 @@ def nearest(context: Context) -> tuple[float, float, str]:
     }  # fmt: skip
     next_one = min((key for key in off if key != given), key=off.__getitem__)
     words = (
-        f"difference {off[given]:.2%}; next reading (tail, head, arcs): {next_one[0]}, with "
-        f"f = {next_one[1]:.4g}: difference {off[next_one]:.2%}"
+        f"on the coarse mesh, k_1 of the chosen reading differs by {off[given]:.2%} from Eq. 10, "
+        f"and k_1 of the next reading ({next_one[0]}, f = {next_one[1]:.4g}) by {off[next_one]:.2%}"
     )
     return off[next_one] - off[given], 0.0, words
 

@@ -71,7 +71,8 @@ def _whole(context: Context) -> Curves:
         note="Stages: OA free, AB leaves in contact, BE loops in contact. The curve ends "
         + ("because no equilibrium was found; this is not a limit of the spring."
            if ends_early(context) else
-           "at twice the force at the end of the stroke, at the latest at 1.24 times the stroke."),
+           "where the force is twice the force at the end of the stroke, or at 1.24 times the "
+           "stroke if this is reached first."),
     )  # fmt: skip
 
 
@@ -204,7 +205,8 @@ def _forces(context: Context) -> Table:
         title="F(U) against Eq. 10", rows=rows,
         header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams against Eq. 10",
                 "0.601 U against beams", "closed form against beams"),
-        note="The reading of the paper is chosen by k_1 alone. All other values are predictions.",
+        note="The reading of the paper is chosen only by its k_1. All other values are "
+        "predictions.",
     )  # fmt: skip
 
 

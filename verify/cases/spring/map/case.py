@@ -68,7 +68,7 @@ class MapSpring(MapFormulas):
     levels: ClassVar = (4, beams.MAPPED, 16)
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm,0.4mm"), star=True),)
     readings: ClassVar = (
-        "r is the inner radius: the arcs have the radius r in Eqs. 1-9, r + b/2 in the finite "
+        "r is the inner radius: the arcs have the radius r in Eqs. 1-9, but r + b/2 in the finite "
         "elements",
         "in Eqs. 1-9 the head can rotate and move sideways; in a clutch, the slot of the roller "
         "guides the head",
@@ -77,7 +77,7 @@ class MapSpring(MapFormulas):
         "contact of leaves is neglected, although the leaves of the paper's spring touch before a "
         "displacement of 60 % of the length",
         "narrow strip: both models use E I without the factor 1/(1 − ν²)",
-        "the travel of the roller begins at the unloaded spring; the head does not rotate",
+        "the spring is unloaded when the travel of the roller begins; the head does not rotate",
     )
 
     def reference(self, level: int) -> Level:
@@ -98,8 +98,8 @@ class MapSpring(MapFormulas):
         for share, q in zip(PARTS, (spring.linear_0_3, spring.linear_0_6), strict=True):
             yield approximation(
                 q, f"F_{share}",
-                name=f"force by Eq. 9 at a displacement of {share:.0%} of the length with a "
-                "guided head",
+                name=f"force by Eq. 9 against the guided spring, at a displacement of {share:.0%} "
+                "of the length",
                 symbol="F", order=4, expected=underived("arc radius, guide, large displacement"),
                 shares=SHARED,
             )  # fmt: skip
@@ -125,15 +125,15 @@ def _of_paper() -> Iterator[Comparison]:
         printed=("wang2023:k1-error-large-z", "wang2023:rule-length-thickness-max"),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.linear_0_3, check=Accepted(
-        name="force of a free head below a third of the force by Eq. 9 at a displacement of 30 % "
-        "of the length",
+        name="at a displacement of 30 % of the length, a free head carries less than a third of "
+        "the force by Eq. 9",
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
         name="axial force on a straight path within 1 % of the axial force on the roller's "
         "slanted path",
         symbol="F_x", unit="N", pair=claims.travel, accepted=WAY,
-        source=suites("the required sensitivity, 1 %"), **demanded(WAY),
+        source=suites("the required sensitivity of 1 %"), **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
         name="force by Eq. 9 against Eq. 10 at the largest test force", symbol="e_r", unit="%",

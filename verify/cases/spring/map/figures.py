@@ -98,7 +98,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             title="Path of the roller, approximated by a straight line",
             header=("quantity", "value"),
             rows=tuple(rows),
-            note="The path begins at the unloaded spring; the head does not rotate. The transverse "
-            "force includes the lateral force that the spring exerts on a straight path.",
+            note="The spring is unloaded at the start of the path; the head does not rotate. The "
+            "transverse force includes the lateral force of the spring on a straight path.",
         ),
     )

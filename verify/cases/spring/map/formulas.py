@@ -97,7 +97,8 @@ class MapFormulas(MapInputs, Case):
     F_y = Quantity("F_y", "N", "transverse force at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 
-    @Quantity("e_r", "%", "deficit of the force by Eq. 9 against Eq. 10 at the largest test force",
+    @Quantity("e_r", "%", "relative amount by which the force by Eq. 9 is below the force by "
+              "Eq. 10, at the largest test force",
               source="Eqs. 9 and 10", when=of_paper)  # fmt: skip
     def error_of_tests(self) -> float:
         U = (TEST_FORCE - published("wang2023:eq10-ab-intercept").value) / (

@@ -56,8 +56,8 @@ class StageSpring(StageFormulas):
         "the force between tip and leaf acts along the axis, because at A the leaf has rotated "
         "until it is parallel to the tip; a force normal to the unloaded leaf would change U_A "
         'by 1 % and k_2 by 1 % (rows "contact force normal to the leaf")',
-        "one reading of supports, radius and strip is chosen by k_1 alone; k_2 and point A of this "
-        "reading therefore have the status CALIBRATED",
+        "one reading of supports, radius and strip is chosen only by its k_1; k_2 and point A of "
+        "this reading therefore have the status CALIBRATED",
     )
     assumptions: ClassVar = (
         "small displacements, although U_A is half of the free length of the paper's spring",

@@ -144,8 +144,8 @@ class StageFormulas(StagesInputs, Case):
         if self.share > LINEAR:
             yield (
                 f"U_A is {self.share:.0%} of the free length: linear theory neglects the change of "
-                "the lever arms, so that point A and k_2 are reference values, from which the true "
-                "curve of the spring differs"
+                "the lever arms, so that the true curve of the spring has another point A and "
+                "another k_2"
             )
         if abs(self.tilt) > PARALLEL:
             yield (
@@ -174,5 +174,5 @@ class StageFormulas(StagesInputs, Case):
             yield (
                 f"the bending stiffness of a strip {self.h / self.b:.0f} times as wide as thick is "
                 f"between E I and E I/(1 - ν²): forces and stiffnesses may be up to "
-                f"{self.widest - 1:.1%} larger (give width_factor)"
+                f"{self.widest - 1:.1%} larger than with E I (give width_factor)"
             )

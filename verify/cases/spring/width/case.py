@@ -38,8 +38,8 @@ PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
 HELD = 5e-4, "a shell with the edges in plane strain is equivalent to a beam"
 PLATES = 5e-4, "a thin leaf is a Kirchhoff plate"
-FIFTH = "one fifth of the accepted difference from plane stress or plane strain, 0.5 %"
-HALF = "half of the required sensitivity, 1 %"
+FIFTH = "one fifth of the accepted difference of 0.5 % from plane stress or plane strain"
+HALF = "half of the required sensitivity of 1 %"
 CURVE = "half of the accepted difference of the width factor that case spring-curve uses"
 THEORY = "difference between shell theory and a thin solid"
 FITTED = "these end conditions are chosen because they give the printed stiffness"
@@ -214,8 +214,8 @@ class WideSpring(WidthInputs, Case):
         elif self.h < self.leaf:
             yield (
                 f"the width is {self.h / self.leaf:.2g} times the length of a leaf: the arcs, "
-                "which cannot bend across the width, stiffen the spring more than its leaves; the "
-                f"factor is at most 1 + {self.widest - 1:.1%} (compute it with --fem)"
+                "which cannot bend across the width, stiffen the spring more than its leaves do; "
+                f"the factor is at most 1 + {self.widest - 1:.1%} (compute it with --fem)"
             )
         if self.R * self.alpha > SLENDER * self.leaf:
             yield (
@@ -268,7 +268,7 @@ def _accepted() -> Iterator[Comparison | Check]:
         paper_only=True,
         name="the width factor that case spring-curve uses", symbol="f", unit="1",
         pair=claims.taken, accepted=claims.TAKEN,
-        source=suites("one fifth of the required sensitivity, 1 %"),
+        source=suites("one fifth of the required sensitivity of 1 %"),
     )  # fmt: skip
 
 

@@ -77,7 +77,7 @@ def _widths(context: Context) -> Table:
         ),
         note="A strip that is narrower than thick is not a plate. If the width is smaller than the "
         "length of a leaf, the arcs, whose anticlastic bending is suppressed, stiffen the spring "
-        "more than the leaves.",
+        "more than the leaves do.",
     )  # fmt: skip
 
 

@@ -88,7 +88,8 @@ SOLIDS = (
     *(
         Cross(
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
-            what=f"half the width of a loop of the spring by solid elements, edge {words}",
+            what=f"half the width of a loop of the spring by solid elements, edge {words} in the "
+            "direction of the width",
             pose=partial(loop, held),
             quantities=(
                 Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
@@ -99,7 +100,9 @@ SOLIDS = (
     ),
     Cross(
         id="spring-width, shell", case="spring-width", solver=CALCULIX,
-        what="half the width of a loop of the spring: project shells, calculix solids", pose=shell,
+        what="half the width of a loop of the spring by shell elements of this project, compared "
+        "with solid elements of calculix",
+        pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
                      why="shell and solid elements differ by (b/R)² in arcs",
