@@ -91,8 +91,8 @@ def fem_firmer(q: CurveInputs, level: int) -> FemResult:
 
 
 PROPORTION = "very small displacement, with the force scaled in proportion"
-HEAD = "in addition, a free head instead of a guided head"
-EQ_9_FAR = ("force by Eq. 9 at*",)
+HEAD = "at very small displacement, a free head instead of a guided head"
+EQ_9_FAR = ("force by Eq. 9 against the guided spring*",)
 EQ_9 = ("stiffness by Eqs. 1-9 against curved beam elements",)
 HARINGX = ("displacement at buckling by Haringx*",)
 NO_PLANE = Without(
@@ -174,7 +174,7 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.DISPLACEMENT, what=PROPORTION, rows=EQ_9_FAR, fem=fem_small),
             Rerun(cause=Cause.GEOMETRY, what=HEAD, rows=EQ_9_FAR, fem=fem_free, after=PROPORTION),
             Rerun(cause=Cause.GEOMETRY,
-                  what="in addition, arcs of the inner radius, as in Eqs. 1-9",
+                  what="at very small displacement and with a free head, arcs of the inner radius",
                   rows=EQ_9_FAR, fem=fem_paper, after=HEAD),
         ),
         without=(NO_PLANE,), finer=24,

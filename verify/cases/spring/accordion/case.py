@@ -87,7 +87,7 @@ class AccordionSpring(FreeStage):
     assumptions: ClassVar = (
         "small displacements, no contact between leaves",
         "Eqs. 1-9 contain bending only; the frames also contain axial force and shear",
-        "narrow strip: E I without 1 − ν²",
+        "narrow strip: E I without the factor 1/(1 − ν²)",
     )
 
     k_N = Quantity("k_N", "N/mm", "stiffness with bending and axial force",

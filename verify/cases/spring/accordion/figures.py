@@ -52,8 +52,9 @@ def moments(context: Context) -> Iterator[Profile]:
         x_label="arc length from the head [mm]",
         y_label="M/F [mm]", x=s / mm, y=m / mm, x_fem=at / mm, y_fem=values / mm,
         y_ref=reference / mm, u=u / mm, scale=scale / mm,
-        note="Line: Eqs. 1, 3 and 5. Dots: straight frame at the joints of leaves and arcs, where "
-        "statics determines the moments exactly. The lower diagram therefore shows round-off only.",
+        note="Line: Eqs. 1, 3 and 5. Dots: frame of straight elements, at the joints of leaves and "
+        "arcs, where statics determines the moments exactly. The lower diagram therefore shows "
+        "round-off only.",
     )  # fmt: skip
 
 

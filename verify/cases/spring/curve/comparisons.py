@@ -14,7 +14,7 @@ HALVED = 0.003  # relative change of a slope on a mesh of half the size
 BALANCE = 1e-5  # relative to the work
 RETRACED = 1e-5  # relative to the force: contact within 1e-4 b changes it by a few 1e-6
 K1, K2, CROSSING = 0.01, 0.05, 0.05  # relative to Eq. 10
-FITTED = "calibrated: the reading whose k_1 is nearest to k_1 of Eq. 10"
+FITTED = "calibrated: the reading is chosen because its k_1 is nearest to k_1 of Eq. 10"
 ASKED = "the required sensitivity of slopes, 1 %"
 LIMIT = (
     "linear theory is exact for vanishing rotation; an accuracy of 0.2 % is sufficient for the "

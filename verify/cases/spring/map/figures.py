@@ -83,7 +83,10 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     rows = [
         ("excess length of the slanted path over x_r", f"{longer:+.2%}"),
         ("angle between path and axis of the spring", f"{slope:.2f}°"),
-        ("rotation of the chamber wall along the path", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
+        (
+            "change of direction of the chamber wall along the path",
+            f"{math.degrees(q.kappa * q.x_r):.2f}°",
+        ),
         ("sagitta of the chamber wall along the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
         ("axial force at the end of a straight path, by Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
         (
@@ -99,6 +102,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
             header=("quantity", "value"),
             rows=tuple(rows),
             note="The spring is unloaded at the start of the path; the head does not rotate. The "
-            "transverse force includes the lateral force of the spring on a straight path.",
+            "transverse force includes the lateral force that the spring exerts on a straight "
+            "path.",
         ),
     )

@@ -26,7 +26,7 @@ from verify.papers.ledger import published
 MET = 0.01  # accepted relative difference of k_1 from the printed value
 ACCEPTED = 0.05  # tolerances of k_2 and the crossing
 EQ10_END = 16.85e-3  # m: 11 N, the end of the tests, on the second line
-FITTED = "calibrated: of sixteen readings, the one with k_1 nearest to the printed k_1"
+FITTED = "calibrated: of sixteen readings, this one has the k_1 nearest to the printed k_1"
 LOOSE = "valid in linear theory only: this spring buckles near 1 N, see case spring-buckling"
 N_PER_MM, mm = 1e3, 1e-3
 
