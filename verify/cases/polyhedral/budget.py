@@ -20,7 +20,7 @@ THINNER, SHARPER, LIGHTER = 10, 10, 16
 
 
 def thin_round(q: Any) -> Any:
-    """The inputs `q` with a wall a tenth as thick and an equal mean diameter."""
+    """The inputs `q` with a wall a tenth as thick and an unchanged mean diameter."""
     wall = q.delta_1 / THINNER
     return q.model_copy(update={"d_e": q.d_m + wall, "delta_1": wall})
 
@@ -79,7 +79,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-pressure": Statement(
         reruns=(
             Rerun(
-                cause=Cause.GEOMETRY, what="wall thickness / 10, equal mean diameter",
+                cause=Cause.GEOMETRY, what="wall thickness / 10, unchanged mean diameter",
                 rows=("*Eq. 8*", "*Eq. 9*", "*Eq. 10"), inputs=thin_round,
             ),
             Rerun(
@@ -94,7 +94,7 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
             Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
             Rerun(cause=Cause.GEOMETRY,
-                  what="in addition, wall thickness / 10, equal mean diameter",
+                  what="in addition, wall thickness / 10, unchanged mean diameter",
                   rows=K, fem=fem_thin_round, after=ROUND),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
                   changes=plane_strain(), shared=True),

@@ -11,8 +11,8 @@ def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list
         return [f"{stressed} exceeds R_p = {R_p / 1e6:.4g} MPa: the ring yields in the fillets"]
     if R_p is None and stress > STRAINED * E:
         return [
-            f"{stressed} corresponds to a strain of {stress / E:.2%}: most steels yield at less; "
-            "enter R_p"
+            f"{stressed} corresponds to a strain of {stress / E:.2%}: most steels yield at a "
+            "smaller strain; enter R_p"
         ]
     return []
 

@@ -60,15 +60,16 @@ class PolyhedralClutch(ClutchFormulas):
         "the hub force R is inclined by φ_1 towards the middle of the flat; the angle between R "
         "and the radius through the hub contact is ψ + φ_1, as in Eq. 14",
         "symbols of the series: u_p is the outward displacement of the outer surface above the "
-        "middle of a flat under unit pressure, u_h1 under unit hub force, and −u_N(a) N under the "
-        "roller force N, with local indentation. All three follow from complex potentials of the "
-        "ring. δ(N) is the compression of the roller; κ = R/N",
+        "middle of a flat under unit pressure; u_h1 is this displacement under unit hub force; "
+        "−u_N(a) N is this displacement under the roller force N, including the local indentation. "
+        "All three follow from complex potentials of the ring. δ(N) is the compression of the "
+        "roller; κ = R/N",
         "the margin and the pressure for the target torque are computed with elastic ring and "
         "elastic rollers",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain; ring and rollers are in plane stress, the race is rigid. "
-        "The torque with rigid rollers is an upper bound of the torque",
+        "The torque with rigid rollers is an upper bound of the torque with elastic rollers",
         "friction at the rollers rotates the ring relative to the hub; by symmetry, friction does "
         "not displace the outer surface above the middle of the flats in radial direction",
         "the hub force at e is replaced by two forces of half the amount, one on each side of the "
@@ -104,14 +105,15 @@ class PolyhedralClutch(ClutchFormulas):
             yield (
                 "without a cage, the rollers require a wedge angle of "
                 f"{degrees(self.alpha_need):.3g}°. The slope of the deformed ring under p_t is "
-                f"only {degrees(self.alpha_ring):.2g}° and permits a torque of "
+                f"only {degrees(self.alpha_ring):.2g}°; a wedge of this angle transmits "
                 f"{self.M_ring:.3g} N m: a cage must transmit the remaining torque"
             )
         if self.b > WIDE * self.delta_1 and isfinite(self.M_wide):
             yield (
-                f"b/δ_1 = {self.b / self.delta_1:.3g}: the ring is between plane stress (assumed) "
-                f"and plane strain (torque {self.M_wide:.4g} N m); the rollers load the ends of "
-                "the ring more than the middle of its width"
+                f"b/δ_1 = {self.b / self.delta_1:.3g}: this wide ring is between plane stress, "
+                "which is assumed, and plane strain, in which the torque is "
+                f"{self.M_wide:.4g} N m; the rollers load the axial ends of the ring more than the "
+                "middle of its width"
             )
         if self.hub_share >= 1:
             yield (

@@ -78,18 +78,20 @@ class PaperChain(ClutchInputs):
     def M_21_printed(self) -> float:
         return float(printed.first_torque(M_t=self.M_21, z=self.z))
 
-    T = Quantity("T", "kN", "tangential hub force per corner under M_20", equation="14",
+    T = Quantity("T", "kN", "tangential component of R, at the torque M_20", equation="14",
                  role="step",
                  tex=r"\frac{M_{20}}{z (r + r_1)}").reads(lambda q: q.full.T)  # fmt: skip
     F_s = Quantity(
-        "F_s", "kN", "radial hub force per corner under M_20", equation="14", role="step",
+        "F_s", "kN", "radial component of R, at the torque M_20", equation="14", role="step",
         tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.F_s)  # fmt: skip
     R = Quantity(
-        "R", "kN", "force between hub and flat under M_20", source="Eq. 16", role="step",
+        "R", "kN", "force between hub and one flat, at the torque M_20", source="Eq. 16",
+        role="step",
         tex=r"\frac{F_s}{\cos\left(\psi + \varphi_1\right)}",
     ).reads(lambda q: q.full.R)  # fmt: skip
-    N_16 = Quantity("N_16", "kN", "force of a roller under M_20", equation="16", role="step",
+    N_16 = Quantity("N_16", "kN", "force of a roller, at the torque M_20", equation="16",
+                    role="step",
                     tex=r"F + R \cos\left(\varphi_1\right)").reads(lambda q: q.full.N)  # fmt: skip
 
     @Quantity("p_20", "MPa", "pressure for the target torque", source="Eqs. 17 to 20",

@@ -24,8 +24,9 @@ NO_LIMIT = (
     "friction of the hub"
 )
 HERTZ = (
-    "estimated: relative error of the deflection of the contacts by Hertz's theory, ± ((2 a/d)² of "
-    "each contact + (a/wall)² + 1e-3), times the sensitivity of the result to this deflection"
+    "estimated: ± ((2 a/d)² of each contact + (a/wall)² + 1e-3), which is the relative error of "
+    "Hertz's theory for the deflection of the contacts, times the sensitivity of the result to "
+    "this deflection"
 )
 STATICS = (
     "derived: value from the balance of forces on a rigid flat (pressure, hub, roller), divided by "

@@ -77,7 +77,7 @@ class ElasticClutch(ClutchInputs):
     def N_need(self) -> float:
         return self.line_need * self.b
 
-    @Quantity("M_rigid", "N m", "torque with rigid rollers, an upper bound", source=SERIES)
+    @Quantity("M_rigid", "N m", "torque with rigid rollers, an upper bound of M_el", source=SERIES)
     def M_rigid(self) -> float:
         return self.stiff.grip * self.line_rigid * self.all_levers
 
@@ -92,13 +92,14 @@ class ElasticClutch(ClutchInputs):
     def alpha_need(self) -> float:
         return float(2 * np.arctan(self.hub.grip))
 
-    @Quantity("α_ring", "deg", "steepest slope of the outer surface under p_t, without rollers",
+    @Quantity("α_ring", "deg", "largest slope of the outer surface under p_t, relative to a "
+              "circle, without roller forces",
               role="step")  # fmt: skip
     def alpha_ring(self) -> float:
         ring = self.hub.contact.sector
         return float(steepest(sector=ring, field=pressed(ring))[0] * self.p_t / self.E)
 
-    @Quantity("M_ring", "N m", "torque if only the slope α_ring holds the rollers", role="step",
+    @Quantity("M_ring", "N m", "torque without a cage, with the wedge angle α_ring", role="step",
               safe="too low")  # fmt: skip
     def M_ring(self) -> float:
         offered = self.driven(share=float(np.tan(self.alpha_ring / 2)))

@@ -25,7 +25,7 @@ from verify.judging.bands import OwnFillet, OwnFormula
 
 NEAR, ARC = 1e-4, "ratio of arc to chord of a side, from the balance of forces"
 CHORD = 1e-3, "statics: the pressure acts on the chord between two corners"
-FILLET = 5e-3, "a sensitivity of 0.5 % of the peak stress detects a wrong fillet radius"
+FILLET = 5e-3, "a change of the peak stress by 0.5 % would show a wrong fillet radius"
 BALANCE = "accepted residual; the contact law is satisfied except for round-off"
 HALVES = "plane stress; half of the hub force on each side of the middle of the flat"
 PLANE = "plane stress, rigid race, no friction at the rollers"
@@ -38,12 +38,12 @@ SERIES = (
     "under equal loads; ± the error estimated for the series"
 )
 CONTACT = (
-    "derived: term of first order in βκa, with Dundurs' constant β and the curvature κ of the "
-    "contact line; "
-    "± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall) for strain and bending of the ring)"
+    "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
+    "contact line; ± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall)), where the last term is "
+    "the effect of strain and bending of the ring"
 )
 RACE = (
-    "derived: term of first order in βκa, with Dundurs' constant β and the curvature κ of the "
+    "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
     "contact line; ± ((2 a/d)² + 1e-3)"
 )
 ROUND = "derived: (K_mid − 1) p_1 divided by the blocking pressure p_2, with K_mid by the series"

@@ -56,8 +56,8 @@ def _supports(q: LockedFormulas, a: Array, eta: Array, w: Array, bonded: Array) 
         line("rollers, series", np.array([s.a for s in states]) / mm,
              np.array([s.efficiency for s in states]), 1),
         dots("rollers, FE", a / mm, eta, 2),
-        dots("fixed length, FE", w / mm, bonded, 4),
+        dots("supported part, FE", w / mm, bonded, 4),
         y_bottom=float(0.9 * min(eta.min(), bonded.min())),
-        note=f"Each support is a rigid roller of {sizes} mm diameter under p_t, or a fixed length "
-        "of the outer surface in place of a roller.",
+        note=f"Each support is a rigid roller of {sizes} mm diameter under p_t, or, in place of a "
+        "roller, a part of the outer surface that is fixed in radial direction.",
     )  # fmt: skip

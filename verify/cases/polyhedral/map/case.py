@@ -30,15 +30,15 @@ PLANE: Assumption = "plane stress"
 
 
 class PolyhedralMap(MapInputs):
-    """The error of K = 1 is mapped over the number of flats, the wall and the fillet radius.
+    """The error of K = 1 is mapped over number of flats, wall thickness and fillet radius.
 
-    For each number of flats from 3 to 48, the part of the pressure that the rollers carry is also
-    computed; the paper assigns all of it to the rollers. All rings are solved with finite elements
-    and with the series. Dimensions are assumed.
+    For numbers of flats from 3 to 48, the part of a pressure increase that the rollers carry is
+    also computed; the paper assigns the whole increase to the rollers. All rings are solved with
+    finite elements, and a part of them also with the series. Dimensions are assumed.
     """
 
     id = "polyhedral-map"
-    title = "K of the polyhedral ring for varied number of flats, wall and fillet radius"
+    title = "Correction factor K for varied number of flats, wall thickness and fillet radius"
     source = "belcin"
     place = "K before Eq. 11; Eqs. 13 and 16"
     levels: ClassVar = fem.LEVELS
@@ -102,7 +102,8 @@ class PolyhedralMap(MapInputs):
             yield identity(case.K_mid(z), symbol="K_mid", order=4, sensitivity=HALVED,
                            shares=PLANE)  # fmt: skip
         yield Comparison(check=Agreement(
-            name="K of a ring with 48 flats is within 2 % of Lamé's limit", symbol="K", unit="1",
+            name="K of a ring with 48 flats is within 2 % of the limit for many flats", symbol="K",
+            unit="1",
             pair=near_lame, accepted=NEAR_LAME, source=SUBJECT, **demanded(NEAR_LAME),
         ), quantity=case.K_many, shares=PLANE)  # fmt: skip
         yield Comparison(check=Accepted(
@@ -121,7 +122,7 @@ class PolyhedralMap(MapInputs):
         yield Agreement(
             name="incremental load-transfer ratio by series and by FE agrees within 1 %",
             symbol="η",
-            pair=shares, accepted=ETA, source=suites("the largest error accepted for a row"),
+            pair=shares, accepted=ETA, source=suites("the largest error accepted for any z"),
             **demanded(ETA), **more,
         )  # fmt: skip
 
@@ -168,7 +169,8 @@ def falls(context: Context) -> tuple[float, float, str]:
     return (
         step,
         U,
-        f"|K − K_∞| decreases by at least {step:.2g} from one number of flats to the next",
+        f"|K − K_∞| decreases by at least {step:.2g} from each computed number of flats to the "
+        "next",
     )
 
 

@@ -28,10 +28,12 @@ def figures(q: Any, context: Context) -> Sequence[Figure]:
     )
     solved = bool(context.fem)
     return (
-        _map("Error of K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
+        _map("Error of K = 1 over number of flats and wall thickness", "wall δ_1/d_e", WALLS, wall,
+             solved,
              "Error [%] of p_1r = K p_1 with K = 1, for a fillet radius of "
              f"{q.rho * 1e3:.3g} mm."),
-        _map("Error of K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
+        _map("Error of K = 1 over number of flats and fillet radius", "fillet ρ/δ_1", SHARES,
+             fillet, solved,
              "Error [%] of p_1r = K p_1 with K = 1, for a wall thickness of "
              f"{q.delta_1 * 1e3:.3g} mm."),
         _factors(q, context),

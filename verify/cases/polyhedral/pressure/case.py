@@ -32,7 +32,7 @@ from verify.form.figures import Overlay
 WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # δ_1/d_m: a decade
 THICK = 0.15  # δ_1/d_m above which meshes are twice as fine
 SOLID = 0.96  # δ_1/d_m at the end of figures; at 1 the bore vanishes
-ACCEPTED = 5e-4, "accepted error for uniform pressure on a round ring"
+ACCEPTED = 5e-4, "accepted error of finite elements for a round ring under uniform pressure"
 LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
 MEAN = (
     "derived: the mean stress over the wall is p d_i/(2 δ_1) for any pressure p, so that σ_t "
@@ -56,9 +56,10 @@ MIDDLE = "Lamé: growth of the mean diameter if the outer diameter grows by j_D"
 class RingPressure(ThinRing):
     """A round ring under pressure is the basis of the theory of the polygonal ring.
 
-    The thin ring of the paper is compared with Lamé's thick ring and with finite elements. A sweep
-    of the wall thickness demonstrates that the error of the thin ring vanishes with the wall.
-    Dimensions are assumed, because the paper prints none.
+    The formulas of the paper for a thin ring are compared with Lamé's formulas of a thick ring and
+    with finite elements. Rings of varied wall thickness demonstrate that the error of the thin-ring
+    formula approaches zero with the wall thickness. Dimensions are assumed, because the paper
+    prints none.
     """
 
     id = "polyhedral-pressure"
@@ -170,7 +171,8 @@ class RingPressure(ThinRing):
         yield approximation(ring.growth, "growth_outside", order=4, symbol="Δd_e",
                             against="the growth of the outer diameter",
                             expected=Expected(*taken, OUTSIDE))  # fmt: skip
-        yield limit(ring.p_1, "pressure as the wall thickness of a thin ring vanishes, Eq. 10",
+        yield limit(ring.p_1,
+                    "error of the pressure for a wall thickness that approaches zero, Eq. 10",
                     "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
@@ -220,7 +222,7 @@ class RingPressure(ThinRing):
         if self.R_p is None and self.straining > 3e-3:
             yield (
                 f"the hoop strain that closes the clearance is {self.straining:.2%}: most steels "
-                "yield at less; enter R_p"
+                "yield at a smaller strain; enter R_p"
             )
 
 

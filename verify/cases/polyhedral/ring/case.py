@@ -37,7 +37,7 @@ PEAK = 1e-4  # relative error of a largest stress by the polynomial along the fi
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
 HALVED = 1e-3, "accepted change when the cell size is halved: 0.1 %"
 LARGEST = "derived from the largest stress in the fillets by the series, ± 0.5 %"
-FILLET = 5e-3, "a sensitivity of 0.5 % of the peak stress detects a wrong fillet radius"
+FILLET = 5e-3, "a change of the peak stress by 0.5 % would show a wrong fillet radius"
 PLACES = {"e": "e", "corner": "the corner"}  # places of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "symmetric part of the hub force, equal for all flats; plane stress"
@@ -100,7 +100,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
                         "corners move inwards", source=SERIES,
                         role="step").reads(lambda q: q.factors.corner)  # fmt: skip
 
-    @Quantity("1/K_corner", "1", "flexibility at the corners")
+    @Quantity("1/K_corner", "1", "reciprocal of K at the corners")
     def flexibility(self) -> float:
         return 1 / self.K_corner
 
@@ -140,8 +140,9 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at {1} by the hub "
-              "force at {0} (mid: middle of the flats; e: offset e; corner)",
+    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at point {1} by the "
+              "hub force at point {0} (point mid: middle of a flat; point e: at the distance e "
+              "from the middle)",
               source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]

@@ -49,9 +49,10 @@ class WedgedRoller(WedgeFormulas):
         "force alone",
         "the contact pressure acts, and the gap is measured, along the normal of the undeformed "
         "race, so that a sliding roller remains in the same wedge. For the stick zone, the normal "
-        "of the common, deformed contact surface is used instead",
-        "the stick zone is computed under a separate load, so small that Cattaneo's half-planes "
-        f"are a good approximation: a/(μR) is at most {TILT:g}, a/R at most {FLATTEST:g}",
+        "of the deformed contact surface is used instead",
+        "the stick zone is computed under another load, which is so small that Cattaneo's "
+        f"half-planes are a good approximation: a/(μR) is at most {TILT:g}, a/R at most "
+        f"{FLATTEST:g}",
         "the weight of the roller and the effect of speed are neglected; the coefficient of "
         "friction is equal at both contacts, for sticking and for sliding",
     )
@@ -82,7 +83,7 @@ class WedgedRoller(WedgeFormulas):
             yield f"p_0 = {p_0} exceeds p_lim = {self.shown('p_lim')}: the surfaces yield"
         if self.p_lim is None and self.p_0 > 0.02 * self.E:
             share = f"{self.p_0 / self.E:.1%}"
-            yield f"p_0 = {p_0} is {share} of E: most steels yield at less; enter p_lim"
+            yield f"p_0 = {p_0} is {share} of E: most steels yield at a lower p_0; enter p_lim"
 
     def refusal(self) -> str:
         """Reason for not solving a roller that is expelled; "" if it stays in the wedge."""

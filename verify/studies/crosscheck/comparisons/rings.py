@@ -235,7 +235,7 @@ RINGS = (
             Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
             Quantity(name="K_mean", row="K for the mean displacement of the outer surface",
                      symbol="K_mean", **K),
-            Quantity(name="flexibility", row="flexibility at the corners", symbol="1/K_corner",
+            Quantity(name="flexibility", row="reciprocal of K at the corners", symbol="1/K_corner",
                      **K),
             Quantity(name="fillet", row="largest hoop stress in the fillets", symbol="σ_max",
                      unit="MPa", allowed=AVERAGED,
