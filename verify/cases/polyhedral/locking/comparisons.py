@@ -40,7 +40,7 @@ SERIES = (
 CONTACT = (
     "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
     "contact line; ± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall)), where the last term is "
-    "the effect of strain and bending of the ring"
+    "the effect of strain and bending of the ring and R is the relative radius of roller and ring"
 )
 RACE = (
     "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
@@ -117,7 +117,12 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
     case, soft = LockedFormulas, self.soft
     for reference, words, touch, plane in (
         ("p_2", "", self.p_1r, "plane stress"),
-        ("p_2_long", ", against a long ring in plane strain", self.touch_long, "plane strain"),
+        (
+            "p_2_long",
+            ", against a long ring in plane strain",
+            self.touch_long,
+            "plane strain (long ring)",
+        ),
     ):
         yield approximation(
             case.p_2_round, reference, name=f"blocking pressure, Eq. 19 with K = 1{words}",

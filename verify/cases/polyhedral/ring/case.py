@@ -195,7 +195,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         yield identity(ring.flexibility, scale={"1/K_mid": 1 / self.K_mid}, **same)
         long = self.as_wide()
         wide = State(long, "strain", "plane strain")
-        yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain"})
+        yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain (long ring)"})
         yield approximation(ring.K, "K_mid", order=4, expected=of_one(self.K_mid),
                             printed=("belcin:k-predimensioning",),
                             shares="plane stress")  # fmt: skip
@@ -203,7 +203,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             expected=of_one(self.K_mean),
                             name="K = 1 against K for the mean displacement of the outer "
                             "surface")  # fmt: skip
-        yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
+        yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain (long ring)",
                             expected=of_one(long.K_mid),
                             name="K = 1 against K in the middle of the flats, plane "
                             "strain")  # fmt: skip
