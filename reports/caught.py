@@ -17,7 +17,7 @@ SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
     "references": "changed references",
 }  # fmt: skip
-PRINTED = "lower required sensitivity: printed as "
+PRINTED = "the smallest change that must be detected exceeds 1 %: printed as "
 
 
 @dataclass(frozen=True)
@@ -105,9 +105,9 @@ def in_words(caught: Caught) -> list[str]:
         f"changed by ±1 %. This is {100 * listed['share']:.1f} % of all rows, or "
         f"{100 * listed['share without convergence']:.1f} % without the "
         f"{data['convergence']} convergence rows.",
-        f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
+        f"If the value of a formula is changed instead, {moved['reached']} of {moved['rows']} "
         f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "
-        f"{len(moved['hidden'])} pass in spite of the change.",
+        f"of those that depend on it, {len(moved['hidden'])} pass in spite of the change.",
         f"Rows on which no value of a formula has an effect are counted separately: {always}.",
     ]
 

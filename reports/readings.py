@@ -16,10 +16,12 @@ def found(one: ReadingsTried) -> str:
     if not one.readings:
         return "no reading"
     more = one.hits - 1
-    others = f"; also {more} other combination{'s' * (more > 1)}" if more else ""
+    others = (
+        f"; the number also follows from {more} other combination{'s' * (more > 1)}" if more else ""
+    )
     value = f" ({one.value:.6g})" if one.value is not None else ""
     weight = "" if one.is_evidence else "; the agreement may be accidental"
-    return f"{' and '.join(one.readings)}{value}{others}{weight}"
+    return f"{'; '.join(one.readings)}{value}{others}{weight}"
 
 
 def chance(expected: float) -> str:

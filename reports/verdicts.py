@@ -115,7 +115,7 @@ def not_to_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
 def errata_in_verdicts(
     report: Report,
 ) -> list[tuple[str, Mapping[str, Any], list[FormulaVerdict]]]:
-    """Errata that change the number of a formula, with their paper and these formulas."""
+    """Errata that change the result of a formula, with their paper and these formulas."""
     short = named(report.papers)
     found = (
         (e, [v for v in report.verdicts if v.paper == e["paper"] and e["id"] in v.errata])

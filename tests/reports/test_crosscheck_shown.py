@@ -53,7 +53,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert "calculix 2.20: 3 numbers of 1 problem; largest difference +10\u202f%" in text
     assert '(<a href="#cross-1">ring-lame, rim</a>)' in text
     assert "a quarter &amp; more" in text
-    assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in text
+    assert "5522 unknowns, solved by the project in 0.11 s, by the second solver in 0.52 s" in text
     assert text.count('class="is-fail"') == 1
     assert "Not measured for the present code" in text
     assert '<a href="#crosscheck">' in html

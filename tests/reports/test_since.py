@@ -47,14 +47,15 @@ def test_nothing_moved_is_one_line_and_a_loosened_tolerance_stands_first_and_in_
 
 
 def test_what_a_search_found_in_words():
-    words = "b for h and one side (0.60096)"
+    words = "b for h; one side (0.60096)"
     met = ("the formula gives the number, within the rounding of its inputs; "
            "no other reading is needed")  # fmt: skip
     for change, expected in (
-        ({}, f"{words}; also 1 other combination"),
+        ({}, f"{words}; the number also follows from 1 other combination"),
         (
             {"hits": 3, "is_evidence": False},
-            f"{words}; also 2 other combinations; the agreement may be accidental",
+            f"{words}; the number also follows from 2 other combinations; "
+            "the agreement may be accidental",
         ),
         ({"readings": (), "hits": 0}, "no reading"),
         ({"met": True}, met),
@@ -64,7 +65,7 @@ def test_what_a_search_found_in_words():
 
 def test_page_and_records_have_readings_with_their_chance(shown):
     text = section(shown, "readings")
-    for words in ("b for h and one side (0.60096)", "0.032", "eq-3-leaf-length", "255",
+    for words in ("b for h; one side (0.60096)", "0.032", "eq-3-leaf-length", "255",
                   "a thickness &lt;b&gt;"):  # fmt: skip
         assert words in text
     record = report_record(shown)

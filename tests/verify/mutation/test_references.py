@@ -120,6 +120,8 @@ def test_rows_are_listed_by_the_reason_and_convergence_is_neither():
     assert found["gate"]["rows"] == 1
     assert found["listed"]["rows"] == 2
     names = {why: [name for name, _ in rows] for why, rows in found["listed"]["because"].items()}
-    assert names["lower required sensitivity: made up"] == ["ring-made-up/wide"]
+    assert names["the smallest change that must be detected exceeds 1 %: made up"] == [
+        "ring-made-up/wide"
+    ]
     assert found["listed"]["share"] == pytest.approx(2 / 6, rel=1e-3)
     assert found["listed"]["share without convergence"] == pytest.approx(2 / 3, rel=1e-3)

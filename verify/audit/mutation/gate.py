@@ -26,7 +26,7 @@ TOLD = {
     Status.SKIP: "not run",
 }
 A_FACT = "fact: a statement that is true or false, such as convergence"
-WIDER = "lower required sensitivity"
+WIDER = "the smallest change that must be detected exceeds 1 %"
 
 
 def listed_as(row: Row) -> str:

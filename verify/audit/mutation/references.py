@@ -27,7 +27,7 @@ from verify.core.results import Kind, Status
 
 DIGITS = 4  # significant
 BALANCE, ZERO = "exact balances", "deviations from zero"
-NO_FORMULA = "rows that no value of the formulas reaches"
+NO_FORMULA = "other rows"
 SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried with both signs
 
 Progress = Callable[[int, int, str], None]  # cases done, cases in all, the running one

@@ -11,18 +11,18 @@ _STRIPS = (
     "contact-roller compares the strips with tamaas"
 )
 _ALONG = (
-    "the model has axial displacements that are uniform along the axis, which plane cells of "
-    "calculix do not have"
+    "the model has axial displacements that are uniform along the axis, which plane "
+    "elements of calculix do not have"
 )
-_FRAME = "the frames consist of beams; such beams are compared with strips of calculix in "
+_FRAME = "the frames consist of beams; such beams are compared with plane elements of calculix in "
 
 ALONE: Mapping[str, str] = {
     "ring-loads-map": "the sectors are those of ring-loads, which calculix solves, but with other "
     "numbers of loads n and other wall thicknesses",
     "polyhedral-map": "the sectors are those of polyhedral-ring, which calculix solves, but "
     "with other numbers of flats, walls and fillets",
-    "polyhedral-wedge": "the sticking of a released roller depends on the history of loading; "
-    "calculix models sticking by a tangential stiffness, so that the half-width is not accurate",
+    "polyhedral-wedge": "the stick zone of a released roller depends on the history of loading; "
+    "calculix models sticking by a tangential stiffness, so that the width of this zone is wrong",
     "polyhedral-clutch": "the ring is that of polyhedral-locking, which calculix solves, but "
     "under a torque",
     "freewheel-friction": _ALONG,

@@ -49,8 +49,8 @@ def loaded_angle(q: Mapping[str, Any]) -> float:
 
 def _loaded_angle_readings() -> tuple[Reading, ...]:
     return (
-        switched("below", "− r in the denominator", below=-1.0),
-        switched("above", "− r in the numerator", above=-1.0),
+        switched("below", "minus sign of r in the denominator", below=-1.0),
+        switched("above", "minus sign of r in the numerator", above=-1.0),
         switched("ring", "outer radius of the ring, 22 mm", ring=22.0),
         switched("share", "2 α instead of α", share=2.0),
         switched("share", "α instead of 2 α", share=0.5),

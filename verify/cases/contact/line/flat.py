@@ -48,7 +48,7 @@ SHEAR = (
     "derived: −0.693 a/R due to the opposite flat and the round surface, "
     "± (a/R)² as an estimate of the next term, at least 1e-3"
 )
-DERIVED = 0.2, "the row must fail if a third or more of the derived coefficient is missing"
+DERIVED = 0.2, "sufficient to detect that a third of the derived coefficient is missing"
 
 
 def key(ratio: float) -> str:

@@ -105,8 +105,8 @@ def of_both(fields: Touched, times: float) -> Numbers:
 HERE: Any = {"allowed": 5e-3, "why": PENALTY}
 DRAWN: Any = {
     "allowed": CONTACT,
-    "why": f"{PENALTY}; the radii of the races are changed to model the interference, by 1e-3 of a "
-    "radius",
+    "why": f"{PENALTY}; the radii of the races are changed by 1e-3 of a radius to model the "
+    "interference",
 }
 
 

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
 LEVEL = 3
-LOAD = "load at the same approach"
-NORMAL, PUSH = "normal force", "tangential force at the same displacement"
+LOAD = "load at the approach of the project's solution"
+NORMAL, PUSH = "normal force", "tangential force at the project's displacement"
 SLIPPING = 6  # cells on the half-width of slipping discs
 
 
@@ -197,12 +197,12 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed by P and {words} by Q, plane strain",
+            what=f"half discs with friction, pressed by P, upper disc {words} by Q, plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
                 Quantity(name=PUSH, row=row, beside=True, symbol="Q(δ)", unit="N/mm",
-                         allowed=CONTACT, why=f"{PENALTY}; sticking nodes slip a little"),
+                         allowed=CONTACT, why=f"{PENALTY}; nodes that should stick slip a little"),
             ),
         )
         for stage, words, row in (

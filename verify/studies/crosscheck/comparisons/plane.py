@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from fem.plane.solution import PlaneSolution
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
-MESH = "same mesh; calculix prints six digits and has fewer points of integration"
+MESH = "same mesh; calculix prints six digits and has fewer integration points"
 LINEAR = 5e-5  # of displacements and energies on one mesh
 AVERAGED = 1e-3  # of stresses at nodes
 

@@ -16,7 +16,7 @@ from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed,
 
 STIFF = 500.0  # slope of the penalty [E/a]
 LEVEL = 3
-LOAD = "load at the same approach"
+LOAD = "load at the approach of the project's solution"
 
 
 def race() -> Posed:

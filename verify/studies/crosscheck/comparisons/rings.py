@@ -239,7 +239,7 @@ RINGS = (
                      **K),
             Quantity(name="fillet", row="largest hoop stress in the fillets", symbol="σ_max",
                      unit="MPa", allowed=AVERAGED,
-                     why="stresses by the project from calculix's displacements"),
+                     why="the project computes the stresses from calculix's displacements"),
         ),
     ),
     Cross(

@@ -105,7 +105,9 @@ def posed(
             for node, size, phase in forces:
                 masses[node] = masses.get(node, 0.0) + size * np.exp(1j * phase)
             axes = unbalance_response(rotor, np.array(speeds), masses).major(unbalance["probe"])
-            found |= {f"orbit, speed {i}": float(a) for i, a in enumerate(axes, 1)}
+            found |= {
+                f"major semi-axis of the orbit, speed {i}": float(a) for i, a in enumerate(axes, 1)
+            }
         return found
 
     ours, seconds = timed(solve)
@@ -117,7 +119,10 @@ def posed(
             f"frequency {k}, speed {i}": w
             for i, row in enumerate(there["frequencies"], 1) for k, w in enumerate(row, 1)
         }  # fmt: skip
-        return found | {f"orbit, speed {i}": a for i, a in enumerate(there.get("orbit", ()), 1)}
+        return found | {
+            f"major semi-axis of the orbit, speed {i}": a
+            for i, a in enumerate(there.get("orbit", ()), 1)
+        }
 
     return Posed(
         ours=ours, seconds=seconds, unknowns=len(rotor.M) * 4 // 6,
@@ -161,8 +166,8 @@ ROTORS = (
             quantities=(
                 *(frequency(k, f"natural frequency {k}, beam elements", beside=True)
                   for k in whirls),
-                Quantity(name="orbit, speed 2", symbol=f"x_{n}", unit="µm", allowed=EXACT,
-                         why=BEAMS, beside=True,
+                Quantity(name="major semi-axis of the orbit, speed 2", symbol=f"x_{n}", unit="µm",
+                         allowed=EXACT, why=BEAMS, beside=True,
                          row=f"amplitude of node {n} at the speed of the test rig, without "
                          "damping"),
             ),
@@ -178,7 +183,8 @@ ROTORS = (
             *(frequency(k, f"natural frequency {k} at speed n" if i == 2 else "", i,
                         beside=True)
               for i in (1, 2, 3) for k in (1, 2, 3, 4)),
-            *(Quantity(name=f"orbit, speed {i}", symbol="|r|", unit="µm", allowed=EXACT, why=BEAMS,
+            *(Quantity(name=f"major semi-axis of the orbit, speed {i}", symbol="|r|", unit="µm",
+                       allowed=EXACT, why=BEAMS,
                        row="amplitude of the probe node" if i == 2 else "", beside=True)
               for i in (1, 2, 3)),
         ),

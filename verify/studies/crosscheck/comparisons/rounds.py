@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 FINE = 4  # of the case's meshes
 UNIT = 1e-3  # E, the pressure that is solved for
-NODAL = "stresses by the project from calculix's displacements"
+NODAL = "the project computes the stresses from calculix's displacements"
 
 
 def expanded(assumption: Any) -> Posed:

@@ -88,8 +88,7 @@ SOLIDS = (
     *(
         Cross(
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
-            what=f"half the width of a loop of the spring by solid elements, edge {words} in the "
-            "direction of the width",
+            what=f"half the width of a loop of the spring by solid elements, side edge {words}",
             pose=partial(loop, held),
             quantities=(
                 Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
@@ -100,12 +99,11 @@ SOLIDS = (
     ),
     Cross(
         id="spring-width, shell", case="spring-width", solver=CALCULIX,
-        what="half the width of a loop of the spring by shell elements of this project, compared "
-        "with solid elements of calculix",
+        what="half the width of a loop of the spring: shells in the project, solids in calculix",
         pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
-                     why="shell and solid elements differ by (b/R)² in arcs",
+                     why="in arcs, shell and solid elements differ by a fraction of about (b/R)²",
                      beside=True, row=ROW),
         ),
     ),

@@ -30,7 +30,10 @@ if TYPE_CHECKING:
 FINE = 3.5  # cells over the root of length over thickness
 THIN = 0.1  # of the thickness, how wide a strip of plane stress is
 LEVEL = 8  # elements of an arc here, and cells there
-STRIP = "plane elements in place of the project's beams, which differ by (b/R)²/30 in arcs"
+STRIP = (
+    "plane elements instead of the project's beams; in arcs, the relative difference of both is "
+    "(b/R)²/30"
+)
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = (
     f"{STRIP}; larger tolerance, because u_y is the small difference between displacements of "
