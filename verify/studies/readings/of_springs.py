@@ -218,7 +218,8 @@ PROBLEMS = (
     ),
     _problem(
         "fea-test-error-small-compression", case="spring-stages",
-        what="difference between Eq. 10 and a straight test line through zero, at 1 N",
+        what="difference at 1 N between the force by Eq. 10 and a straight line through zero with the "
+        "slope k_1 of the tests",
         formula=small_error, inputs=_small, readings=_small_readings,
         errata=("fea-error-small-compression",),
     ),

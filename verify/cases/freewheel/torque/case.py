@@ -26,7 +26,10 @@ from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
 SHARP = "acceptance figure for this quantity"
-ENCLOSED = "the layer and the discs that bound the compliance of the star give no narrower interval"
+ENCLOSED = (
+    "the compliance of the star lies between those of a layer and of two discs, an interval that is "
+    "not narrower"
+)
 PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
 ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
 NOT_LOADED = "ratio of the clamping angle without load to the angle under torque (Eq. 5, corrected)"

@@ -36,10 +36,10 @@ STRIP = (
 )
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = (
-    f"{STRIP}; larger tolerance, because u_y is the small difference between displacements of "
-    "opposite sign"
+    f"{STRIP}; larger tolerance, because u_y is the small sum of displacements of opposite "
+    "sign"
 )
-STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 % (tangent stiffness)"
+STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 %"
 UNITS = 6  # of a spring whose tips are to touch
 PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch
 APART, TOUCHING = "force before the tips touch", "force after the tips touch"
