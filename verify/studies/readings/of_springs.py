@@ -218,8 +218,8 @@ PROBLEMS = (
     ),
     _problem(
         "fea-test-error-small-compression", case="spring-stages",
-        what="difference at 1 N between the force by Eq. 10 and a straight line through zero with the "
-        "slope k_1 of the tests",
+        what="difference at 1 N between the force by Eq. 10 and a straight line through zero with "
+        "the slope k_1 of the tests",
         formula=small_error, inputs=_small, readings=_small_readings,
         errata=("fea-error-small-compression",),
     ),

@@ -132,7 +132,8 @@ NORMAL = (
 CLUTCHES = (
     Cross(
         id="polyhedral-locking, rigid roller", case="polyhedral-locking", solver=CALCULIX,
-        what="half a sector of the ring under pressure, in contact with a rigid roller, plane stress",
+        what="half a sector of the ring under pressure, in contact with a rigid roller, "
+        "plane stress",
         pose=partial(locked, False, 2),
         quantities=(
             Quantity(name="force of a roller", row="force of a roller under pressure, series",
@@ -141,8 +142,8 @@ CLUTCHES = (
     ),
     Cross(
         id="polyhedral-locking, elastic roller", case="polyhedral-locking", solver=CALCULIX,
-        what="half a sector of the ring under pressure, in contact with half an elastic roller in a "
-        "rigid race, plane stress",
+        what="half a sector of the ring under pressure, in contact with half an elastic roller in "
+        "a rigid race, plane stress",
         pose=partial(locked, True, 1),
         quantities=(
             Quantity(name="force of a roller", symbol="N/b", unit="N/mm", **HERE,

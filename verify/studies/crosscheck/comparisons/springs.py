@@ -36,8 +36,7 @@ STRIP = (
 )
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = (
-    f"{STRIP}; larger tolerance, because u_y is the small sum of displacements of opposite "
-    "sign"
+    f"{STRIP}; larger tolerance, because u_y is the small sum of displacements of opposite sign"
 )
 STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 %"
 UNITS = 6  # of a spring whose tips are to touch
