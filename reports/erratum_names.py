@@ -39,7 +39,7 @@ SUBJECTS: Mapping[str, str] = {
     "eq-7-rolling": "rotation by rolling",
     "eq-7-width": "width b is not defined",
     "eq-8-one-direction": "same direction assumed for displacement and tilt",
-    "eq-8-preload": "preload and vibration displacements",
+    "eq-8-preload": "preload twist is missing",
     "eq-8-two-tangents": "second definition of tan α",
     "eq-9-centrifugal": "centrifugal growth of the outer race is missing",
     "eq-9-sprag-index": "index of the sprag angle",

@@ -48,8 +48,14 @@ def count(name: str, symbol: str = "") -> list[Reading]:
     return [
         Reading(name=f"{s} − 1 instead of {s}", of=s, inputs=lambda q: {name: q[name] - 1}),
         Reading(name=f"{s} + 1 instead of {s}", of=s, inputs=lambda q: {name: q[name] + 1}),
-        Reading(name=f"total of all {s} parts", of=ROOT, result=lambda v, q: v * q[name]),
-        Reading(name=f"single part of {s}", of=ROOT, result=lambda v, q: v / q[name]),
+        Reading(
+            name=f"total of all {s} parts instead of one part",
+            of=ROOT,
+            result=lambda v, q: v * q[name],
+        ),
+        Reading(
+            name=f"one of {s} parts instead of the total", of=ROOT, result=lambda v, q: v / q[name]
+        ),
     ]
 
 

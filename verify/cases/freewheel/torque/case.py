@@ -27,8 +27,8 @@ from verify.form.adapter import adapted
 
 SHARP = "acceptance figure for this quantity"
 ENCLOSED = (
-    "the compliance of the star lies between those of a layer and of two discs; this interval is not "
-    "narrower"
+    "the compliance of the star lies between those of a layer and of two discs; this interval is "
+    "not narrower"
 )
 PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
 ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
