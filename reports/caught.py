@@ -87,9 +87,12 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
-        counts["lower required sensitivity: printed with few digits" if coarse else reason] += len(
-            rows
-        )
+        counts[
+            "the smallest change that must be detected exceeds 1 %: the value is printed with few "
+            "digits"
+            if coarse
+            else reason
+        ] += len(rows)
     return counts.most_common()
 
 
