@@ -192,7 +192,7 @@ Margin = Callable[[Context], tuple[float, float, str]]
 
 @dataclass(frozen=True, kw_only=True)
 class Accepted(Claim):
-    """A statement with an acceptance figure that is valid for the paper's inputs only.
+    """A statement with an acceptance limit that is valid for the paper's inputs only.
 
     At user inputs, the row is SHOWN. `margin` returns the margin of the error to the figure, the
     expanded uncertainty of the margin, and a text that states the error. A statement for fitted

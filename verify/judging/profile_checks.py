@@ -39,7 +39,7 @@ class ProfileError(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Within(Fact):
-    """Check that the error of a profile is within the acceptance figure `accepted`.
+    """Check that the error of a profile is within the accepted error `accepted`.
 
     `margin` is the figure minus the error.
     """

@@ -1,6 +1,6 @@
 """Claims that two values of one quantity agree within a tolerance stated beforehand.
 
-The tolerance is an acceptance figure of the subject, a statement of a paper, or a requirement of
+The tolerance is an accepted error of the subject, a statement of a paper, or a requirement of
 the suite with its reason. It is never taken from the finite elements of the row. Such a claim is
 judged like any comparison, with its detection limit.
 """
@@ -17,9 +17,9 @@ from verify.core.results import Kind, Partner, Row, Status
 from verify.judging import judge
 from verify.judging.claims import Claim
 
-SUBJECT = "acceptance figure for this quantity"  # stated for that very quantity
+SUBJECT = "accepted error of this quantity"  # stated for that very quantity
 EQUAL = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
-BOTH_WAYS = "twice the acceptance figure, because the error may have either sign"
+BOTH_WAYS = "twice the accepted error, because the error may have either sign"
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Pair:
 
 @dataclass(frozen=True, kw_only=True)
 class Stated(Claim):
-    """Base class of claims with an acceptance figure that is valid for the paper's inputs only.
+    """Base class of claims with an accepted error that is valid for the paper's inputs only.
 
     At user inputs, the error is SHOWN, unless the figure is valid `everywhere`. `source` is the
     origin of the figure: `SUBJECT`, a place in a paper, or `suites`. `by` is the method of the
@@ -148,7 +148,7 @@ def suites(reason: str) -> str:
 
 
 def demanded(accepted: float) -> dict[str, Any]:
-    """Required sensitivity for the acceptance figure `accepted`: twice this figure.
+    """Required sensitivity for the accepted error `accepted`: twice this figure.
 
     The result is empty if twice the figure does not exceed the default of the suite, which then
     applies.

@@ -16,7 +16,7 @@ Accepted = Sequence[tuple[str, float]]
 
 
 def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Requirements and intervals that became looser; changes of scale or acceptance figures."""
+    """Requirements and intervals that became looser; changes of scale or acceptance limits."""
     for one in figures(was, now):
         if one.is_loosened:
             old, new = _shares(one)
@@ -58,7 +58,7 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Changes of acceptance figures in words, paired by word; of all figures if words differ."""
+    """Changes of acceptance limits in words, paired by word; of all figures if words differ."""
     if [word for word, _ in was] == [word for word, _ in now]:
         for old, new in zip(was, now, strict=True):
             if _is_looser(old, new):

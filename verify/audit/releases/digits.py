@@ -4,7 +4,7 @@ Stated figures have one or two significant digits; computed figures have all nin
 stored. A number with up to four digits is considered stated, and must be repeated exactly. One in
 ten thousand computed numbers has so few digits and is treated in the same manner.
 
-Ends of intervals and acceptance figures are stored directly, not as a quotient. They are considered
+Ends of intervals and acceptance limits are stored directly, not as a quotient. They are considered
 stated if they have up to six digits, which happens for one in a thousand computed numbers.
 """
 

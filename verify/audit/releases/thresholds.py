@@ -1,7 +1,7 @@
 """Permissible change of a number since a release.
 
 A stated number is identical on every processor: any difference is reported. Stated numbers are
-requirements, and acceptance figures, bounds, printed digits, and ends or widths of intervals that
+requirements, and acceptance limits, bounds, printed digits, and ends or widths of intervals that
 are literals in the source.
 
 The last digits of a computed number (a value, a bound from a condition number, an interval from a
@@ -55,7 +55,7 @@ class Figure:
 
 
 def figures(was: Kept, now: Kept) -> Iterator[Figure]:
-    """Requirement, bound, acceptance figure and reference uncertainty of a row, before and now."""
+    """Requirement, bound, acceptance limit and reference uncertainty of a row, before and now."""
     error = relative_error(was, now)
     limit = RECORDED_TOL * (was.demand or 0.0) + RELATIVE_ROUND_OFF
     demanded = _either_literal(was.demand, now.demand)
@@ -125,7 +125,7 @@ def relative_error(was: Kept, now: Kept) -> float:
 def half_width(row: Kept) -> float | None:
     """Half of the permissible range of the difference of a row, relative to its scale.
 
-    The range is that of the interval, of the acceptance figure or of the tolerance.
+    The range is that of the interval, of the acceptance limit or of the tolerance.
     """
     if row.interval is not None:
         return (row.interval[1] - row.interval[0]) / 2

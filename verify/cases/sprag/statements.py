@@ -16,7 +16,7 @@ from verify.judging import judge
 from verify.judging.checks import Accepted
 from verify.judging.claims import Claim
 
-SLICED = 0.02  # acceptance figure of a pressure by slices; STRIPS: by strips
+SLICED = 0.02  # accepted error of a pressure by slices; STRIPS: by strips
 STRIPS = 0.003
 WIDER = 0.045  # demand of a row with that interval
 BY_STRIPS = "strips"

@@ -14,7 +14,7 @@ NARROWEST = 1e-4  # smallest a/R for which round-off is negligible
 WIDEST = 0.3  # largest a over the smallest radius for which finite elements are used
 STATIC_RATING = 4.0e9  # Pa, ISO 76: pressure of roller bearings at their static load rating
 HERTZ = "Hertz; basis of Eqs. 2-5"
-PROFILE = 0.03  # acceptance figure of q(x) in L2
+PROFILE = 0.03  # accepted error of q(x) in L2
 ROUND = "direct solution; the load is reached within 1e-12 of its value"
 
 

@@ -18,7 +18,7 @@ from verify.judging.checks import Fact
 
 SHARED = "plane strain, small strain, the star clamped in its bore"
 COULOMB = "Coulomb's law of friction"
-SHARP = "acceptance figure for this quantity"
+SHARP = "accepted error of this quantity"
 
 
 def expected(q: ClutchInputs) -> StarBounds:

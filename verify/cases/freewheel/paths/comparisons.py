@@ -18,7 +18,7 @@ from verify.judging.checks import Accepted, Margin
 from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
 
-MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # acceptance figures of mu_req, torque, load at slip
+MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # accepted errors of mu_req, torque, load at slip
 ROOTED = (
     "twice the tolerance of 0.5 % for the friction cone, because an error of tan α causes a larger "
     "error of the load"

@@ -25,7 +25,7 @@ from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
-SHARP = "acceptance figure for this quantity"
+SHARP = "accepted error of this quantity"
 ENCLOSED = (
     "the compliance of the star lies between those of a layer and of two discs; this interval is "
     "not narrower"

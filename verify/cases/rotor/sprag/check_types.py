@@ -16,7 +16,7 @@ from verify.judging.claims import Claim
 from verify.papers.ledger import published
 
 Arrays = Mapping[str, Array]
-COARSE = 2e-4  # acceptance figure of the mesh with one beam element for each element of the paper
+COARSE = 2e-4  # accepted error of the mesh with one beam element for each element of the paper
 NO_SETS = "no set of parameters gives the three printed critical speeds"
 FITTED = f"in each set, {len(PARAMETERS)} parameters were fitted to three critical speeds"
 

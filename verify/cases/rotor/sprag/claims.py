@@ -14,7 +14,7 @@ from verify.core.case import Check, Context
 from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-BEAMS = 5e-6  # acceptance figure of 8 beam elements in each element of the paper
+BEAMS = 5e-6  # accepted error of 8 beam elements in each element of the paper
 BARS = 1e-5  # tolerance for torsion elements, with linear twist
 WITHIN_PRINTED = 3e-3
 EIGHT = "accepted error of 8 beam elements in each segment against transfer matrices"

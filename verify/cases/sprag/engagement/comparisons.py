@@ -202,7 +202,7 @@ def rolling(context: Context) -> Pair:
 def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
     return Partnered(name=f"{name}: Runge-Kutta steps and LSODA", symbol=symbol, unit=unit,
                      fem=key, analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
-                     demand=LSODA, demand_reason="acceptance figure for this quantity",
+                     demand=LSODA, demand_reason="accepted error of this quantity",
                      **more)  # fmt: skip
 
 

@@ -189,7 +189,7 @@ def _partners() -> Iterator[Check]:
     yield Partnered(name="largest force if μ is sufficient at rest, not at the peak: Runge-Kutta "
                     "steps and LSODA",
                     fem="N_max slipped", analytic="LSODA N_max slipped",
-                    demand_reason="acceptance figure for this quantity", **force)  # fmt: skip
+                    demand_reason="accepted error of this quantity", **force)  # fmt: skip
 
 
 def _guard() -> Iterator[Check]:
