@@ -210,7 +210,7 @@ def test_a_formula_has_its_equation_where_it_is_certain_which():
     case = registry.find("ring-loads-outer", registry.CASES)
     equations = case.equations(case.inputs(), case.analytic(case.inputs()))
     by_name = {pair.name: pair for pair in pairs(case)}
-    at_load = by_name["deflection under a load by Eq. 6"]
+    at_load = by_name["deflection by Eq. 6, compared with the displacement at a load"]
     assert tex(case, at_load, equations).startswith(r"\delta_{BE} = \frac{N n}{2 \pi l E}")
     assert place(case, at_load) == "Huang 2018, Eq. 6"
     assert tex(case, by_name["rim displacement at the angle of a load"], equations) == ""

@@ -11,11 +11,14 @@ from verify.cases.freewheel.star import Star
 WIDEST = 8e-3  # interval with which a row of a user's star is sharp enough
 
 BRACKET = (
-    "compliance of the star, which lies between the compliances of a layer and of two discs; "
-    "wind-up of the star; terms of the order (a/r)², which Hertz's theory omits"
+    "compliance of the star, which lies between the smallest and the largest compliance of three "
+    "bodies: a layer as thick as the star at the flats, a disc of the radius of the flats, and a "
+    "disc of the radius of the corners; wind-up of the star; terms of the order (a/r)², which "
+    "Hertz's theory omits"
 )
 TANGENTIAL = (
-    f"{BRACKET}; rotation by the tangential forces, which is 0.5 tan²α to tan²α times the wind-up"
+    f"{BRACKET}; additional rotation of the ring by the tangential forces, 0.5 tan²α to tan²α "
+    "times the wind-up"
 )
 
 

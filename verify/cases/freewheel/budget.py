@@ -39,7 +39,7 @@ def rerun(**more: Any) -> Rerun:
     return Rerun(cause=Cause.GEOMETRY, **more)
 
 
-LIGHT = rerun(what="a quarter of the load: contacts half as wide", inputs=light, levels=(4,))
+LIGHT = rerun(what="a quarter of the load (contacts half as wide)", inputs=light, levels=(4,))
 WALL = rerun(what="a ring with four times the wall thickness", inputs=thick_ring, levels=(4,))
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               changes=plane_stress(PROBLEM), levels=(4,))  # fmt: skip

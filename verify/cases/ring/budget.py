@@ -10,7 +10,10 @@ from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 
 CLOSER = 4  # times as many loads
-WAVE = "mean pressure and its first harmonic per pitch instead of patches: no indentation"
+WAVE = (
+    "the mean pressure and its first harmonic along a pitch replace the pressure on the contact "
+    "patches, so that there is no local indentation"
+)
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
@@ -55,12 +58,15 @@ LOADS = Statement(
     reruns=(
         Rerun(
             cause=Cause.GEOMETRY, what=WAVE,
-            rows=("deflection under a load by Eq. 6", "deflection between loads by Eq. 6"),
+            rows=("deflection by Eq. 6, compared with the displacement at a load",
+                  "deflection by Eq. 6, compared with the displacement between loads"),
             fem=fem_wave,
         ),
         Rerun(
-            cause=Cause.GEOMETRY, what="in addition, uniform pressure on the wall: no harmonics",
-            rows=("deflection under a load by Eq. 6", "deflection between loads by Eq. 6"),
+            cause=Cause.GEOMETRY,
+            what="in addition, the first harmonic is omitted: uniform pressure",
+            rows=("deflection by Eq. 6, compared with the displacement at a load",
+                  "deflection by Eq. 6, compared with the displacement between loads"),
             fem=fem_smeared, after=WAVE,
         ),
         Rerun(
@@ -76,7 +82,7 @@ LOADS = Statement(
         Left(("deflection *indentation*",), "the indentation of the half-plane is relative to an "
              "assumed depth; no body corresponds to this model"),
     ),
-    finer=20, headline="deflection under a load by Eq. 6",
+    finer=20, headline="deflection by Eq. 6, compared with the displacement at a load",
 )  # fmt: skip
 
 STATEMENTS: Mapping[str, Statement] = {

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 ACROSS = 13  # stations over the wall
 ASKEW = 30.0  # degrees: their direction, on no line of the mesh's symmetry
-FAST = 1e-3, "smooth fields on curved quadratic cells: errors far below 1 % without extra cost"
+FAST = 1e-3, "the fields are smooth: curved quadratic cells give errors far below 1 %"
 SQUARED: dict[str, Any] = {
     "demand": 0.025,
-    "demand_reason": "required: order 4 within 0.1, which is twice the order 2 of the energy norm",
+    "demand_reason": "the order must be 4 within 0.1: twice the order 2 of the energy norm",
 }
 PROFILE_NOTE = (
     "Line: formula. Dots: finite elements on a radius at 30°. Lower diagram: formula minus finite "

@@ -27,7 +27,7 @@ READINGS = [
     pytest.param(OUTER, hertz_line, "relative_radius", given(R_2=lambda k: -k["R_2"]), AT_LOAD,
                  id="the race's curvature has the other sign"),
     pytest.param(OUTER, SpragLoads, "race", race(n=lambda q: q.n // 2, P=lambda q: 2 * q.P),
-                 "ripple of the deflection over the mean deflection",
+                 "peak-to-peak ripple of the deflection, divided by its mean",
                  id="N and the force of two sprags each"),
     pytest.param(OUTER, loaded_race, "share", lambda f: lambda x: 1.0 + 0 * f(x),
                  "hoop force in the cut between loads", id="a point force for the ellipse"),
@@ -50,8 +50,8 @@ def test_n_is_the_number_of_sprags(fails):
     found = fails(OUTER, smeared, "race_deflection", fault, "")
     assert {
         "bore displacement, mean",
-        "deflection under a load by Eq. 6",
-        "deflection between loads by Eq. 6",
+        "deflection by Eq. 6, compared with the displacement at a load",
+        "deflection by Eq. 6, compared with the displacement between loads",
     } <= found
 
 

@@ -95,7 +95,7 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
     spread = ""
     if "alpha_below_5" in v:
         spread = (
-            "; 90 % of the clutches with a wedge have α_0 from "
+            "; 90 % of the clutches whose rollers can wedge have α_0 from "
             f"{v['alpha_0_below_5'] * DEGREE:.3f}° to {v['alpha_0_below_95'] * DEGREE:.3f}° and "
             f"μ/μ_req from {v['safety_below_5']:.3g} to {v['safety_below_95']:.3g}"
         )

@@ -46,7 +46,8 @@ BRACKET = (
     "theory omits"
 )
 TANGENTIAL = (
-    f"{BRACKET}; rotation by the tangential forces, which is 0.5 tan²α to tan²α times the wind-up"
+    f"{BRACKET}; additional rotation of the shaft by the tangential forces, 0.5 tan²α to tan²α "
+    "times the wind-up"
 )
 NOT_LOADED = f"ratio α_0/α, with α under load by Eq. 5 for a cup; {BRACKET}"
 ON_FLAT = "factor (R_s + X_o)/(2 X_o): Eq. 7 assumes rolling on a circle instead of on a flat"
@@ -63,7 +64,10 @@ NAMED = statics.Named(
     unlike_forces="the surfaces tilt, and the contact forces deviate from the bisector",
     rolling="the contacts and wind up shaft and cup",
 )  # fmt: skip
-SHARED = "plane strain, small strain, cup and housing as one body, shaft and cup free"
+SHARED = (
+    "plane strain, small strain, cup and housing as one body, bore of the shaft and rim of the "
+    "housing free"
+)
 
 
 class FreewheelCup(Cup):
@@ -153,7 +157,7 @@ class FreewheelCup(Cup):
     ).reads(lambda q: q.state.d_o)  # fmt: skip
     alpha = Quantity(
         "α", "deg", "clamping angle under torque, Eq. 5 for a cup",
-        source="for a cup, not as printed: load reduces the angle",
+        source="changed for a cup, in which load reduces the angle",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
     alpha_rigid = Quantity(

@@ -30,8 +30,9 @@ from verify.form.comparisons import Options
 
 CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
 ANGLE = (
-    "compliance of the star, which lies between the compliances of a layer and of two discs; "
-    "effect of the friction forces on α"
+    "compliance of the star, which lies between the smallest and the largest compliance of three "
+    "bodies: a layer as thick as the star at the flats, a disc of the radius of the flats, and a "
+    "disc of the radius of the corners; effect of the friction forces on α"
 )
 TILTED = f"{ANGLE}; tilt of the surfaces under the normal force"
 HEAVY: Any = Options(own=(0.03, "the tilt of the surfaces increases with the load"))

@@ -55,8 +55,8 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
     )  # fmt: skip
     yield judged(
-        Deviation(name="rollers are held if tan α < μ, and released if tan α > μ", paper_only=True,
-                  symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
+        Deviation(name="rollers with tan α < μ are held, and rollers with tan α > μ are released",
+                  paper_only=True, symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
                   source=suites("the same sensitivity as for the onset of "
                                 "slip"), whole="μF_n"), mu_T,
     )  # fmt: skip

@@ -77,7 +77,7 @@ def _cone(q: Any, last: Any) -> Curves:
         dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
                np.abs(creep[:, 4:6]).mean(axis=1), 1),
         dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
-        dots("FE, slipping, clutches with other wedge angles",
+        dots("FE, slipping, clutches that differ in X",
              slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
              2),
         note="F_t/F_n is tan α at any F_a: as the axial load increases, the point moves vertically "
@@ -120,7 +120,7 @@ def _path(q: Any, last: Any) -> Curves:
         note=f"A constant torque rotates the ring: its bore moves by {turned / µm:.3g} µm in the "
              f"circumferential direction during an axial slip of {out[-1, 0] / µm:.3g} µm. If the "
              "ring is held against rotation, the rollers are released. Under constant torque, both "
-             "F_a/F_n and T remain at 1; their marks are drawn alternately.",
+             "plotted ratios remain at 1; their marks are drawn alternately.",
     )  # fmt: skip
 
 
@@ -159,12 +159,12 @@ def _angles(last: Any) -> Curves:
     k, left, ratio = last["angles"].T[:3]
     stays, unit = left > HELD, np.array([0.0, 1.0])
     return plot(
-        "Used friction under torque alone, clutches with other wedge angles", "tan α/μ",
+        "Used friction under torque alone, clutches that differ in X", "tan α/μ",
         "F_t/(μ F_n)",
         line("F_t = F_n tan α", unit, unit),
         dots("FE, held", k[stays], ratio[stays]),
         dots("FE, released: F_n is zero", k[~stays], ratio[~stays], 2),
-        note="The clutches differ only in X; the approaches of the contacts are the same in all.",
+        note="All clutches have the same approaches of the contacts.",
     )  # fmt: skip
 
 

@@ -79,16 +79,18 @@ class LoadPaths(Pulled):
         "does not contain the settings of Table 1. The default clutch is synthetic",
         "in the finite elements of load cases 1 and 2, every extreme of the axial load is a load "
         "step that starts from the friction forces of the preceding extreme. The drive holds the "
-        "torque constant and rotates the ring as the rollers creep. The computed cycles are fewer "
-        "than those of the path and have smaller amplitudes, because the load at slip does not "
-        "depend on the cycles",
+        "torque constant and rotates the ring as the rollers creep. Fewer cycles than "
+        "those of the path are computed, with smaller amplitudes. This is sufficient, because the "
+        "load at slip does not depend on the cycles",
         "in load case 3, the rollers travel by more than the width of their contacts between zero "
         "torque and 26 N m. In the finite elements, each torque has a separate position of the "
         "roller, and torque and axial load are applied together",
-        "the expected errors have two causes: tan α of one contact, because the compliance of the "
-        "star is only known to lie between those of a layer and of two discs; and the tilt of the "
-        "surfaces. The relative error of the axial load at slip is larger than that of tan α by "
-        "the factor 1/(1 − (tan α/μ)²)",
+        "the expected errors have two causes. The first is the error of tan α of one contact: the "
+        "compliance of the star is only known to lie between the smallest and the largest "
+        "compliance of three bodies (a layer as thick as the star at the flats, and two discs, of "
+        "the radius of the flats and of the corners). The second is the tilt of the surfaces "
+        "under the normal force. The relative error of the axial load at slip is larger than that "
+        "of tan α by the factor 1/(1 − (tan α/μ)²)",
     )
 
     F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch, or its "

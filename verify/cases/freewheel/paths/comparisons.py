@@ -27,8 +27,9 @@ STATICS = "the same tolerance as for F_t/F_n compared with tan(ψ/2)"
 SETTLES = 1 / 3  # creep of the last cycle over the first
 GOES_ON = 0.9  # creep of a cycle over the cycle before
 ANGLE = (
-    "compliance of the star, which lies between the compliances of a layer and of two discs; tilt "
-    "of the surfaces under the normal force"
+    "compliance of the star, which lies between the smallest and the largest compliance of three "
+    "bodies: a layer as thick as the star at the flats, a disc of the radius of the flats, and a "
+    "disc of the radius of the corners; tilt of the surfaces under the normal force"
 )
 COULOMB = "Coulomb's law of friction"
 RULE = (
@@ -172,8 +173,8 @@ def slips_in_time(q: Quantity, case: int) -> Comparison:
     check = Agreement(
         name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites("times at which the axial load is below and above the axial load at slip by "
-                      f"finite elements by {SLIP:.0%}"),
+        source=suites("times at which the axial load differs by "
+                      f"±{SLIP:.0%} from the axial load at slip by finite elements"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 

@@ -25,11 +25,8 @@ from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
-SHARP = "accepted error of this quantity"
-ENCLOSED = (
-    "the compliance of the star lies between those of a layer and of two discs; this interval is "
-    "not narrower"
-)
+SHARP = "acceptance figure for this quantity"
+ENCLOSED = "the interval of the star's compliance is too wide for a smaller sensitivity"
 PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
 ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
 NOT_LOADED = "ratio of the clamping angle without load to the angle under torque (Eq. 5, corrected)"
@@ -55,9 +52,9 @@ ROLLED = (
     "assumption of rolling. Eq. 7 as printed replaces the flat by a circle of radius X."
 )
 LEAVES = (
-    "The deviation grows with the normal force, because the surfaces tilt, and because forces act "
-    "on the undeformed mesh in small displacements. The deviations at both contacts are equal and "
-    "opposite: the mean of F_t/F_n is tan(ψ/2)."
+    "The deviation grows with the normal force for two reasons: the surfaces tilt, and, for small "
+    "displacements, the forces act on the undeformed mesh. The deviations at both contacts are "
+    "equal and opposite: the mean of F_t/F_n is tan(ψ/2)."
 )
 
 
@@ -84,7 +81,7 @@ class FreewheelTorque(Star):
         "ψ is the angle at the roller between the normals of flat and ring, and α is half of it",
         "R is the bore radius of the outer ring, for which the paper writes r_OR",
         "d = f + u is the approach of a contact: local flattening f plus structural deflection u. "
-        "Only this sum can be compared",
+        "Only this sum can be compared with finite elements",
         "T is the torque of the whole clutch, N the normal force of one roller",
         "the rollers are long, so that the state is plane strain",
     )
@@ -100,7 +97,9 @@ class FreewheelTorque(Star):
         "roller travel and strain energy are interpolated by splines between six computed states, "
         "and by a power law below the first state",
         "the expected errors have three causes. The compliance of the star is only known to lie "
-        "between those of a layer and of two discs, and the torque twists the star. Hertz's theory "
+        "between the smallest and the largest compliance of three bodies (a layer as thick as the "
+        "star at the flats, and two discs, of the radius of the flats and of the corners), and "
+        "the torque twists the star. Hertz's theory "
         "omits terms of the order (a/r)². Tangential forces increase the rotation of the ring by "
         "the fraction 0.5 tan²α to tan²α",
     )

@@ -28,7 +28,8 @@ class SpragRace(SpragLoads):
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (
         "linear elasticity, small strain, radial forces, no friction",
-        "Hertz's pressure acts on every contact patch, along the arc; the other wall is unloaded",
+        "Hertz's pressure acts on every contact patch, along the arc; the other surface is "
+        "unloaded",
         "half a pitch is modelled, with symmetry on both cuts",
     )
 
@@ -109,7 +110,7 @@ class InnerRace(SpragRace):
     """The sprags load the rim of the inner race.
 
     Relative to its radius, the wall of the inner race is thicker than the wall of the outer race.
-    The deflection therefore varies more between the sprags, which Eq. 6 neglects.
+    Therefore, its deflection varies more between the sprags; Eq. 6 neglects this variation.
     """
 
     id = "ring-loads-inner"

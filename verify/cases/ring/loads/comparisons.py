@@ -26,7 +26,7 @@ RADII = "radial forces, plane stress"
 DEPTH = {SpragLoads.dent.name: 1.0, SpragLoads.dent_half.name: 0.5}  # over the wall
 BY_FOURIER = (
     "derived: deflection by the Fourier ring, which is independent of these finite elements; local "
-    "indentation by integration of McEwen's stresses along the axis of the contact"
+    "indentation by integration of McEwen's stresses along the normal at the centre of the contact"
 )
 
 
@@ -59,7 +59,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
         yield identity(q, name=name, scale=race.load, order=order, **shared)
     yield identity(race.smeared, "mean", name=f"{wall} displacement, mean", order=AWAY,
                    **shared | {"shares": RADII})  # fmt: skip
-    yield identity(race.ripple, name="ripple of the deflection over the mean deflection",
+    yield identity(race.ripple, name="peak-to-peak ripple of the deflection, divided by its mean",
                    order=EDGE, **shared)  # fmt: skip
     for q, name in (
         (race.hoop_between, f"hoop stress between loads, {wall}"),
@@ -73,20 +73,23 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     yield identity(race.strain_energy, name="strain energy of the race", order=EDGE, **shared)
     yield from _fields()
     for q, at, less, name in (
-        (race.smeared, race.load, None, "deflection under a load by Eq. 6"),
+        (race.smeared, race.load, None,
+         "deflection by Eq. 6, compared with the displacement at a load"),
         (race.smeared, race.load, race.dent,
-         "deflection under a load by Eq. 6; reference less the indentation δ_H "
-         "(relative to the depth of the wall)"),
+         "deflection by Eq. 6, compared with the displacement at a load after subtraction of the "
+         "local indentation δ_H (relative to a point one wall thickness deep)"),
         (race.smeared, race.load, race.dent_half,
-         "deflection under a load by Eq. 6; reference less the indentation δ_Hh "
-         "(relative to half the depth of the wall)"),
-        (race.smeared, race.between, None, "deflection between loads by Eq. 6"),
+         "deflection by Eq. 6, compared with the displacement at a load after subtraction of the "
+         "local indentation δ_Hh (relative to a point half a wall thickness deep)"),
+        (race.smeared, race.between, None,
+         "deflection by Eq. 6, compared with the displacement between loads"),
         (race.with_dent, race.load, None,
-         "deflection under a load by Eq. 6 plus the indentation δ_H "
-         "(relative to the depth of the wall)"),
+         "deflection by Eq. 6 plus local indentation δ_H (relative to a point one wall thickness "
+         "deep), compared with the displacement at a load"),
     ):  # fmt: skip
         yield _smeared(self, q, at, less, name)
-    check = Accepted(name="Eq. 6 overestimates the deflection at a load minus δ_H",
+    check = Accepted(name="Eq. 6 overestimates the displacement at a load after subtraction of the "
+                     "local indentation δ_H",
                      symbol="m", unit="1", margin=too_soft, fitted=FITTED)  # fmt: skip
     yield Comparison(check=check, quantity=race.smeared, shares=RADII)
 
@@ -94,7 +97,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
 def _fields() -> Iterator[Deviation]:
     """Rows: Fourier ring at all nodes of both walls, and at points inside."""
     for name, symbol, size, whole in (
-        (f"largest displacement error at the nodes of both walls is below {ACCEPTED:g} of the "
+        (f"largest displacement error at the nodes of bore and rim is below {ACCEPTED:g} of the "
          "displacement under a load", "e_u",
          wall_errors, "radial displacement at a load"),
         (f"largest stress error, at more than one patch width from a load, is below {ACCEPTED:g} "
@@ -174,4 +177,4 @@ def too_soft(context: Context) -> tuple[float, float, str]:
         return 0.0, 0.0, "the deflection without local indentation is too small to be compared"
     m = q.smeared / reference - 1
     U = (1 + m) * expanded(u) / reference
-    return m, U, f"error of Eq. 6 {m:+.1%} at n = {q.n}"
+    return m, U, f"the error of Eq. 6 is {m:+.1%} at n = {q.n}"

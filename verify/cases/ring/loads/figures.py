@@ -77,7 +77,7 @@ def _thinned(context: Context, wall: str) -> Array:
 
 
 def _stresses(q: SpragLoads, context: Context) -> Curves:
-    """Figure of the hoop stress of both walls; of the loaded wall only outside the patch."""
+    """Figure of the hoop stress of both walls; of the loaded surface only outside the patch."""
     ring, fem = q.race(), context.fem[-1].arrays
     theta, at = around(q) * np.pi / q.n, wall_angles(q)
     curves = []
@@ -90,7 +90,7 @@ def _stresses(q: SpragLoads, context: Context) -> Curves:
                   style="dots", colour=k),
         ]  # fmt: skip
     return Curves(
-        title="Hoop stress on both walls", x_label="θ n/π", y_label="σ_θ [MPa]",
+        title="Hoop stress at bore and rim", x_label="θ n/π", y_label="σ_θ [MPa]",
         curves=tuple(curves), note=f"Lines: Fourier ring. The curve of the {q.loaded} begins at "
         "the edge of the contact patch: in the patch, the hoop stress"
         " is compressive and about as large as the pressure.",
@@ -128,8 +128,8 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
         header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
         note=f"Errors against the Fourier ring, with {q.F:.4g} N on each sprag. The indentation is "
-        "taken relative to a point at the depth of the wall. The peak force is that of a shock "
-        "whose energy Lamé's ring with Hertz's indentation absorbs under this force. A model that "
-        "is too compliant overestimates the wind-up (conservative) and underestimates the peak "
-        "force (unsafe).",
+        "taken relative to a point one wall thickness deep. The peak force is that of a shock with "
+        "the energy that Lamé's ring with Hertz's indentation stores under this force of the "
+        "sprags. A model that is too compliant overestimates the wind-up (conservative) and "
+        "underestimates the peak force (unsafe).",
     )

@@ -17,11 +17,11 @@ class SpragLoads(LoadsInputs):
     def smeared(self) -> float:
         return self.by_smearing()
 
-    @Quantity("δ(0)", "µm", "deflection of the loaded wall at a load", source="Fourier ring")
+    @Quantity("δ(0)", "µm", "deflection of the loaded surface at a load", source="Fourier ring")
     def load(self) -> float:
         return float(self.outward * self._points.u_r[0])
 
-    @Quantity("δ(π/n)", "µm", "deflection of the loaded wall between the loads",
+    @Quantity("δ(π/n)", "µm", "deflection of the loaded surface between the loads",
               source="Fourier ring")  # fmt: skip
     def between(self) -> float:
         return float(self.outward * self._points.u_r[1])
@@ -29,18 +29,20 @@ class SpragLoads(LoadsInputs):
     @Quantity(
         "u_r(0)",
         "µm",
-        "deflection of the unloaded wall at the angle of a load",
+        "deflection of the unloaded surface at the angle of a load",
         source="Fourier ring",
     )
     def far_load(self) -> float:
         return float(self.outward * self._points.u_r[2])
 
-    @Quantity("u_r(π/n)", "µm", "deflection of the unloaded wall between the loads",
+    @Quantity("u_r(π/n)", "µm", "deflection of the unloaded surface between the loads",
               source="Fourier ring")  # fmt: skip
     def far_between(self) -> float:
         return float(self.outward * self._points.u_r[3])
 
-    @Quantity("δ_m", "µm", "mean deflection of the loaded wall", source="Fourier ring", role="step")
+    @Quantity(
+        "δ_m", "µm", "mean deflection of the loaded surface", source="Fourier ring", role="step"
+    )
     def mean(self) -> float:
         ring = self.race()
         return float(self.outward * ring.ring.mean_displacement(ring.r))
@@ -70,7 +72,7 @@ class SpragLoads(LoadsInputs):
             loaded_race.share(self.n * self.a / self.radius)
         )  # fmt: skip
 
-    @Quantity("δ_H", "µm", "local indentation relative to a point at the depth of the wall",
+    @Quantity("δ_H", "µm", "local indentation relative to a point one wall thickness deep",
               role="step",
               source="Hertz's contact, plane stress",
               tex=r"\frac{2 P}{\pi E} \left(\ln\left(\frac{d}{a} + \sqrt{1 + \frac{d^2}{a^2}}"
@@ -78,13 +80,13 @@ class SpragLoads(LoadsInputs):
     def dent(self) -> float:
         return self.dent_to(self.wall)
 
-    @Quantity("δ_Hh", "µm", "local indentation relative to a point at half the depth of the wall",
+    @Quantity("δ_Hh", "µm", "local indentation relative to a point half a wall thickness deep",
               role="step",
               source="Hertz's contact, plane stress")  # fmt: skip
     def dent_half(self) -> float:
         return self.dent_to(self.wall / 2)
 
-    @Quantity("δ_tot", "µm", "deflection by Eq. 6 plus the local indentation")
+    @Quantity("δ_tot", "µm", "deflection by Eq. 6 plus the local indentation δ_H")
     def with_dent(self) -> float:
         return self.smeared + self.dent
 
@@ -92,21 +94,21 @@ class SpragLoads(LoadsInputs):
     def windup(self) -> float:
         return self.with_dent / self.load
 
-    @Quantity("Δδ/δ", "1", "ripple of the deflection over the mean deflection")
+    @Quantity("Δδ/δ", "1", "peak-to-peak ripple of the deflection, divided by its mean")
     def ripple(self) -> float:
         return (self.load - self.between) / self.smeared
 
-    @Quantity("σ_θ(π/n)", "MPa", "hoop stress of the loaded wall between the loads",
+    @Quantity("σ_θ(π/n)", "MPa", "hoop stress of the loaded surface between the loads",
               source="Fourier ring", safe="too high")  # fmt: skip
     def hoop_between(self) -> float:
         return float(self._points.sigma_theta[1])
 
-    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded wall at the angle of a load",
+    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded surface at the angle of a load",
               source="Fourier ring", safe="too high")  # fmt: skip
     def far_hoop_load(self) -> float:
         return float(self._points.sigma_theta[2])
 
-    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the unloaded wall between the loads",
+    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the unloaded surface between the loads",
               source="Fourier ring", safe="too high")  # fmt: skip
     def far_hoop_between(self) -> float:
         return float(self._points.sigma_theta[3])

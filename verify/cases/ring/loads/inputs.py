@@ -52,7 +52,7 @@ class LoadsInputs(Case):
     def P(self) -> float:
         return self.F / self.L
 
-    @Quantity("r", "mm", "radius of the loaded wall", role="geometry")
+    @Quantity("r", "mm", "radius of the loaded surface", role="geometry")
     def radius(self) -> float:
         return self.r_i if self.loaded == "bore" else self.r_o
 
@@ -67,7 +67,7 @@ class LoadsInputs(Case):
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
     def room_for(self, n: int) -> bool:
-        """Whether n contact patches cover at most half of the loaded wall."""
+        """Whether n contact patches cover at most half of the loaded surface."""
         return 2 * n * self.half_width <= math.pi * self.radius
 
     @model_validator(mode="after")

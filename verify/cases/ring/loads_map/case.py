@@ -17,7 +17,7 @@ from verify.form.adapter import adapted
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
-SHARP = 3e-3, "less than a tenth of the smallest difference between two shades of the map"
+SHARP = 3e-3, "less than a tenth of the smallest distance between the limits of the map's shades"
 
 
 class Point(NamedTuple):
@@ -40,12 +40,13 @@ CHECKED = tuple(
 )
 PLACES = {
     "load": ("at a load, without indentation", "δ_6/(δ − δ_H) − 1, with δ_6 by Eq. 6, the "
-             "deflection δ of the Fourier ring at a load, and the indentation δ_H of a half-plane"),
+             "deflection δ of the Fourier ring at a load, and the indentation δ_H of a half-plane "
+             "(relative to a point one wall thickness deep)"),
     "between": ("between loads", "δ_6/δ − 1, with δ_6 by Eq. 6 and the deflection δ of the Fourier "
                 "ring between loads"),
     "total": ("with Hertz's indentation, at a load", "(δ_6 + δ_H)/δ − 1, with δ_6 by Eq. 6, the "
               "deflection δ of the Fourier ring at a load, and the indentation δ_H of a "
-              "half-plane"),
+              "half-plane (relative to a point one wall thickness deep)"),
 }  # fmt: skip
 
 
@@ -73,7 +74,12 @@ class LoadsMap(Case):
     )
 
     a_r: float = given(
-        0.008, "1", "a/r_i", "half-width of the patches over the bore radius", ge=5e-4, le=0.015
+        0.008,
+        "1",
+        "a/r_i",
+        "ratio of the half-width of the contact patches to the bore radius",
+        ge=5e-4,
+        le=0.015,
     )
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
@@ -94,13 +100,13 @@ class LoadsMap(Case):
         return float(self._over_eq_6[at][0])
 
     @Quantity("δ(π/n; {0.n}, {0.ratio:g})/δ_6", "1",
-              "displacement between loads over δ_6, {0.words}",
+              "displacement between loads, divided by δ_6, {0.words}",
               source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
     def between(self, at: Point) -> float:
         return float(self._over_eq_6[at][1])
 
     @Quantity("m({0.n}, {0.ratio:g})", "1",
-              "error of Eq. 6 plus δ_H (indentation) at a load, {0.words}",
+              "error of the sum of Eq. 6 and indentation δ_H at a load, {0.words}",
               role="step").over(CHECKED)  # fmt: skip
     def error(self, at: Point) -> float:
         return float(smeared_error(n=at.n, ratio=at.ratio, a_r=self.a_r, nu=self.nu).total)
@@ -168,8 +174,8 @@ class LoadsMap(Case):
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,
-            note=f"Error: {words}. δ_H is the displacement relative to a point at the depth of the "
-            f"wall. a/r = {self.a_r:g}, with the radius r of the loaded wall. Eq. 6 gives "
+            note=f"Error: {words}. "
+            f"a/r = {self.a_r:g}, with the radius r of the loaded surface. Eq. 6 gives "
             "the mean deflection of the wall exactly.",
         )  # fmt: skip
 

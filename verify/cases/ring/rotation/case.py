@@ -63,7 +63,7 @@ class RotatingRace(Case):
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
-        "steady rotation; the walls are unloaded",
+        "steady rotation; bore and rim are unloaded",
         "a quarter is modelled, with symmetry on both cuts",
     )
 
@@ -134,7 +134,8 @@ class RotatingRace(Case):
         return float(race_deflection(P=self.F / self.L, n=self.n, r_i=self.r_i, r_o=self.r_o,
                                      E=self.E, nu=self.nu, loaded="bore"))  # fmt: skip
 
-    @Quantity("δ_ce/δ_BE", "1", "bore growth by Eq. 8 over the deflection of the race by Eq. 6",
+    @Quantity("δ_ce/δ_BE", "1",
+              "ratio of the bore growth by Eq. 8 to the deflection of the race by Eq. 6",
               source="Eq. 8 over Eq. 6",
               tex=r"\frac{\delta_{ce}}{\delta_{BE}}", role="step")  # fmt: skip
     def ratio(self) -> float:
@@ -216,7 +217,7 @@ class RotatingRace(Case):
             yield Order(name=f"order of convergence of the strain energy, {state.words}",
                         symbol="p", unit="1", errors=errors_of(race.U, state=state), order=4,
                         **walls.SQUARED)  # fmt: skip
-        name = "bore growth by Eq. 8 over the deflection of the race by Eq. 6"
+        name = "ratio of the bore growth by Eq. 8 to the deflection of the race by Eq. 6"
         yield Comparison(check=Small(name=name, symbol="δ_ce/δ_BE", unit="1"), quantity=race.ratio)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
