@@ -74,7 +74,9 @@ STATEMENTS: Mapping[str, Statement] = {
             ),
             Corrected("clamping angle under torque, Eq. 4 as printed", "alpha"),
             Corrected("clamping angle under torque, Eq. 5 as printed", "alpha"),
-            Corrected("wind-up, Eq. 7 as printed, compared with ∫dU/T", "phi"),
+            Corrected(
+                "wind-up, Eq. 7 as printed, compared with the wind-up from the strain energy", "phi"
+            ),
             Corrected(
                 "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)",
                 "torque_rigid",
@@ -94,7 +96,11 @@ STATEMENTS: Mapping[str, Statement] = {
                 "alpha",
                 "it is the clamping angle without load, but compared with the angle under torque",
             ),
-            Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, compared with ∫dU/T", "phi"),
+            Corrected(
+                "wind-up, Eq. 7 as printed, with R_s and X_o, compared with the wind-up from the "
+                "strain energy",
+                "phi",
+            ),
         ),
     ),
     "freewheel-friction": Statement(

@@ -44,7 +44,7 @@ def torsion(context: Context, *, printed: str, note: str) -> Curves:
         "Wind-up over torque: Eq. 7 as printed and exact rolling", "T [N m]", "φ [°]",
         line("exact rolling", FINE * q.T, states.phi * DEGREE),
         dashes(f"Eq. 7 as printed, {printed}", FINE * q.T, states.phi_printed * DEGREE, 1),
-        dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE),
+        dots("FE, from strain energy", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE),
         note=note,
     )  # fmt: skip
 

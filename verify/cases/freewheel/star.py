@@ -174,7 +174,7 @@ class Star(Rollers):
         tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}",
     ).reads(lambda q: q.state.a_o)  # fmt: skip
     l = Quantity(  # noqa: E741
-        "l", "mm", "distance of the undeformed contact point on the flat from the axis",
+        "l", "mm", "distance from the axis to the undeformed contact point on the flat",
         role="step",
         tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}",
     ).reads(lambda q: q.bodies.inner.l)  # fmt: skip

@@ -76,8 +76,8 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
                    f"{n.unlike_forces}: difference", within=4e-3,
                    source=BOTH, by="value on the flat")  # fmt: skip
-    yield accepted(clutch.phi, "wind-up ∫dU/T compared with exact rolling, both by finite elements",
-                   "rolling", within=5e-3,
+    yield accepted(clutch.phi, "wind-up from the strain energy compared with that by exact "
+                   "rolling, both by finite elements", "rolling", within=5e-3,
                    words=f"exact rolling neglects that tangential forces deform {n.rolling}: error"
                    )  # fmt: skip
     yield balance("forces", "balance of both contact forces on a roller", "ΣF", "1",

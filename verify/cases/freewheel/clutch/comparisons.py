@@ -67,7 +67,8 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
          lambda: expected(q).angle(), BRACKET),
         (case.N, "normal force under torque (Eqs. 2, 3)", "F_n(T)", lambda: expected(q).force(),
          BRACKET),
-        (case.phi, "wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T", "φ",
+        (case.phi, "wind-up by exact rolling (Eq. 7, corrected), compared with the wind-up "
+         "from the strain energy", "φ",
          lambda: expected(q).torsion(), TANGENTIAL),
         (case.dalpha_dX, "derivative of the clamping angle under torque with respect to X",
          "dα(T)/dX", lambda: turn(q), BRACKET),

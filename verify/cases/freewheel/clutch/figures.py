@@ -146,7 +146,8 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
 def windup(q: ClutchInputs, context: Context) -> Curves:
     T, now = _states(q)
     measured = () if not context.fem else (
-        dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE, 1),
+        dots("FE, from strain energy", GRID * q.T,
+             context.fem[-1].arrays["phi_over_T"] * DEGREE, 1),
     )  # fmt: skip
     assert q.duty.under is not None
     return plot(

@@ -323,12 +323,14 @@ class FreewheelCup(Cup):
         torsion = bounds.torsion()
         yield self._judged(
             cup.phi, torsion, COARSE, TANGENTIAL, symbol="φ(T)",
-            name="wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T",
+            name="wind-up by exact rolling (Eq. 7, corrected), compared with the wind-up from the "
+            "strain energy",
         )  # fmt: skip
         on_flat = times(torsion, (self.R_s + self.X_o) / (2 * self.X_o), STRAIGHT)
         yield self._judged(
             cup.phi_printed, on_flat, COARSE, ON_FLAT, symbol="φ(T)",
-            name="wind-up, Eq. 7 as printed, with R_s and X_o, compared with ∫dU/T",
+            name="wind-up, Eq. 7 as printed, with R_s and X_o, compared with the wind-up from the "
+            "strain energy",
         )  # fmt: skip
 
     def _at_force(self, rigid: State, bounds: CupBounds) -> Iterator[Comparison]:

@@ -128,7 +128,9 @@ class FreewheelFriction(Pulled):
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
-    @Quantity("p_1/p", "1", "ratio of the peak pressures at maximum and mean line load (Hertz)",
+    @Quantity("p_1/p", "1",
+              "ratio of the peak pressure at the maximum line load to that at the mean line load "
+              "(Hertz)",
               role="step",
               tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
     def pressure(self) -> float:

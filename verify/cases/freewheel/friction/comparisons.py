@@ -44,8 +44,8 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
     )  # fmt: skip
     for where, part in enumerate(("star", "ring")):
         yield judged(
-            Agreement(name=f"required friction on the {part}, at the clamping angle by finite "
-                           "elements (Eqs. 8, 9)",
+            Agreement(name=f"required friction on the {part}, Eqs. 8, 9 with the clamping angle "
+                           "of the finite elements",
                       symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
                       accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip

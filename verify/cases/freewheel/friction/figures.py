@@ -197,8 +197,8 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     ))  # fmt: skip
     rows.append((
         "ring driven along the axis and held against rotation",
-        f"slips; the rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after an "
-        f"axial slip of {out[-1, 0] / µm:.3g} µm" if len(out) > 1
+        f"slips; the rollers are gradually released: {1 - out[-1, 7]:.0%} of the torque is lost "
+        f"after an axial slip of {out[-1, 0] / µm:.3g} µm" if len(out) > 1
         else f"slips; {len(creep)} steps were computed",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)

@@ -199,12 +199,12 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
     yield agrees(
-        path.mu_req, "required friction along load case 1, at the clamping angle by finite "
-        "elements (Eqs. 8, 9)", lambda c: along(c, "ramp"), MU, STATICS, "1",
+        path.mu_req, "required friction along load case 1, Eqs. 8, 9 with the clamping "
+        "angle of the finite elements", lambda c: along(c, "ramp"), MU, STATICS, "1",
     )  # fmt: skip
     yield agrees(
-        path.mu_req, "required friction at the peaks of the axial load in load case 2, at the "
-        "clamping angle by finite elements (Eqs. 8, 9)", lambda c: along(c, "growing"), MU,
+        path.mu_req, "required friction at the peaks of the axial load in load case 2, Eqs. 8, 9 "
+        "with the clamping angle of the finite elements", lambda c: along(c, "growing"), MU,
         STATICS, "1",
     )  # fmt: skip
     for case in (1, 2, 3):

@@ -205,12 +205,14 @@ class FreewheelTorque(Star):
                             expected=known(self, bounds.travel()), **more)  # fmt: skip
         torsion = bounds.torsion()
         yield approximation(
-            star.phi, name="wind-up by exact rolling (Eq. 7, corrected), compared with ∫dU/T",
+            star.phi, name="wind-up by exact rolling (Eq. 7, corrected), compared with the wind-up "
+            "from the strain energy",
             symbol="φ(T)", expected=known(self, torsion, TANGENTIAL), **more,
         )  # fmt: skip
         on_flat = times(torsion, (self.R + self.X) / (2 * self.X), STRAIGHT)
         yield approximation(
-            star.phi_printed, name="wind-up, Eq. 7 as printed, compared with ∫dU/T", symbol="φ(T)",
+            star.phi_printed, name="wind-up, Eq. 7 as printed, compared with the wind-up from the "
+            "strain energy", symbol="φ(T)",
             expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, PRINTED_ERROR), **more,
         )  # fmt: skip
 

@@ -106,7 +106,7 @@ class LoadsMap(Case):
         return float(self._over_eq_6[at][1])
 
     @Quantity("m({0.n}, {0.ratio:g})", "1",
-              "error of the sum of Eq. 6 and indentation δ_H at a load, {0.words}",
+              "error of δ_6 + δ_H relative to the displacement at a load, {0.words}",
               role="step").over(CHECKED)  # fmt: skip
     def error(self, at: Point) -> float:
         return float(smeared_error(n=at.n, ratio=at.ratio, a_r=self.a_r, nu=self.nu).total)
