@@ -48,13 +48,13 @@ LONG = Rerun(cause=Cause.GEOMETRY, what="sprags four times as long with the same
              inputs=long, levels=(41, 81))  # fmt: skip
 # the deflection of a slice depends on its load only, a strip's deflection on all loads
 EVEN = Rerun(
-    cause=Cause.GEOMETRY, what="and K_1 and z_m a hundredth as large, for a uniform load",
+    cause=Cause.GEOMETRY, what="in addition, K_1 and z_m a hundredth as large, for a uniform load",
     rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 # at the larger torque, the largest pressure would then be at the ends
 HALF = Rerun(
-    cause=Cause.GEOMETRY, what="and K_1 and z_m half as large", rows=("largest pressure*",),
-    inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
+    cause=Cause.GEOMETRY, what="in addition, K_1 and z_m half as large",
+    rows=("largest pressure*",), inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
 STRIPS = (
     Without(Cause.CONTACT, "none: both models satisfy the contact conditions exactly"),
@@ -83,7 +83,8 @@ TURNED = Left(
 STATEMENTS: Mapping[str, Statement] = {
     "sprag-wedge": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a quarter of the torque, half the contact width",
+            Rerun(cause=Cause.GEOMETRY,
+                  what="a quarter of the torque, so that the contacts are half as wide",
                   inputs=light, levels=(9,)),
             Rerun(cause=Cause.GEOMETRY, what="races with thicker walls", inputs=thick, levels=(9,)),
         ),
@@ -111,7 +112,8 @@ STATEMENTS: Mapping[str, Statement] = {
                 for row, key, what in (
                     ("mean displacement of the {} race (Eq. 6 as printed, for thin races), at N_0",
                      "mean", "Eq. 6 as printed, for thin races, against Eq. 6 for long races"),
-                    ("displacement of the {} race under a sprag by Eq. 6 alone, at N_0", "race",
+                    ("displacement of the {} race under a sprag, taken as the mean displacement "
+                     "by Eq. 6, at N_0", "race",
                      "mean displacement of the race, against that under a sprag"),
                 )
             ),

@@ -106,6 +106,6 @@ def test_a_sprag_rolls_over_where_its_flank_comes_to_the_race():
         assert WEDGE.findings(q, own)[0].startswith(
             "rolls over: a contact reaches the sprag's flank"
             if verdict == "rolls over"
-            else "holds with friction above"
+            else "holds if the friction coefficient exceeds"
         )
     assert WEDGE.summary(q, own)["verdict"] == "rolls over"

@@ -38,7 +38,7 @@ def test_every_line_along_k_1_must_fall_and_rise_but_for_the_shallowest():
         margin, U, words = over_K_1(context(OPTIMUM_25, arrays={LINES: wrong}))
         expected = Status.PASS if line == 0 else Status.FAIL
         assert judge.fact(margin, U).status is expected
-        assert "one line is not judged: at z_m = 5 µm" in words
+        assert "the line at z_m = 5 µm in the map of K_1 and z_m is not judged" in words
 
 
 def test_lines_that_turn_and_engagements_are_counted_and_a_flat_part_is_a_band():

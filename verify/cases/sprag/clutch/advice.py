@@ -22,7 +22,7 @@ DEEPER = 1.05  # ratio of the drop with twice z_m to the drop: no benefit below 
 UNEVEN = 1.5  # deflection over the uniformly loaded ring of Eq. 6
 CENTRIFUGAL = 0.1  # relative change of N_0 by centrifugal forces
 SLOWLY = "; this applies to a slowly rising torque: a suddenly applied torque nearly doubles the " \
-    "force (check --dynamic)"  # fmt: skip
+    "force (see freewheel check --dynamic)"  # fmt: skip
 FINEST = 61  # slices that the reference solves at each of many loads
 LOOSE = 0.25  # rad, beyond which a sprag has turned a lot
 
@@ -107,8 +107,8 @@ def elastic(q: ClutchFormulas) -> list[str]:
     return [
         "with the deflections of elastic bodies (case sprag-wedge, verified by finite elements), "
         f"the sprags rotate by {q.alpha_elastic * DEGREE:.3g}°; with the deflections of the paper, "
-        f"used here, the clutch is {spring} and its period of oscillation is about {times:.3g} "
-        "times as long"
+        f"used here, the clutch is {spring} than with elastic bodies and its period of "
+        f"oscillation is about {times:.3g} times as long"
     ]
 
 

@@ -84,8 +84,8 @@ def pressures(clutch: Any) -> Iterator[Comparison]:
             check = Estimated(
                 name=f"{what}, {race} race, under N/2, by slices", symbol=symbol, unit="MPa",
                 analytic=key, fem=key, by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
-                demand_reason="about twice the accepted errors of slices (2 %) and of strips "
-                "(0.3 %)",
+                demand_reason="about twice the sum of the accepted errors of slices (2 %) and of "
+                "strips (0.3 %)",
             )  # fmt: skip
             pressure = partial(clutch.half_pressure, k, mid=q is mid)
             yield Comparison(check=check, quantity=q, state=half, numbers={key: pressure},

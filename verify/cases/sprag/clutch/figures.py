@@ -146,7 +146,8 @@ def pairs(context: Context) -> Curves:
         line("no crown", T, flat), line("optimal crowns", T, best, 2),
         dots("printed, no crown", T, [3500.0, 4700.0]),
         dots("printed, optimal crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
-        note="The printed pressures require that the force at 40 N m is 1.8 times that at 25 N m "
-        "without a crown and 1.3 times with the optimal crowns. The computed ratio is "
+        note="The force at 40 N m divided by the force at 25 N m must be 1.8 according to the "
+        "pressures printed without a crown and 1.3 according to those printed with the optimal "
+        "crowns. The computed ratio is "
         f"{float(found['N_max'][1] / found['N_max'][0]):.3g}.",
     )  # fmt: skip

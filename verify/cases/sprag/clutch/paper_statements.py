@@ -40,8 +40,8 @@ def length(context: Context) -> tuple[float, float, str]:
     words = (
         f"a rectangular sprag with m_g and I_g has the width {w * 1e3:.3g} mm and the length "
         f"{l * 1e3:.4g} mm; their rounding permits lengths from {low * 1e3:.1f} to "
-        f"{high * 1e3:.1f} mm (relative uncertainty {max(high - l, l - low) / l:.2f}); with the "
-        f"width b = {q.b * 1e3:g} mm, m_g alone gives the length {mass * 1e3:.2g} mm"
+        f"{high * 1e3:.1f} mm (largest relative deviation {max(high - l, l - low) / l:.2f}); with "
+        f"the width b = {q.b * 1e3:g} mm, m_g alone gives the length {mass * 1e3:.2g} mm"
     )
     return min(q.l - low, high - q.l) / q.l, 0.0, words
 
@@ -80,7 +80,7 @@ def preload(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     share = context.analytic["N_0"] / context.analytic["N"]
-    return 0.01 - share, 0.0, f"the force of the springs is {share:.2%} of N"
+    return 0.01 - share, 0.0, f"the normal force by the springs alone is {share:.2%} of N"
 
 
 def at_rest(context: Context) -> Pair:
@@ -160,9 +160,9 @@ def ratios(context: Context) -> tuple[float, float, str]:
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
     words = (
-        f"the printed pressures require that the force at 40 N m is {flat:.2f} times that at "
-        f"25 N m without a crown and {best:.2f} times with the optimal crowns; the computed ratio "
-        f"is {computed:.3f}"
+        f"the force at 40 N m divided by the force at 25 N m must be {flat:.2f} according to the "
+        f"pressures printed without a crown and {best:.2f} according to those printed with the "
+        f"optimal crowns; the computed ratio is {computed:.3f}"
     )
     return min(flat - computed, computed - best), 0.02, words
 
@@ -177,7 +177,7 @@ def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:
 
 
 LITTLE_SPRUNG = OfPaper(
-    name="the force of the springs is less than 1 % of the static force",
+    name="normal force by the springs alone is less than 1 % of the static normal force",
     symbol="N_0/N",
     unit="1",
     margin=preload,
@@ -187,7 +187,7 @@ LITTLE_SPRUNG = OfPaper(
 OF_THE_PAPER: tuple[Check, ...] = (
     Agreement(name="final force of a damped engagement is the static force within 0.1 %",
               paper_only=True, symbol="N", unit="N", pair=at_rest, accepted=RESTS,
-              source=suites("one tenth of the 1 % that is accepted for the static limit"),
+              source=suites("one tenth of the required sensitivity (1 %)"),
               by="Runge-Kutta steps"),
     OfPaper(name="length of the sprags is consistent with m_g and I_g of Table 1", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),

@@ -31,15 +31,18 @@ def findings(q: Any) -> Sequence[str]:
         return ("rolls over: the sprags rotate beyond their profile during the first oscillation",)
     over = q.p_peak / q.p_even_peak
     first = {
-        "no crown": "no crown: the largest pressure is at the ends and grows with refinement",
-        "suits": "suits the first peak: the pressure is nearly uniform",
-        "too shallow": "too shallow for the first peak: the largest pressure is at the ends",
-        "uneven": "uneven at the first peak: the largest pressure is at mid-length",
+        "no crown": "no crown: the largest pressure is at the ends and grows with the number of "
+        "slices",
+        "suits": "suits: with this crown, the pressure at the first peak is nearly uniform",
+        "too shallow": "too shallow: with this crown, the largest pressure at the first peak is "
+        "at the ends",
+        "uneven": "uneven: with this crown, the largest pressure at the first peak is at "
+        "mid-length",
     }[state]
     found = [
         f"{first}. At the first peak, the largest pressure is {pascal(q.p_peak)} under "
-        f"{newton(q.N_max)}, {over:.3g} times that of a uniform load; at rest, it is "
-        f"{pascal(q.p_rest)} under {newton(q.N)}"
+        f"{newton(q.N_max)}, {over:.3g} times the pressure of a uniform load; the "
+        f"largest pressure at rest is {pascal(q.p_rest)} under {newton(q.N)}"
     ]
     if q.z_m == 0:
         return found

@@ -54,8 +54,8 @@ class SpragCrown(EngagementInputs, Case):
     levels: ClassVar = (41, 81, 161)  # strips along a sprag
     scans: ClassVar = (Scan(vary=("T=20N m,25N m,30N m",), star=True),)
     readings: ClassVar = (
-        "Eq. 1 is clipped and symmetric; A is the factor before the logarithm (ledger: "
-        "eq-1-a-undefined, eq-1-clipping)",
+        "Eq. 1 is symmetric about mid-length, and its drop is zero in the straight middle part; "
+        "A is the factor before the logarithm (ledger: eq-1-a-undefined, eq-1-clipping)",
         "z_m is in millimetres; the paper prints no unit",
         "Q of Eq. 1 is the same load for all torques, 3407 N: the static load of rigid parts at "
         "25 N m (3388 N with deflections). If Q depended on the torque, the optimal K_1 would not "
@@ -65,11 +65,12 @@ class SpragCrown(EngagementInputs, Case):
         "contains: all eight printed crowns are compared",
     )
     assumptions: ClassVar = (
-        "length, width, wedge angle, support and Q are identified, not printed: results that "
-        "depend on them are calibrated",
+        "length, width and wedge angle of the sprags, the stiffness of the support and Q are "
+        "identified, not printed: results that depend on them are calibrated",
         "N_max of the crowns of Eq. 19 is a quadratic function fitted to 27 engagements. N_max "
         "differs by 2 % over all crowns; the residual of the fit changes p_max by less than 0.1 %",
-        "for a user's clutch, z_m of Eq. 19 is scaled by 2Q/(π l E') of that clutch",
+        "for a user's clutch, the bounds of z_m in Eq. 19 are multiplied by 2Q/(π l E') of that "
+        "clutch divided by 2Q/(π l E') of the clutch of the paper",
         "pressures are computed by slices (Palmgren's law): at loaded ends, they are lower than on "
         "a half-space",
     )
@@ -83,7 +84,7 @@ class SpragCrown(EngagementInputs, Case):
     def straight(self) -> float:
         return float(straight_length(K_2=self.K_2, length=self.l))
 
-    @Drop("c", "1", "relative end point of the logarithm", role="step", equation="1",
+    @Drop("c", "1", "coefficient of t² in the logarithm", role="step", equation="1",
           tex=r"1 - \exp\left(-\frac{z_m}{A}\right)")  # fmt: skip
     def c(self) -> float:
         return float(-np.expm1(-self.z_m / self.A))
@@ -100,7 +101,7 @@ class SpragCrown(EngagementInputs, Case):
     def share(self) -> float:
         return crown_mean.z_m_share(self.A, self.z_m)
 
-    @Drop("t", "1", "relative position of the end slices", role="step", equation="1")
+    @Drop("t", "1", "coordinate of the middle of the end slices", role="step", equation="1")
     def end_place(self) -> float:
         return max(0.0, 1 - 1 / (self.slices * self.K_2))
 

@@ -43,7 +43,10 @@ from verify.judging.profile_checks import Estimated
 
 DRAWN = "numerical profile"
 BOTH = "strips, at the force of computed engagements"
-UNEQUAL = "half of the errors of N that N_e = N_i in Eqs. 14-16 and massless sprags cause"
+UNEQUAL = (
+    "half of the errors of N by two assumptions, N_e = N_i (Eqs. 14-16) and massless sprags, "
+    "because p is proportional to √N"
+)
 HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
@@ -101,10 +104,11 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
     most = max(printed, key=lambda c: printed[c])
     words = (
-        f"with 1 % more z_m, the mean drop of the printed crowns increases by at most "
-        f"{printed[most]:.2f} % (crown {label(most)}) and by {printed[(1.0, 0.7, 1e-5)]:.3f} % "
-        f"for crown (1, 0.7, 10 µm); with 1 % more K_1, it increases by 1 % minus this value; z_m "
-        f"has a larger effect than K_1 for {int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
+        f"with 1 % more z_m, the mean drop increases by {printed[most]:.2f} % for crown "
+        f"{label(most)}, the largest increase of the compared printed crowns, and by "
+        f"{printed[(1.0, 0.7, 1e-5)]:.3f} % for crown (1, 0.7, 10 µm); the increase with 1 % more "
+        "K_1 is 1 % minus the increase with 1 % more z_m; z_m has a larger effect than K_1 for "
+        f"{int((box > MOST).sum())} of {len(box)} crowns of Eq. 19"
     )
     return MOST - printed[most], 0.0, words
 
@@ -139,7 +143,8 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
     yield identity(c.share, name="relative sensitivity of the mean drop to z_m", **drawn)
     estimate: dict[str, Any] = {
         "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
-        "demand_reason": "about twice the accepted errors of slices (2 %) and of strips (0.3 %)",
+        "demand_reason": "about twice the sum of the accepted errors of slices (2 %) and of strips "
+        "(0.3 %)",
     }  # fmt: skip
     check = Estimated(name="pressure at mid-length at the first peak",
                       symbol="p_mid", analytic="p_mid_peak", fem="p_mid_peak", by=BOTH,
@@ -168,8 +173,8 @@ OF_FIGURES: tuple[Check, ...] = (
           erratum="huang2018:sec-4-1-overall-drop", margin=z_m_is_not_the_mean),
     Fact(name="pressure at the inner contact exceeds that at the outer, for all crowns of Eq. 19",
          symbol="p_i/p_o", unit="1", margin=inner_above),
-    OfPaper(name="Fig. 12: largest pressures of its optimal and worst crown are the lowest and the "
-            "highest of all printed crowns under the static load",
+    OfPaper(name="Fig. 12: under the static load, its optimal crown has the lowest p_max of all "
+            "printed crowns and its worst crown the highest",
             symbol="p_max", unit="1", margin=highest_and_lowest, fitted=FITTED,
             printed=("huang2018:fig12-best-k1", "huang2018:fig12-best-k2",
                      "huang2018:fig12-best-zm", "huang2018:fig12-worst-k1",

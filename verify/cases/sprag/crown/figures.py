@@ -144,7 +144,8 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
         curves.append(dots("", found["torques"], found["named p"][n] / MPa, 2 * k + 2))
     return plot(
         "Largest pressure over the torque (Fig. 14)", "T [N m]", "p_max [MPa]", curves,
-        y_bottom=0.0, note="Dots: engagements; lines: contacts under interpolated forces.",
+        y_bottom=0.0, note="Dots: computed engagements. Lines: the forces are interpolated between "
+        "engagements.",
     )  # fmt: skip
 
 

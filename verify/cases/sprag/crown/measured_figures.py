@@ -64,10 +64,11 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
     forces = ", ".join(window(found, by) for by in ("slices", "strips"))
     words = (
         f"of {len(DESIGNS)} printed crowns, the optimal crown of Fig. 12 has the lowest p_max and "
-        f"its worst crown the highest; all others differ from both by at least {margins[0]:.1%} "
-        f"by slices and {margins[1]:.1%} by strips under {N:.0f} N, the static load at 25 N m; "
-        f"this order holds {forces}; by slices, it also holds at a first peak "
-        f"{first_peaks(found)}"
+        "its worst crown the highest; p_max of every other crown differs from that of both "
+        f"crowns by at least {margins[0]:.1%} by slices and {margins[1]:.1%} by strips; these "
+        "values apply "
+        f"under {N:.0f} N, the static load at 25 N m; this order holds {forces}; by slices, it "
+        f"also holds for first peaks {first_peaks(found)}"
     )
     return float(min(margins)), 0.0, words
 
@@ -147,9 +148,10 @@ def above_lowest(context: Context, which: int) -> tuple[float, str]:
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
     lower = int((p < named).sum())
     words = (
-        f"p_max of the crown of Fig. 14 is {named / MPa:.0f} MPa; the lowest p_max of {p.size} "
-        f"crowns is that of crown {label(tuple(found['box'][k]))}, and p_max of the crown of "
-        f"Fig. 14 exceeds it by {named / p[k] - 1:.1%}; {lower} of these crowns have a lower p_max"
+        f"p_max of the crown of Fig. 14 is {named / MPa:.0f} MPa; of {p.size} crowns of Eq. 19, "
+        f"crown {label(tuple(found['box'][k]))} has the lowest p_max; p_max of the crown of Fig. "
+        f"14 exceeds the lowest by {named / p[k] - 1:.1%}; {lower} of the crowns of Eq. 19 have a "
+        "lower p_max than the crown of Fig. 14"
     )
     return named / float(p[k]) - 1, words
 

@@ -86,9 +86,10 @@ def too_small(_context: Context) -> tuple[float, float, str]:
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
     words = (
-        f"the mean square of the differences is {np.mean(d**2):.0f} MPa², the mean MSE "
-        f"{mse.mean():.1f}; {int((z > SURE).sum())} of {z.size} differences are more than "
-        f"{SURE:g} times √MSE, the largest is {z.max():.1f} times √MSE"
+        f"the mean square of the differences between actual and predicted values is "
+        f"{np.mean(d**2):.0f} MPa², the mean of MSE is {mse.mean():.1f}; {int((z > SURE).sum())} "
+        f"of {z.size} differences exceed {SURE:g} √MSE; the largest difference is {z.max():.1f} "
+        "√MSE"
     )
     return float(np.mean(d**2) - SURE**2 * mse.mean()) * 1e12, 0.0, words
 
@@ -119,8 +120,8 @@ def between(column: str) -> Margin:
         its = np.array([cell(k, column) for k in ROWS]) * 1e6
         low, high, at_40 = p[:, AT[25]].min(), p[:, AT[25]].max(), p[:, AT[40]].min()
         words = (
-            f"the values are {its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa; random crowns "
-            f"have {low / 1e6:.0f} to {high / 1e6:.0f} MPa at 25 N m and at least "
+            f"the values of Table 2 are {its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa; p_max "
+            f"of random crowns is {low / 1e6:.0f} to {high / 1e6:.0f} MPa at 25 N m and at least "
             f"{at_40 / 1e6:.0f} MPa at 40 N m"
         )
         return float(min(its.min() - low, high - its.max(), at_40 - its.max())), 0.0, words
@@ -157,8 +158,8 @@ TABLE_2 = (
           unit="%",
           erratum="huang2018:table-2-row-10-error", margin=cut_off,
           printed=(f"huang2018:table2-row{CUT}-error",)),
-    Noted(name="Table 2: MSE is far too small for the printed differences", symbol="MSE",
-          unit="MPa^2",
+    Noted(name="Table 2: MSE is far below the squared differences of actual and predicted "
+          "values", symbol="MSE", unit="MPa^2",
           erratum="huang2018:table-2-mse", margin=too_small,
           printed=tuple(f"huang2018:table2-row{k}-mse" for k in ROWS if k != SAMPLE)),
     Noted(name="Table 2: row 4 is a sample point of kriging", symbol="MSE", unit="MPa^2",

@@ -45,8 +45,9 @@ class SpragEngagement(EngagementFormulas):
         "the torque is a step; before it, the clutch is at rest under its springs",
     )
     assumptions: ClassVar = (
-        "length, width, wedge angle, support and the design load of the crown are identified, not "
-        "printed; friction, α_max and the position of the centroid are assumed",
+        "length, width and wedge angle of the sprags, the stiffness of the support and the design "
+        "load of the crown are identified, not printed; friction, α_max and the position of the "
+        "centroid are assumed",
         "N is the static function of the rotation, by the closure that satisfies the work balance; "
         "the iteration of the paper is not necessary",
         "all sprags are equal; the races rotate, but their axes do not move or bend; no oil",
@@ -120,9 +121,9 @@ class SpragEngagement(EngagementFormulas):
         else:
             yield (
                 f"locks: the largest normal force is {self.N_max:.4g} N, {self.factor:.3g} times "
-                f"that at rest, after {self.t_max * 1e3:.3g} ms"
+                f"the normal force at rest; it occurs at {self.t_max * 1e3:.3g} ms"
             )
-            yield f"rigid races (Liu) change this force by {self.number('rigid') - 1:+.1%}"
+            yield f"rigid races (Liu) change the largest force by {self.number('rigid') - 1:+.1%}"
 
 
 ENGAGEMENT = adapted(SpragEngagement)

@@ -26,7 +26,10 @@ LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accept
 ROLLED = 1e-4  # relative to the work, with cubics of the deflections
 LOADS = 13  # number of loads at which the contacts' pressures are compared
 NEAR = 0.5  # tolerance of the order, which is then closest to 4
-FITTED = "length, width, wedge angle and support are identified, not printed"
+FITTED = (
+    "length, width and wedge angle of the sprags and the stiffness of the support are "
+    "identified, not printed"
+)
 UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν"
 
 
@@ -125,7 +128,7 @@ def centroids(context: Context) -> tuple[float, float, str]:
     """
     v = context.fem[-1]
     worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
-    return CENTROID - worst, 0.0, f"N_max changes by {worst:.1e} with two other centroids"
+    return CENTROID - worst, 0.0, f"N_max changes by at most {worst:.1e} with two other positions"
 
 
 def balanced(context: Context) -> Pair:
@@ -163,8 +166,8 @@ def liu(context: Context) -> tuple[float, float, str]:
     free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
     words = (
         f"rigid races change the largest force by {v['rigid'] - 1:+.1%}, without damping by "
-        f"{free:+.1%}; the difference arises because the shorter oscillation is damped less; the "
-        f"races account for {share:.0%} of the deflection"
+        f"{free:+.1%}; with rigid races, the period of oscillation is shorter, so that damping "
+        f"reduces the first peak less; the races account for {share:.0%} of the deflection"
     )
     return v["rigid"] - 1, LSODA, words
 
@@ -221,7 +224,7 @@ def _partners() -> Iterator[Check]:
     yield partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
                     printed=("huang2018:torque-40",))  # fmt: skip
     yield partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio")
-    yield Deviation(name=f"N(t): Runge-Kutta steps and LSODA within {LSODA:.1%}", symbol="ΔN",
+    yield Deviation(name=f"N(t): Runge-Kutta steps and LSODA agree within {LSODA:.1%}", symbol="ΔN",
                     unit="1", size=along, accepted=LSODA, source=SUBJECT, whole="N_max",
                     by=BY)  # fmt: skip
     yield Agreement(name=f"N_max changes by less than {HALVING:.2%} with half the time step",
@@ -241,11 +244,14 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     yield approximation(
         Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; effect on the work"),
         order=4, by=BY,
-        name="first peak of the force without damping, from equal work of torque and sprags, "
-        "rolling contacts",
+        name="first peak of the force without damping, from the work balance of torque and sprags "
+        "with rolling contacts",
         shares=CLOSURE,
     )  # fmt: skip
-    name = f"first peak of the force without damping, with N_e/N_i by statics, within {HALVING:.2%}"
+    name = (
+        "first peak of the force without damping, with N_e/N_i by statics, agrees with the work "
+        f"balance within {HALVING:.2%}"
+    )
     strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
                       source=suites("same tolerance as for a run with half the time step"),
                       by=BY)  # fmt: skip
@@ -282,7 +288,9 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
         order=2, name="frequency of small oscillations, √(k/I)", **more,
     )  # fmt: skip
     yield approximation(
-        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; mass of the sprags"), order=4,
+        Of.N_max,
+        expected=expected(q, Bounds.spring,
+                          f"{UNEQUAL}; the model neglects the mass of the sprags"), order=4,
         name="largest force by the model of two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
@@ -312,7 +320,8 @@ def _findings() -> Iterator[Check]:
     yield Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", margin=crowns, **force)
     yield Agreement(name=f"N_max changes by less than {SLICES:.1%} with half the number of slices",
                     symbol="N_max", unit="N", pair=sliced, accepted=SLICES,
-                    source=suites("one fifth of the required sensitivity, 1 %"),
+                    source=suites("one fifth of the required sensitivity (1 %)"),
                     by="all slices")  # fmt: skip
-    yield Accepted(name=f"position of the centroid changes N_max by {CENTROID:.1%} at most",
+    yield Accepted(name="position of the centroid of the sprags changes N_max by "
+                   f"{CENTROID:.1%} at most",
                    margin=centroids, **force)  # fmt: skip

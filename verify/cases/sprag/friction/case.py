@@ -41,7 +41,8 @@ class SpragFriction(FrictionFormulas):
     )
     assumptions: ClassVar = (
         "μ_s, μ_c, γ_b and D_V are assumed, because the paper does not print them",
-        "length, width, wedge angle and support are identified, not printed",
+        "length, width and wedge angle of the sprags and the stiffness of the support are "
+        "identified, not printed",
         "weak springs have the stiffness K_r/25; with the printed K_r no sprag slips at the start",
         "no oil; no centrifugal force on the sprags; the axes of the races do not move",
     )

@@ -118,7 +118,8 @@ def never_idle(context: Context) -> tuple[float, float, str]:
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
     words = (
         f"the guard rejects {len(stopped)} of {len(all_of_them)} pairs of band and time step; "
-        f"the median error of N_max of each rejected pair is at least {least:.0%}"
+        f"the error of N_max of each rejected pair, median over nearly equal torques, is at least "
+        f"{least:.0%}"
     )
     return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "the guard rejects no pair"
 
@@ -193,7 +194,8 @@ def _partners() -> Iterator[Check]:
 
 
 def _guard() -> Iterator[Check]:
-    yield Agreement(name=f"N_max with automatic speed bands within {GUARDED:.1%} of LSODA",
+    yield Agreement(name="N_max with automatic speed bands and by LSODA agree within "
+                    f"{GUARDED:.1%}",
                     symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
                     by=BY)  # fmt: skip
     yield Accepted(name=f"the guard of the time step rejects the speed band D_V = {NARROW:g} m/s "

@@ -92,8 +92,8 @@ def slides(context: Context) -> Figure:
         "Normal force of sprags that slide",
         "μ/tan ν_0, negative where the race overruns", "N [N]", curves, y_top=float(2 * q.N_slides),
         note="The springs cause the normal force, and friction multiplies it by 1/(1 − μ/tan ν): "
-        "it increases if the clutch is driven and decreases if it overruns. Between the curves no "
-        "steady sliding exists.",
+        "the force increases if the clutch is driven, where μ is positive, and decreases if it "
+        "overruns, where μ is negative. Between the curves no steady sliding exists.",
     )  # fmt: skip
 
 

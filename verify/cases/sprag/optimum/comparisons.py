@@ -122,9 +122,10 @@ def over_K_1(context: Context) -> tuple[float, float, str]:
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
-        f"on {len(found)} lines over K_1, p_max at both ends exceeds the minimum of the line by "
-        f"at least {found.min():.2%}; one line is not judged: at z_m = "
-        f"{context.inputs.z_m_low * 1e6:g} µm in the map over z_m, p_max {course(shallow)}"
+        f"on {len(found)} lines of constant K_2 and z_m, p_max at both ends of the line exceeds "
+        f"the minimum of the line by at least {found.min():.2%}; the line at z_m = "
+        f"{context.inputs.z_m_low * 1e6:g} µm in the map of K_1 and z_m is not judged: there, "
+        f"p_max {course(shallow)}"
     )
     return float(found.min()), SURE, words
 
@@ -172,7 +173,7 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
     words = (
         f"the optimal K_1 is {other:.2f} at 25 N m ({band(found['K_1'], found['less over K_1'])}; "
         f"kriging without infill) and {K_1:.2f} at 40 N m ({band(found['K_1'], over)}); at 40 N m, "
-        f"the K_1 for 25 N m changes p_max by {costs:+.1%}"
+        f"p_max with the optimal K_1 for 25 N m differs by {costs:+.1%} from the lowest"
     )
     return math.copysign(costs, K_1 - other), FLAT, words
 
@@ -192,7 +193,8 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
     return (
         more - less,
         SURE,
-        f"over the range of z_m, p_max varies by {more:.1%} on average, at 25 N m by {less:.1%}",
+        f"over the range of z_m, p_max varies by {more:.1%} at 40 N m and by {less:.1%} at 25 N m "
+        "(means over all K_1)",
     )
 
 
@@ -213,8 +215,8 @@ def improves(context: Context) -> tuple[float, float, str]:
     return (
         float(more - less),
         SURE,
-        f"the optimal crown reduces p_max by {more:.1%}, at 25 N m by {less:.1%}, with "
-        f"{context.inputs.slices} slices",
+        f"the optimal crown reduces p_max by {more:.1%} at 40 N m and by {less:.1%} at 25 N m, "
+        f"with {context.inputs.slices} slices",
     )
 
 
@@ -281,13 +283,13 @@ def checks(T: int) -> tuple[Any, ...]:
                words=f"the wedge angle is fitted to the pressure printed at 25 N m{why}"),
         Displayed(name="reduction of the largest pressure by the optimal crown", symbol="Pre_max",
              unit="%", words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
-        OfPaper(name=f"largest pressure of the printed crown within {NEAR:.0%} of the lowest",
+        OfPaper(name=f"largest pressure of the printed crown is within {NEAR:.0%} of the lowest",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
         Displayed(name="range of crowns with nearly the lowest p_max", symbol="Pre_max", unit="1",
                   words=flat),
-        OfPaper(name=f"largest pressure with K_1 = N_max/Q within {FLAT:.1%} of the lowest",
+        OfPaper(name=f"largest pressure with K_1 = N_max/Q is within {FLAT:.1%} of the lowest",
                 symbol="K_1", unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
-        OfPaper(name="p_max falls, then rises over K_1", symbol="Pre_max", unit="1",
+        OfPaper(name="with increasing K_1, p_max falls, then rises", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
                 printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
         Displayed(name="p_max over z_m", symbol="Pre_max", unit="1", words=over_z_m,

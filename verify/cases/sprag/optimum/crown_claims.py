@@ -91,7 +91,7 @@ def at_crown(name: str, what: str, beside: str, against: str, share: float, dema
         name=f"{name}, crown with unloaded ends", symbol="p", unit="MPa", analytic=what, fem=what,
         what=what, beside=beside, against=against, by=BY_STRIPS if against == "strips"
         else HALF_SPACE, interval=within(share), source=PLACE, demand=demand,
-        demand_reason="about twice the accepted errors of the compared models",
+        demand_reason="about twice the accepted difference between the compared models",
     )  # fmt: skip
 
 
@@ -129,8 +129,8 @@ def endless(context: Context) -> tuple[float, float, str]:
     return (
         grows - GROWS,
         0.0,
-        f"p_max is {words}; each refinement increases p_max by at least {grows:.1%}, {GROWS:.0%} "
-        "required",
+        f"p_max is {words}; each refinement increases p_max by at least {grows:.1%}; the row "
+        f"requires {GROWS:.0%}",
     )
 
 
@@ -174,7 +174,8 @@ def at_rest(q: Any, name: str) -> Comparison:
         name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,
         demand=WIDER,
-        demand_reason="about twice the accepted errors of slices (2 %) and of strips (0.3 %)",
+        demand_reason="about twice the sum of the accepted errors of slices (2 %) and of strips "
+        "(0.3 %)",
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares="line contacts, radius of the inner contact")
 

@@ -182,17 +182,18 @@ def asked(context: Context) -> str:
 def single_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"errors at the extra designs: {spread(missed(found, 'single'))}; estimates with one level "
-        f"of the factorial left out: {spread(found['level out single'])}; estimates with one "
-        f"design left out: {spread(found['left out single'])}"
+        f"errors at the extra designs: {spread(missed(found, 'single'))}; errors estimated by "
+        f"omission of one level of the factorial: {spread(found['level out single'])}; errors "
+        f"estimated by omission of one design: {spread(found['left out single'])}"
     )
 
 
 def two_errors(context: Context) -> str:
     found = measured(context)
     return (
-        f"estimates with one level of the factorial left out: {spread(found['level out two'])}; "
-        f"estimates with one design left out: {spread(found['left out two'])}"
+        f"errors estimated by omission of one level of the factorial: "
+        f"{spread(found['level out two'])}; errors estimated by omission of one design: "
+        f"{spread(found['left out two'])}"
     )
 
 
@@ -208,7 +209,7 @@ def blind(context: Context) -> tuple[float, float, str]:
     return (
         BLIND - known / true,
         0.0,
-        f"the estimated mean error is {known:.3%}, that at new designs {true:.2%}",
+        f"the estimated mean error is {known:.3%}; the mean error at new designs is {true:.2%}",
     )
 
 
@@ -218,7 +219,11 @@ def better(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
-    return 0.5 - two / one, 0.0, f"the mean error is {two:.2%}, with a single model {one:.2%}"
+    return (
+        0.5 - two / one,
+        0.0,
+        f"the mean error is {two:.2%} with separate models and {one:.2%} with a single model",
+    )
 
 
 SURROGATE = (

@@ -28,17 +28,19 @@ def advice(q: WedgeFormulas) -> Iterator[str]:
         )
     else:
         yield (
-            f"holds with friction above tan ν = {math.tan(q.nu_T):.4f} at the inner race and "
-            f"tan ω = {math.tan(q.omega_T):.4f} at the outer race; with less friction, the sprags "
-            "slip"
+            f"holds if the friction coefficient exceeds tan ν = {math.tan(q.nu_T):.4f} at the "
+            f"inner race and tan ω = {math.tan(q.omega_T):.4f} at the outer race; with less "
+            "friction, "
+            "the sprags slip"
         )
     yield (
-        f"the deflection is {q.H * 1e6:.3g} µm under {q.N:.4g} N, the sprag rotation "
-        f"{math.degrees(q.alpha):.3g}°, the wind-up {math.degrees(q.theta):.3g}°"
+        f"the total deflection at a sprag is {q.H * 1e6:.3g} µm under {q.N:.4g} N, the sprag "
+        f"rotation is {math.degrees(q.alpha):.3g}°, and the wind-up is "
+        f"{math.degrees(q.theta):.3g}°"
     )
     rigid = q.at_share(1.0)
     yield (
-        f"error of the rotation with Palmgren's law and Eqs. 9, 10 as printed: "
+        f"with Palmgren's law and Eqs. 9, 10 as printed, the error of the sprag rotation is "
         f"{q.alpha_paper / q.alpha - 1:+.0%}; the error of the deflection is "
         f"{rigid.H_composite / rigid.H - 1:+.0%}, but Eqs. 9, 10 omit a part of the deflection"
     )

@@ -20,7 +20,7 @@ STUDIED = (  # rows of the study
     "rotation of the sprags as in the paper",
     "torque n_s N tan(ν) OA, at N_0",
     "total deflection of elastic bodies, at N_0",
-    "displacement of the outer race under a sprag by Eq. 6",
+    "displacement of the outer race under a sprag, taken as the mean",
     "mean displacement of the outer race (Eq. 6 as printed",
     "mean displacement of the inner race (Eq. 6 as printed",
     "peak pressure on the inner race (Hertz), at N_0",
@@ -84,8 +84,8 @@ class WedgedSprag(WedgeSteps):
         "elastic deflections: the races are rings under single loads (Fourier series), the sprag "
         "is loaded by two opposed forces at its contacts (complex potentials)",
         "expected errors: the angles change because the column bends (its contacts lie beside the "
-        "centre line) and its ends roll further. Tangential forces increase the wind-up by 0.4 to "
-        "1.2 tan²ν. The error of Hertz's theory is (a/r)²",
+        "centre line) and its ends roll further. Tangential forces increase the wind-up by 0.4 "
+        "tan²ν to 1.2 tan²ν (relative). The error of Hertz's theory is (a/r)²",
         "small strains: forces act at the undeformed ends of the sprag; the balance of moments "
         "omits the sideways displacement of these ends by bending",
     )
@@ -109,7 +109,7 @@ class WedgedSprag(WedgeSteps):
         yield picture(
             "sector", "log_mises", "Von Mises stress of one pitch in the state with the largest "
             "load. The force acts along the line through both contacts, beside the centre line of "
-            "the column. Stresses below 10 MPa have one colour", displacement="",
+            "the sprag. Stresses below 10 MPa have one colour", displacement="",
         )  # fmt: skip
 
 

@@ -17,9 +17,14 @@ from verify.judging.tolerance_checks import Agreement, suites
 
 Bound = Callable[[Bounds], Interval]
 
-BENDS = "bending of the sprag and rolling of its ends, by complex potentials with ± 25 %"
-YIELDS = "errors of elastic solutions: 1e-3, (a/r)², tan²ν/2 and lateral motion of the sprag ends"
-TANGENTIAL = f"{YIELDS}; tangential deformation increases the wind-up by 0.4 to 1.2 tan²ν"
+BENDS = "bending of the sprag and rolling of its ends, computed with complex potentials, ± 25 %"
+YIELDS = (
+    "four errors of the elastic solutions: 1e-3, (a/r)², tan²ν/2, and the lateral motion of the "
+    "sprag ends"
+)
+TANGENTIAL = (
+    f"{YIELDS}; tangential deformation increases the wind-up by 0.4 tan²ν to 1.2 tan²ν (relative)"
+)
 HERTZ = "sum of 2e-3 and 2 (a/h)², where h is the smallest radius, wall thickness or width"
 BETTI = (
     "by reciprocity, Lamé's mean applies to any position of the forces; 1e-3 for effects of second "
@@ -187,7 +192,8 @@ def _races(q: Wedge) -> Iterator[Comparison]:
             shares=PLANE, **at_full,
         )  # fmt: skip
         yield from through(
-            q, thin, f"displacement of the {race} race under a sprag by Eq. 6 alone", symbol,
+            q, thin, f"displacement of the {race} race under a sprag, taken as the mean "
+            "displacement by Eq. 6", symbol,
             partial(Bounds.thin_at_contact, which=which), "mean displacement by Eq. 6, "
             "compared with the displacement of a ring under single loads",
             reference=under.name, shares="", **at_full,
@@ -208,8 +214,8 @@ def _contacts(q: Wedge) -> Iterator[Comparison]:
 
 
 def _statics() -> Iterator[Comparison]:
-    yield fact("pressure on the inner race exceeds that on the outer, over the stroke", "p_i",
-               found.inner_above_outer)  # fmt: skip
+    yield fact("peak pressure on the inner race exceeds that on the outer, under all compared "
+               "forces", "p_i", found.inner_above_outer)  # fmt: skip
     yield agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", found.no_load,
                  found.LIGHT, Wedge.mu_i)  # fmt: skip
     yield Comparison(check=Accepted(

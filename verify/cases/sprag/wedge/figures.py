@@ -57,8 +57,9 @@ def _stroke(q: WedgeFormulas) -> Shapes:
         panels=tuple(panels),
         dots_name="contacts",
         note="To scale, with the line through both contacts. Deflections of about 10 µm rotate "
-        "the sprag by several degrees. Its contacts move along its flanks, and the angle of the "
-        "line is constant. If a panel contains no sprag, it has rolled over.",
+        "the sprag by several degrees. The contacts move along the flanks of the sprag; the angle "
+        "of the line to the radius is constant. In a panel without a sprag, the sprag has rolled "
+        "over.",
     )
 
 
@@ -73,7 +74,8 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
         u=u * DEGREE, scale=float(curve[0]) * DEGREE, scale_name=f"{symbol}_0", neglects=True,
         note="Without load, the force of the elastic sector acts along the line through both "
         "contacts. Under load, the difference between the angles of force and line increases with "
-        "N², because the contacts lie beside the centre line and bend the column.",
+        "N², because the contacts lie beside the centre line of the sprag, so that their forces "
+        "bend it.",
     )  # fmt: skip
 
 
@@ -112,7 +114,7 @@ def _force(context: Context, states: Wedged) -> Curves:
         line("Eqs. 9, 10, corrected", states.T, excess(states.N, states.T)),
         dots("FE", loads[1], excess(loads[0], loads[1])), y_bottom=None,
         note="N_0(T) = T/(n_s R_i tan ν_0). N is proportional to T within 1 %, because the wedge "
-        "angle is nearly constant. Bending of the column increases N.",
+        "angle is nearly constant. Bending of the sprag increases N.",
     )  # fmt: skip
 
 
