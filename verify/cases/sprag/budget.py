@@ -70,7 +70,8 @@ LAW = "slices use Palmgren's law of a whole roller; no computation by strips use
 SLICED = (Left(("pressure at mid-length*", "largest pressure*"), LAW),)
 WEDGE = Left(
     ("force ratio T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
-    "a quarter of the torque and thicker races change the results by more than the difference",
+    "a quarter of the torque and thicker races change the results by more than the difference "
+    "between formula and reference",
 )
 STIFF = Left(("torsional stiffness of rigid races*",), "the stiffness is T divided by the wind-up "
              "of rigid races, whose difference is decomposed")  # fmt: skip

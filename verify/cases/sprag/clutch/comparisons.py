@@ -20,7 +20,7 @@ from verify.judging.profile_checks import Estimated
 LAW = 2e-5  # standard relative error of N and tan(nu) by the cubic between loads of a law
 LAW_ALPHA = 1e-3  # likewise for rotations and deflections, at most 0.15 % of the contacts' share
 DRAWN = "numerical profile, same deflection laws"
-FROM_DRAWN = 1e-3, "u_ref includes the error of interpolation between the loads of the contact laws"
+FROM_DRAWN = 1e-3, "u_ref includes the error of interpolation of the tabulated contact laws"
 SLIPS = 0.01
 SAME_CONTACT = "line contacts, radius of the inner contact under load"
 SAME_LAWS = "deflections by the laws of Eqs. 2-8"

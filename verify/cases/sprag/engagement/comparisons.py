@@ -294,7 +294,7 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
         name="largest force by the model of two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
-        Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}; effect at both torques"), order=4,
+        Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}; effect on both forces"), order=4,
         name="ratio of the largest forces under 1.6 T and T by the model of two races on a spring",
         **more,
     )  # fmt: skip

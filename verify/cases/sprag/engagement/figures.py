@@ -138,7 +138,7 @@ def energies(context: Context) -> Figure:
     every = max(len(t) // FEW, 1)
     curves.append(dots("work of torque and springs", t[::every], put_in[::every], 5))
     return plot("Energies, stacked", "t [ms]", "E [J]", curves,
-                note="The crosses lie on the uppermost line: the energies balance.")  # fmt: skip
+                note="The marks lie on the uppermost line: the energies balance.")  # fmt: skip
 
 
 def turns(context: Context) -> Figure:

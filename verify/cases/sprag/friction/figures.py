@@ -136,7 +136,8 @@ def speeds(context: Context) -> Figure:
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
     return plot(
-        "Sliding speed at the start, and the band", "t [ms]", "v_i [m/s]",
+        "Sliding speed at the start, and the speed band in which contacts stick", "t [ms]",
+        "v_i [m/s]",
         line("automatic band", t, last["right v"][:EARLY]),
         dots(f"D_V = {NARROW:g} m/s", t, last["wrong v"][:EARLY], 1),
         dashes("the narrow band", t, NARROW, 2), dashes("", t, -NARROW, 2),
@@ -159,5 +160,5 @@ def guarded(context: Context, factor: float) -> Figure:
         error=chosen[:, :, 4], limits=(0.01, 0.1, 0.5), checked=chosen[:, :, 3] == 1,
         checked_name="rejected by the guard",
         note="Errors in per cent, relative to a run with one fifth of the time step and an "
-        "automatic band.",
+        "automatic band. The guard rejects time steps that are too long for the band.",
     )  # fmt: skip

@@ -28,7 +28,7 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The optimal crown under the larger torque; all crowns have the same design load Q.
+    """The optimal crown under the larger torque, with the same Q as under the smaller torque.
 
     The optimal crown is compared with that under the smaller torque.
 

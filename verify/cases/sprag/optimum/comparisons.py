@@ -241,7 +241,10 @@ def taken_off(context: Context) -> str:
         f"{1 - p / flat:.1%} with {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
         for n, p, flat in zip(SLICED, best, none, strict=True)
     )
-    return f"p_max is reduced by {shares}; the pressure at the ends grows with the number of slices"
+    return (
+        f"relative to no crown, p_max is reduced by {shares}; the pressure at the ends grows with "
+        "the number of slices"
+    )
 
 
 def by_number(context: Context, crown: str) -> Array:
