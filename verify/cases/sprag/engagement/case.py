@@ -121,7 +121,7 @@ class SpragEngagement(EngagementFormulas):
         else:
             yield (
                 f"locks: the largest normal force is {self.N_max:.4g} N, {self.factor:.3g} times "
-                f"the normal force at rest; it occurs at {self.t_max * 1e3:.3g} ms"
+                f"the normal force at rest; the largest force occurs at {self.t_max * 1e3:.3g} ms"
             )
             yield f"rigid races (Liu) change the largest force by {self.number('rigid') - 1:+.1%}"
 
