@@ -127,7 +127,8 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
     yield from through(q, Wedge.alpha, "rotation of the sprags with elastic deflections", "α(N)",
                        Bounds.elastic, YIELDS)  # fmt: skip
     yield from through(q, Wedge.theta,
-                       "wind-up of the races by rolling, against n_s ∫dU/T of the strain energy U",
+                       "wind-up of the races by rolling, compared with the wind-up from the "
+                       "strain energy",
                        "θ(N)", Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
     yield from through(q, Wedge.alpha_plane,
                        "rotation of the sprags with half planes and Eq. 6 for long races", "α(N)",
@@ -224,18 +225,18 @@ def _statics() -> Iterator[Comparison]:
     ))  # fmt: skip
     yield agrees("friction coefficient at which the sprag slips, against tan ν", "μ", found.onset,
                  found.SLIDES, Wedge.mu_i)  # fmt: skip
-    yield agrees("torque against n_s N tan(ν) OA at the computed position of the sprag", "T",
+    yield agrees("torque compared with n_s N tan(ν) OA at the computed position of the sprag", "T",
                  found.ratio("column", found.RATIO, "bending of the column changes the torque by",
                              of_fem=True),
                  found.RATIO, Wedge.torque)  # fmt: skip
-    yield agrees("work ∫N dH on all deflections against the strain energy", "U",
+    yield agrees("work ∫N dH on all deflections, compared with the strain energy", "U",
                  found.ratio("work", found.WORK, "tangential deformation changes the energy by"),
                  found.WORK)  # fmt: skip
     one = {"one": 1.0}
     yield balance("forces", "balance of both contact forces on a sprag", "ΣF", "1", of=one,
                   bound=1e-9, because="the solver balances the forces on a free body")  # fmt: skip
-    yield balance("held", "torque on the inner race against that on the outer", "T", "1", of=one,
-                  bound=1e-3, because="the forces act on displaced surfaces")  # fmt: skip
+    yield balance("held", "torque on the inner race, compared with that on the outer", "T", "1",
+                  of=one, bound=1e-3, because="the forces act on displaced surfaces")  # fmt: skip
 
 
 def agrees(

@@ -178,7 +178,7 @@ CLUTCHES = (
             ("normal force (Eq. 10), at T",
              "excess of N_e over N_i (zero in the paper), at N_0"),
             ("torque n_s N tan(ν) OA, at N_0",
-             "torque on the inner race against that on the outer"),
+             "torque on the inner race, compared with that on the outer"),
             DRAWN,
         ),
     ),
