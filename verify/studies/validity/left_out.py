@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "the study of freewheel-torque measures the same formulas",
+    "freewheel-clutch": "the study of freewheel-torque covers the same formulas",
     "sprag-friction": "the transient analyses of one set of inputs take five minutes; the rows of "
     "the case state the errors at the default inputs",
     "sprag-optimum": "one set of inputs requires a complete search for the optimal crown; the maps "
     "of the case show the pressures of other crowns",
     "sprag-optimum-40": "one set of inputs requires a complete search for the optimal crown; the "
     "maps of the case show the pressures of other crowns",
-    "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
+    "spring-curve": "one set of inputs takes a minute; the study of spring-stages covers "
     "the stiffness k_1 of the same spring",
     "contact-roller-end": "one set of inputs takes two minutes with solid elements; the study of "
     "contact-roller covers the same formulas except near the ends",
