@@ -134,8 +134,8 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
-        ("both causes", f"both removed at once: {'; and '.join(joint.causes)}",
-         f"{percent(joint.value)} more than the sum of both" if joint.value is not None
+        ("both causes", f"both causes removed at once: {' and '.join(joint.causes)}",
+         f"{percent(joint.value)} beyond the sum of both contributions" if joint.value is not None
          else joint.note)
         for joint in row.joints
     ]  # fmt: skip
@@ -143,7 +143,7 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     found.append(
         (REMAINDER, "part that no computation explains: error of the formula itself", left)
     )
-    beside = [(p.cause, f"{p.what} (shared assumption, not subtracted)", _number(p))
+    beside = [(p.cause, f"{p.what} (assumption of both sides, not part of the sum)", _number(p))
               for p in row.parts if p.shared]  # fmt: skip
     return [*found, *beside]
 
@@ -202,9 +202,10 @@ def identities(one: CaseBudget) -> str:
     inside = sum(row.within is True for row in rows)
     worst = max(rows, key=lambda row: abs(row.remainder))
     return (
-        f"For {inside} of {len(rows)} identities, mesh, iteration and tolerance of the row explain "
-        f"the whole difference. The largest remainder is {percent(worst.remainder, worst.u)}, "
-        f"where the difference is {percent(worst.total, worst.U)} ({worst.quantity})."
+        f"For {inside} of {len(rows)} identities, the whole difference is explained by the errors "
+        "of mesh and iteration together with the tolerance of the row. The row with the largest "
+        f"remainder is “{worst.quantity}”: of the difference {percent(worst.total, worst.U)}, the remainder is "
+        f"{percent(worst.remainder, worst.u)}."
     )
 
 

@@ -80,7 +80,7 @@ def test_lines_name_each_cause_and_what_is_not_subtracted_last():
     assert ("contact law", "no contact in it", "–") in found
     assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][::2] == ("remainder", "−2.00 ± 0.2 %")
-    assert found[-1][1] == "plane strain (shared assumption, not subtracted)"
+    assert found[-1][1] == "plane strain (assumption of both sides, not part of the sum)"
     assert any(cause == "both causes" and label.startswith("+0.300 %") for cause, _, label in found)
 
 

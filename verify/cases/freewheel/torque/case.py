@@ -25,8 +25,10 @@ from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.form.adapter import adapted
 
-SHARP = "acceptance figure for this quantity"
-ENCLOSED = "the interval of the star's compliance is too wide for a smaller sensitivity"
+SHARP = "accepted error of this quantity"
+ENCLOSED = (
+    "the compliance of the star is known only as an interval, between those of a layer and of discs"
+)
 PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
 ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
 NOT_LOADED = "ratio of the clamping angle without load to the angle under torque (Eq. 5, corrected)"
