@@ -204,8 +204,8 @@ def identities(one: CaseBudget) -> str:
     return (
         f"For {inside} of {len(rows)} identities, the whole difference is explained by the errors "
         "of mesh and iteration together with the tolerance of the row. The row with the largest "
-        f"remainder is “{worst.quantity}”: of the difference {percent(worst.total, worst.U)}, the remainder is "
-        f"{percent(worst.remainder, worst.u)}."
+        f"remainder is “{worst.quantity}”: of the difference {percent(worst.total, worst.U)}, the "
+        f"remainder is {percent(worst.remainder, worst.u)}."
     )
 
 

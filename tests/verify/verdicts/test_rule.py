@@ -77,8 +77,9 @@ def test_a_sweep_s_verdict_follows_the_rule_at_the_inputs_of_the_case():
         ((0.01, -0.02), "too high", 1.0, "accurate: within 2 %"),
         ((0.01, np.nan), "too high", 1.0, "accurate in part of the range: within 1 %"),
         ((-0.3, 0.1), "too high", 1.0,
-         "unsafe: up to 30 % below and up to 10 % above; a higher value is safe"),
-        ((-0.3, -0.1), "too low", 1.0, "conservative: up to 30 % below; a lower value is safe"),
+         "unsafe: up to 30 % below and up to 10 % above; values above the reference are safe"),
+        ((-0.3, -0.1), "too low", 1.0,
+         "conservative: up to 30 % below; values below the reference are safe"),
         ((-0.3, 0.05), "", 2.0, PART),
         # inputs of the file are a point only where the sweep has them
         ((-0.3, 0.05), "", 1.9, PART.replace("accurate in part of the range", "unsafe")),
