@@ -33,9 +33,9 @@ WORDS = {
     Status.SKIP: "not run",
     Status.NOTE: "a printed value that is proved wrong (with its erratum) or is used unchanged; "
     "not judged",
-    Status.CALIBRATED: "agrees, but with fitted inputs: this is no evidence",
+    Status.CALIBRATED: "agrees, but only with fitted inputs: the agreement is no evidence",
     Status.SHOWN: "measured but not judged: the uncertainty or the expected error is unknown",
-    Status.PASS: "within a derived tolerance",
+    Status.PASS: "the difference is within a derived tolerance",
 }
 
 

@@ -16,11 +16,11 @@ HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|-
 NBSP = "\u00a0"  # a narrow column does not separate a sign from its number
 SMALLEST = 1e-4  # relative: smallest error or uncertainty that is printed
 MEANING = {
-    Verdict.EXACT: "solves its idealisation exactly; the detection limit is 1 % or better",
+    Verdict.EXACT: "solves its idealisation exactly; the detection limit is at most 1 %",
     Verdict.ACCURATE: "error plus uncertainty is within 1, 2, 5 or 10 % over the compared range",
     Verdict.PART: "accurate only in the stated part of the range",
     Verdict.CONSERVATIVE: "errors above 10 % occur; errors on the unsafe side are at most 2 %",
-    Verdict.UNSAFE: "errors beyond 10 % on the unsafe side",
+    Verdict.UNSAFE: "errors above 10 % occur on the unsafe side",
     Verdict.WRONG: "an erratum changes the number; the corrected form has a separate verdict",
     Verdict.DEFINITION: "the equation is a definition: there is nothing to verify",
     Verdict.UNVERIFIABLE: "a value that the formula needs is not printed, or no reference exists",

@@ -35,7 +35,7 @@ def below(points: Sequence[Point]) -> float:
 
 
 def on_unsafe_side(points: Sequence[Point], safe: Safe) -> float:
-    """Largest error on the unsafe side; if neither side is safe, that of both sides."""
+    """Largest error on the unsafe side; if errors on both sides are unsafe, that of both sides."""
     high, low = above(points), below(points)
     return {Safe.ABOVE: low, Safe.BELOW: high, Safe.NEITHER: max(high, low)}[safe]
 

@@ -7,9 +7,8 @@ from verify.core.verdicts import SHARED, FormulaVerdict, Safe, Side, Verdict, Ve
 from verify.studies.validity.messages import number
 from verify.verdicts.rule import CLASSES
 
-SIDE = {Safe.ABOVE: "values above the reference are safe",
-        Safe.BELOW: "values below the reference are safe",
-        Safe.NEITHER: "neither side is safe"}  # fmt: skip
+SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
+        Safe.NEITHER: "neither a higher nor a lower value is safe"}  # fmt: skip
 ONLY = ", which are the only inputs compared"
 VALUES = re.compile(r" \(\d+ values\)")  # numbers of points, which the ranges state
 SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
@@ -18,7 +17,7 @@ SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 def sentences(found: FormulaVerdict) -> str:
     """Sentences with the accuracy or the error of a formula, its range, and its safe side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
-    readings = f"the readings that the paper leaves open give {found.readings}"
+    readings = f"the interpretations (readings) that the paper permits give {found.readings}"
     return joined((
         *_head(found), "" if has_better else f"the formula is {SHARED}", found.caution,
         readings if found.readings else "",
@@ -51,9 +50,9 @@ def _head(found: FormulaVerdict) -> Sequence[str]:
             is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
             over = f" over {_studied(found)}" if is_over else ""
             is_alone = _one_at_a_time(found) and not any(map(constant, found.ranges))
-            alone = ", one input changed at a time" if is_alone and not over else ""
+            alone = ", one input varied at a time" if is_alone and not over else ""
             largest = sides(found.above or 0.0, found.below or 0.0)
-            errors = f"{found.verdict.value}{over}: the values are {largest} the reference{alone}"
+            errors = f"{found.verdict.value}{over}: values are {largest} the reference{alone}"
             return errors, f"{_error(found)}{only}", SIDE[found.safe]
 
 

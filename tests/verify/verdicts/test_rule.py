@@ -69,7 +69,10 @@ def swept(errors, safe, nominal, name="k"):
     return plan, course
 
 
-PART = "accurate in part of the range: up to 30 % below and up to 5 % above; neither side is safe"
+PART = (
+    "accurate in part of the range: up to 30 % below and up to 5 % above; neither a higher nor a "
+    "lower value is safe"
+)
 
 
 def test_a_sweep_s_verdict_follows_the_rule_at_the_inputs_of_the_case():

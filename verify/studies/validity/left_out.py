@@ -3,19 +3,19 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "the study of freewheel-torque covers the same formulas",
-    "sprag-friction": "the transient analyses of one set of inputs take five minutes; the rows of "
-    "the case state the errors at the default inputs",
-    "sprag-optimum": "one set of inputs requires a complete search for the optimal crown; the maps "
-    "of the case show the pressures of other crowns",
-    "sprag-optimum-40": "one set of inputs requires a complete search for the optimal crown; the "
-    "maps of the case show the pressures of other crowns",
-    "spring-curve": "one set of inputs takes a minute; the study of spring-stages covers "
-    "the stiffness k_1 of the same spring",
-    "contact-roller-end": "one set of inputs takes two minutes with solid elements; the study of "
-    "contact-roller covers the same formulas except near the ends",
-    "rotor-step": "one set of inputs takes three minutes with solid elements; the maps of this "
-    "case show the errors over the dimensions",
+    "freewheel-clutch": "the study of freewheel-torque compares the same formulas",
+    "sprag-friction": "the transient analysis of one point takes five minutes; the rows of the "
+    "case state the errors at its inputs",
+    "sprag-optimum": "one point requires a complete search for the optimal crown; the maps of "
+    "the case show the pressure over the parameters of the crown",
+    "sprag-optimum-40": "one point requires a complete search for the optimal crown; the maps of "
+    "the case show the pressure over the parameters of the crown",
+    "spring-curve": "one point takes one minute; the study of spring-stages compares the stiffness "
+    "k_1 of the same spring",
+    "contact-roller-end": "one point takes two minutes with solid elements; the study of "
+    "contact-roller compares the same formulas outside the end zones of the roller",
+    "rotor-step": "one point takes three minutes with solid elements; the page of the case has a "
+    "map of the same formulas",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case
