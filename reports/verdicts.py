@@ -21,7 +21,7 @@ MEANING = {
     Verdict.PART: "accurate only in the stated part of the range",
     Verdict.CONSERVATIVE: "errors above 10 % occur; errors on the unsafe side are at most 2 %",
     Verdict.UNSAFE: "errors above 10 % occur on the unsafe side",
-    Verdict.WRONG: "an erratum changes the number; the corrected form has a separate verdict",
+    Verdict.WRONG: "an erratum changes the result; the corrected form has a separate verdict",
     Verdict.DEFINITION: "the equation is a definition: there is nothing to verify",
     Verdict.UNVERIFIABLE: "a value that the formula needs is not printed, or no reference exists",
     Verdict.NONE: "the evidence has failed or was not run",

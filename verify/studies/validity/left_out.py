@@ -3,19 +3,17 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "the study of freewheel-torque compares the same formulas",
-    "sprag-friction": "the transient analysis of one point takes five minutes; the rows of the "
-    "case state the errors at its inputs",
-    "sprag-optimum": "one point requires a complete search for the optimal crown; the maps of "
-    "the case show the pressure over the parameters of the crown",
-    "sprag-optimum-40": "one point requires a complete search for the optimal crown; the maps of "
-    "the case show the pressure over the parameters of the crown",
-    "spring-curve": "one point takes one minute; the study of spring-stages compares the stiffness "
-    "k_1 of the same spring",
-    "contact-roller-end": "one point takes two minutes with solid elements; the study of "
-    "contact-roller compares the same formulas outside the end zones of the roller",
-    "rotor-step": "one point takes three minutes with solid elements; the page of the case has a "
-    "map of the same formulas",
+    "freewheel-clutch": "the study of freewheel-torque measures the same formulas",
+    "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
+    "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
+    "crowns",
+    "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
+    "the crowns",
+    "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
+    "the stiffness k_1 of the same spring",
+    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
+    "contact-roller measures the same formulas outside the ends",
+    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case
