@@ -57,7 +57,7 @@ class EndFace(Crown):
     id = "contact-roller-end"
     title = "End face of a roller"
     source = "huang2018"
-    place = "Eqs. 2-5, based on weights of a half-space"
+    place = "Eqs. 2-5, based on influence coefficients of a half-space"
     levels: ClassVar = (2, 3, 4)
     readings: ClassVar = (
         "the race continues beyond the roller, as in a clutch",
